@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Libraries from Debian packages (deps.txt).
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc imgcodecs videoio)
+find_package(doctest REQUIRED)
+pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
+pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)
+
+find_path(SUITESPARSE_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+add_library(rhexis_cholmod INTERFACE)
+target_include_directories(rhexis_cholmod SYSTEM INTERFACE $<BUILD_INTERFACE:${SUITESPARSE_INCLUDE_DIR}>)
+target_link_libraries(rhexis_cholmod INTERFACE $<BUILD_INTERFACE:${CHOLMOD_LIBRARY}> $<BUILD_INTERFACE:${OPENBLAS_LIBRARY}>)

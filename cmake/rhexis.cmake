@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Flags and the two functions that every folder's CMakeLists.txt uses.
+
+# -ffp-contract=off: the same result with and without fused multiply-add, so one state hash for every x86-64 build.
+add_library(rhexis_flags INTERFACE)
+target_compile_options(rhexis_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast -Werror)
+
+# rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME as one static library.
+function(rhexis_kernel_folder name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(rhexis_${name} STATIC ${sources})
+    target_include_directories(rhexis_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/kernel>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rhexis>)
+    target_link_libraries(rhexis_${name} PRIVATE $<BUILD_INTERFACE:rhexis_flags>)
+    target_link_libraries(rhexis_${name} PUBLIC ${ARG_LIBRARIES})
+    foreach(other ${ARG_DEPENDS})
+      target_link_libraries(rhexis_${name} PUBLIC rhexis_${other})
+    endforeach()
+    if(NOT name STREQUAL base AND NOT name STREQUAL math)
+      target_precompile_headers(rhexis_${name} REUSE_FROM rhexis_math)
+    endif()
+  else()
+    add_library(rhexis_${name} INTERFACE)
+    target_include_directories(rhexis_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/kernel>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/rhexis>)
+    foreach(other ${ARG_DEPENDS})
+      target_link_libraries(rhexis_${name} INTERFACE rhexis_${other})
+    endforeach()
+  endif()
+  set_property(GLOBAL APPEND PROPERTY RHEXIS_KERNEL_TARGETS rhexis_${name})
+endfunction()
+
+# rhexis_test_folder(NAME [LIBRARIES ...] [LABELS ...] [TIMEOUT s]): all test_*.cpp here as one doctest program.
+function(rhexis_test_folder name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "LIBRARIES;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/test_*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+  target_link_libraries(test_${name} PRIVATE rhexis_flags rhexis_test_support ${ARG_LIBRARIES})
+  target_precompile_headers(test_${name} REUSE_FROM rhexis_math)
+  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+endfunction()

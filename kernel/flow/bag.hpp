@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The capsular bag as the lens meets it while its wall is not simulated: a smooth closed rigid surface that hangs on
+// zonule springs. (Its wall becomes a membrane when an exercise needs it.)
+#pragma once
+
+#include <vector>
+
+#include "math/types.hpp"
+
+namespace rhexis {
+
+/// Two half-ellipsoids that share the equator, in the bag's own frame: axis z, anterior is +z.
+///   f(x) = (x^2 + y^2) / radius^2 + z^2 / c^2 - 1, c = anterior for z >= 0, else posterior; the inside has f < 0.
+struct BagShape {
+    double radius = 4.6;     ///< equatorial [mm]
+    double anterior = 1.9;   ///< equatorial plane to anterior pole [mm]
+    double posterior = 2.7;  ///< equatorial plane to posterior pole [mm]
+};
+
+/// Signed distance of a point in the bag's frame (negative inside) and the outward unit normal there.
+struct SurfaceDistance {
+    double distance = 0.0;  ///< [mm]
+    Vec3 normal = Vec3::UnitZ();
+};
+SurfaceDistance bag_distance(const BagShape& shape, const Vec3& point);
+
+/// A linear spring from a point of the bag to a fixed point of the ciliary body.
+struct ZonuleSpring {
+    Vec3 on_bag = Vec3::Zero();      ///< in the bag's frame [mm]
+    Vec3 on_ciliary = Vec3::Zero();  ///< in the eye's frame [mm]
+    double stiffness = 0.0;          ///< [uN/mm]
+};
+
+struct BagModel {
+    BagShape shape;
+    std::vector<ZonuleSpring> zonules;
+    double mass = 0.01;           ///< [g], of capsule and the fluid that moves with it
+    double damping = 0.0;         ///< force per velocity of the centre [uN s/mm] (and mm^2 times that for rotation)
+    double opening_radius = 0.0;  ///< radius of the anterior opening (capsulorhexis) [mm]; no wall inside it
+    double friction = 0.1;        ///< Coulomb coefficient, lens against bag
+};
+
+struct BagState {
+    Pose pose;
+    Vec3 velocity = Vec3::Zero();          ///< of the centre [mm/s]
+    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+};
+
+}  // namespace rhexis

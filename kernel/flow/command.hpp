@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// curriculum -> session: what a script wants, read at the start of the next step.
+#pragma once
+
+#include <string>
+
+namespace rhexis {
+
+enum class CommandKind {
+    set,      ///< name = "phaco.power_limit", value in its range
+    say,      ///< text for the trainee
+    picture,  ///< keep a picture of this moment for the report; name is its caption key, text the caption
+    finish,   ///< end the exercise; text is the reason
+};
+
+struct Command {
+    CommandKind kind = CommandKind::say;
+    std::string name;
+    double value = 0.0;
+    std::string text;
+};
+
+}  // namespace rhexis

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// physics -> session, observe, render: who touches what, with what force.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "math/types.hpp"
+
+namespace rhexis {
+
+/// The rigid side of a contact.
+enum class ContactPartner { tool, bag, plane };
+
+/// A surface point of a solid against a rigid partner. The point is a weighted mean of up to three coarse nodes.
+struct Contact {
+    int solid = 0;
+    std::array<int, 3> nodes{0, -1, -1};  ///< coarse nodes; -1: unused
+    std::array<double, 3> weights{1.0, 0.0, 0.0};
+    ContactPartner partner = ContactPartner::tool;
+    int partner_index = 0;
+    Vec3 point = Vec3::Zero();    ///< [mm]
+    Vec3 normal = Vec3::UnitZ();  ///< unit, from the partner into the solid
+    double gap = 0.0;             ///< [mm]; negative: penetration
+    Vec3 force = Vec3::Zero();    ///< on the solid, mean over the step [uN]
+    bool sliding = false;
+};
+
+using ContactSet = std::vector<Contact>;
+
+}  // namespace rhexis

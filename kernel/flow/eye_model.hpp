@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// eye -> session, observe, render: a patient and the anatomy made from it.
+// The eye's frame: origin at the centre of the lens equator at rest, +z anterior (to the microscope), the surgeon sits
+// at -y (the bottom of the picture), +x to the surgeon's right. Units mm.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flow/bag.hpp"
+#include "flow/solid.hpp"
+
+namespace rhexis {
+
+/// What a curriculum says of the patient. Every number is checked against the range given here.
+struct Patient {
+    double age = 68.0;           ///< [years], 20 to 95
+    double nuclear_grade = 3.0;  ///< LOCS III nuclear opalescence, 1 to 6
+    double pupil_mm = 7.5;       ///< diameter, 3 to 9
+    std::string side = "right";  ///< "right" or "left"
+    int tetrahedra = 3000;       ///< requested mesh size of the lens, 500 to 24000
+};
+
+/// Surfaces that only the picture and distances need.
+struct EyeAnatomy {
+    double cornea_apex_z = 0.0;   ///< front of the cornea on the axis [mm]
+    double cornea_radius = 7.63;  ///< front radius of curvature [mm]
+    double cornea_back_radius = 6.45;
+    double cornea_thickness = 0.534;
+    double limbus_radius = 5.82;  ///< half of white-to-white [mm]
+    double limbus_z = 0.0;
+    double globe_radius = 12.0;
+    double iris_z = 0.0;  ///< plane of the pupil's edge [mm]
+    double iris_thickness = 0.4;
+    double pupil_radius = 3.75;
+    double anterior_chamber_depth = 3.0;  ///< front of the cornea to front of the lens [mm]
+    Vec3 incision = Vec3::Zero();         ///< centre of the main wound at its inner lip [mm]
+    double incision_width = 2.4;
+};
+
+struct EyeModel {
+    Patient patient;
+    EyeAnatomy anatomy;
+    SolidModel lens;
+    BagModel bag;
+};
+
+}  // namespace rhexis

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// session -> render: an immutable picture of one moment. Render never sees the live state.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "flow/eye_model.hpp"
+#include "flow/world.hpp"
+
+namespace rhexis {
+
+struct Frame {
+    std::shared_ptr<const WorldModel> model;
+    std::shared_ptr<const EyeAnatomy> eye;  ///< null: a bare scene from a script
+    std::vector<SolidState> solids;
+    std::vector<BagState> bags;
+    std::vector<ToolState> tools;
+    double time_s = 0.0;
+};
+
+/// Where the picture is taken from. Orthogonal views are not needed: a microscope is far away.
+struct Camera {
+    Vec3 eye = Vec3(0.0, 0.0, 200.0);  ///< [mm]
+    Vec3 target = Vec3::Zero();
+    Vec3 up = Vec3::UnitY();
+    double field_mm = 15.0;  ///< height of the field at the target [mm]
+};
+
+/// Pixels, row by row from the top, 8 bits each.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<unsigned char> rgb;  ///< 3 * width * height
+};
+
+}  // namespace rhexis

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// curriculum -> session: what an exercise asks for. What it does not name is not built, stepped or drawn.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "flow/eye_model.hpp"
+
+namespace rhexis {
+
+struct SceneDescription {
+    Patient patient;
+    std::vector<std::string> tissues;        ///< of "lens", "bag", "iris", "cornea"
+    std::vector<std::string> instruments;    ///< of "phaco", "probe"; their order is the instrument index
+    double step_s = 0.01;                    ///< [s], 0.001 to 0.02
+    Advance advance = Advance::automatic;    ///< of the lens
+    int threads = 1;                         ///< 1 to 64
+    std::map<std::string, double> settings;  ///< "phaco.power_limit" = 0.6, ...; names and ranges: session/settings.hpp
+};
+
+}  // namespace rhexis

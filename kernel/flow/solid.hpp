@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A deformable solid: what it is (model) and what changes (state). Solvers keep their own caches of the model.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "flow/material.hpp"
+#include "mesh/tet_mesh.hpp"
+
+namespace rhexis {
+
+/// Way to advance a solid in time.
+enum class Advance {
+    automatic,  ///< explicit where the stable step makes it the cheaper way, else implicit
+    explicit_,  ///< symplectic Euler substeps in float, [numerics: corotational linear tetrahedra]
+    implicit,   ///< backward Euler of the same model in double
+};
+
+/// Constant while a scene runs.
+struct SolidModel {
+    std::string name;                 ///< "lens", "bar", ...
+    TetMesh coarse;                   ///< mechanics
+    FineMesh fine;                    ///< contact, sculpting and picture; empty if the body needs none of them
+    std::vector<Material> materials;  ///< indexed by coarse.region
+    std::vector<int> fixed_nodes;     ///< coarse nodes that never move, ascending
+    double damping_mass = 0.0;        ///< Rayleigh damping, share of the mass [1/s]
+    double damping_stiffness = 0.0;   ///< Rayleigh damping, share of the stiffness [s]
+    double buoyancy_density = 0.0;    ///< density of the fluid around it [g/mm^3]; gravity acts on the difference
+    double stiffness_floor = 0.02;    ///< smallest factor on the stiffness of a tetrahedron that is still there
+    Advance advance = Advance::automatic;
+};
+
+/// Changes from step to step.
+struct SolidState {
+    std::vector<Vec3> position;  ///< coarse nodes [mm]
+    std::vector<Vec3> velocity;  ///< coarse nodes [mm/s]
+    std::vector<double>
+        fraction;  ///< remaining share of each fine tetrahedron, 1 down to 0 (gone); empty if no fine mesh
+    std::vector<std::uint8_t> present;  ///< per coarse tetrahedron: 1, or 0 once removed from mechanics
+};
+
+/// The state at rest, everything present.
+SolidState rest_state(const SolidModel& model);
+
+/// Share of coarse tetrahedron t that is left: the mean of its 8 children, or `present` without a fine mesh.
+double remaining_fraction(const SolidModel& model, const SolidState& state, int t);
+
+}  // namespace rhexis

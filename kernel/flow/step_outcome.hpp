@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// physics -> session: how a step went, so that session can keep it, roll it back, or log it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rhexis {
+
+struct SolidStepReport {
+    bool explicit_used = false;
+    int substeps = 1;
+    int newton_iterations = 0;
+    int solver_iterations = 0;
+    double residual = 0.0;        ///< relative residual left by the implicit solve
+    double stable_step_s = 0.0;   ///< explicit stability limit now [s]; 0 if unknown
+    double kinetic_energy = 0.0;  ///< [nJ] (uN mm)
+    double elastic_energy = 0.0;  ///< [nJ]
+    int inverted = 0;             ///< tetrahedra with negative volume
+};
+
+/// What made a step unacceptable.
+enum class StepFailure { none, not_finite, not_converged, inverted };
+
+struct StepOutcome {
+    StepFailure failure = StepFailure::none;  ///< after all fallbacks; `none`: the new state is good
+    int rollbacks = 0;                        ///< tries thrown away before this result
+    std::vector<std::string> notes;           ///< one line per fallback, for the log
+    std::vector<SolidStepReport> solids;
+};
+
+}  // namespace rhexis

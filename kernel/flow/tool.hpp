@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// tools -> physics, observe, render: instruments as kinematic rigid bodies.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "math/types.hpp"
+
+namespace rhexis {
+
+enum class ToolKind { probe, phaco };  ///< probe: a blunt rod or ball that only pushes
+
+/// A cone with round ends, in the tool's frame; equal ends make a ball.
+struct RoundedCone {
+    Vec3 a = Vec3::Zero();
+    Vec3 b = Vec3::Zero();
+    double radius_a = 0.1;  ///< [mm]
+    double radius_b = 0.1;  ///< [mm]
+};
+
+/// Constant while a scene runs.
+struct ToolModel {
+    std::string name;  ///< "phaco", "probe", ...
+    ToolKind kind = ToolKind::probe;
+    std::vector<RoundedCone> parts;  ///< union; parts[0] is the working end
+    double friction = 0.2;           ///< Coulomb coefficient against tissue
+    double bore_radius = 0.0;        ///< phaco: inner radius of the tip [mm]
+    double bevel = 0.0;              ///< phaco: angle of the opening from square [rad]
+    double max_power = 0.0;          ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
+};
+
+/// One step of one tool. Poses within the step are interpolated from previous_pose to pose.
+struct ToolState {
+    bool present = false;
+    Pose pose;
+    Pose previous_pose;            ///< at the end of the previous step; equal to pose on the step in which it appears
+    Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
+    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+    double jaw = 0.0;
+    double pedal = 0.0;       ///< 0 to 3
+    bool irrigation = false;  ///< pedal at 1 or more
+    double aspiration = 0.0;  ///< share of the set vacuum, 0 to 1 (pedal 2)
+    double power = 0.0;       ///< share of full ultrasound power, 0 to 1 (pedal 3)
+};
+
+}  // namespace rhexis

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that moves in a scene: the constant model and the state of one step.
+#pragma once
+
+#include <vector>
+
+#include "flow/bag.hpp"
+#include "flow/contact.hpp"
+#include "flow/solid.hpp"
+#include "flow/tool.hpp"
+
+namespace rhexis {
+
+/// A fixed half-space that solids rest on.
+struct PlaneModel {
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitZ();  ///< unit, into the free side
+    double friction = 0.3;
+};
+
+/// A force spread over nodes of a solid, constant until changed by the caller.
+struct NodeLoad {
+    int solid = 0;
+    std::vector<int> nodes;
+    Vec3 total = Vec3::Zero();  ///< [uN]
+};
+
+struct WorldModel {
+    std::vector<SolidModel> solids;
+    std::vector<BagModel> bags;
+    std::vector<PlaneModel> planes;
+    std::vector<ToolModel> tools;
+    Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
+};
+
+/// How a resting contact stuck: the anchor that friction remembers. State, because it must survive a snapshot.
+struct ContactMemory {
+    int solid = 0;
+    int vertex = 0;  ///< fine (or coarse) surface vertex
+    ContactPartner partner = ContactPartner::tool;
+    int partner_index = 0;
+    Vec3 anchor = Vec3::Zero();  ///< in the partner's frame [mm]
+    Vec3 force = Vec3::Zero();   ///< last force, for warm starting [uN]
+};
+
+struct WorldState {
+    std::vector<SolidState> solids;
+    std::vector<BagState> bags;
+    std::vector<NodeLoad> loads;
+    std::vector<ContactMemory> memory;  ///< ordered by (solid, vertex, partner, partner_index)
+    double removed_mass = 0.0;          ///< mass emulsified so far [g]
+    double ablation_energy = 0.0;       ///< ultrasound energy spent in tissue so far [mJ]
+    double time_s = 0.0;
+};
+
+/// The state at rest of everything in the model.
+WorldState rest_state(const WorldModel& model);
+
+}  // namespace rhexis
