@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs an exercise script beside a session: the exercise engine in one sandboxed Lua state, the virtual surgeon in
+// another. Knows nothing of files but the scripts themselves.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "flow/command.hpp"
+#include "flow/device_sample.hpp"
+#include "flow/observation.hpp"
+#include "flow/percept.hpp"
+#include "flow/scene.hpp"
+
+namespace rhexis {
+
+struct ExerciseOptions {
+    std::string curriculum;        ///< folder, file, or bare name of a folder in curricula/
+    std::string surgeon = "none";  ///< "none", or a script in scripts/surgeons: "expert", "novice", a..d
+    std::uint64_t seed = 1;
+    std::map<std::string, std::string> set;  ///< --set key=value: patient fields and settings of the exercise
+    std::string root;                        ///< folder that holds scripts/ and curricula/
+};
+
+class ExerciseHost {
+public:
+    /// Loads and checks the script; errors name file:line, and near names for an unknown curriculum or surgeon.
+    static Result<ExerciseHost> load(const ExerciseOptions& options);
+    ~ExerciseHost();
+    ExerciseHost(ExerciseHost&&) noexcept;
+
+    [[nodiscard]] const SceneDescription& scene() const;
+    [[nodiscard]] const nlohmann::json& identity() const;  ///< {"id","title","version","sha256"}
+
+    /// Once, before the first step.
+    Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);
+
+    /// Stage 6: the curriculum sees the observation; what it wants comes back as commands. A script error (file, line,
+    /// step) ends the exercise, not the session.
+    Result<std::vector<Command>> observe(const Observation& observation);
+
+    /// The virtual surgeon sees the percept, with this person's delay and noise, and moves the instruments.
+    Result<std::vector<DeviceSample>> operate(const Percept& percept);
+
+    [[nodiscard]] bool finished() const;
+    [[nodiscard]] bool has_surgeon() const;
+
+    /// "completed", "steps", "events", "osacss", "measures", "advice" of report.json, as far as the exercise has come.
+    [[nodiscard]] Result<nlohmann::json> result();
+
+private:
+    struct Parts;
+    explicit ExerciseHost(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace rhexis
