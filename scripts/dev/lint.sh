@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# lint.sh [tidy]: clang-format and luacheck over the tree; with `tidy` also clang-tidy (needs a Release build; slow).
+set -uo pipefail
+cd "$(dirname "$0")/../.." || exit 2
+status=0
+
+mapfile -t cpp < <(git ls-files -co --exclude-standard '*.cpp' '*.hpp')
+if ! clang-format --dry-run -Werror "${cpp[@]}" 2>/tmp/rhexis-format.$$; then
+    grep -m 20 'error:' /tmp/rhexis-format.$$
+    status=1
+fi
+rm -f /tmp/rhexis-format.$$
+
+mapfile -t lua < <(git ls-files -co --exclude-standard '*.lua')
+if [ "${#lua[@]}" -gt 0 ] && ! luacheck -q --no-color "${lua[@]}" | tail -n 30; then
+    status=1
+fi
+
+if [ "${1:-}" = tidy ]; then
+    mapfile -t sources < <(git ls-files 'kernel/*.cpp' 'bindings/*.cpp')
+    printf '%s\n' "${sources[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy -p build/release --quiet 2>/dev/null || status=1
+fi
+exit $status
