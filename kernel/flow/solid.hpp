@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "energy/gradient_elements.hpp"
 #include "flow/material.hpp"
 #include "mesh/tet_mesh.hpp"
 
@@ -30,6 +31,7 @@ struct SolidModel {
     double buoyancy_density = 0.0;    ///< density of the fluid around it [g/mm^3]; gravity acts on the difference
     double stiffness_floor = 0.02;    ///< smallest factor on the stiffness of a tetrahedron that is still there
     Advance advance = Advance::automatic;
+    Formulation formulation = Formulation::linear;
 };
 
 /// Changes from step to step.
