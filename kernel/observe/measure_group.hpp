@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the groups of measures have in common: what they may read, and how they say and write their numbers.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "flow/contact.hpp"
+#include "flow/eye_model.hpp"
+#include "flow/observation.hpp"
+#include "flow/tool.hpp"
+#include "flow/world.hpp"
+#include "observe/groove_shape.hpp"
+#include "observe/lens_columns.hpp"
+#include "observe/lens_motion.hpp"
+#include "observe/reflex.hpp"
+
+namespace rhexis {
+
+/// One step as the stages before observe left it.
+struct ObserveInput {
+    const EyeModel& eye;
+    const WorldModel& world;
+    const WorldState& state;
+    std::span<const ToolState> tools;
+    const ContactSet& contacts;
+    double dt = 0.01;  ///< [s]
+};
+
+/// What several groups need of the lens, made once per step. Null pointers: the scene has no lens.
+struct LensView {
+    const SolidModel* model = nullptr;
+    const ColumnGrid* grid = nullptr;
+    const ColumnFill* fill = nullptr;
+    const GrooveShape* groove = nullptr;
+    const LensMotion* motion = nullptr;
+    const Reflex* reflex = nullptr;
+};
+
+class MeasureGroup {
+public:
+    virtual ~MeasureGroup() = default;
+    /// Appends its entries to the schema, in the order in which measure writes them.
+    virtual void describe(ObservationSchema& schema) const = 0;
+    /// Doubles that it carries from step to step. They are state: snapshots keep them.
+    [[nodiscard]] virtual std::size_t memory_size() const { return 0; }
+    /// Writes one value per schema entry. memory has memory_size() entries, all 0 at the start.
+    virtual void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
+                         std::span<double> values) const = 0;
+};
+
+/// tool: index of the instrument in the scene.
+std::unique_ptr<MeasureGroup> tool_measures(const ToolModel& model, int tool, bool lens, bool bag, bool cornea);
+std::unique_ptr<MeasureGroup> tremor_measures(const std::string& instrument, int tool, double dt);
+std::unique_ptr<MeasureGroup> lens_measures();
+std::unique_ptr<MeasureGroup> groove_measures(bool bag);
+std::unique_ptr<MeasureGroup> bag_measures();
+std::unique_ptr<MeasureGroup> iris_measures();
+std::unique_ptr<MeasureGroup> reflex_measures();
+
+}  // namespace rhexis

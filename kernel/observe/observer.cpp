@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "observe/observer.hpp"
+
+#include "observe/seen.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double column_spacing = 0.2;  // [mm], a fifth of the phaco tip's width
+
+std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, const ObservedTissues& tissues,
+                                                       double dt) {
+    std::vector<std::unique_ptr<MeasureGroup>> groups;
+    for (int i = 0; i < static_cast<int>(world.tools.size()); ++i) {
+        groups.push_back(tool_measures(world.tools[i], i, tissues.lens, tissues.bag, tissues.cornea));
+        groups.push_back(tremor_measures(world.tools[i].name, i, dt));
+    }
+    if (tissues.lens) {
+        groups.push_back(lens_measures());
+        groups.push_back(groove_measures(tissues.bag));
+        groups.push_back(reflex_measures());
+    }
+    if (tissues.bag) {
+        groups.push_back(bag_measures());
+    }
+    if (tissues.iris) {
+        groups.push_back(iris_measures());
+    }
+    return groups;
+}
+
+}  // namespace
+
+Observer::Observer(const WorldModel& world, const ObservedTissues& tissues, double dt)
+    : tissues_(tissues), groups_(make_groups(world, tissues, dt)) {
+    for (const std::unique_ptr<MeasureGroup>& group : groups_) {
+        first_value_.push_back(schema_.size());
+        group->describe(schema_);
+        memory_size_ += group->memory_size();
+    }
+    first_value_.push_back(schema_.size());
+    if (tissues.lens) {
+        lens_ = &world.solids[0];
+        grid_ = make_columns(*lens_, column_spacing);
+        volumes_ = coarse_volumes(*lens_);
+    }
+}
+
+LensView Observer::view() const {
+    return lens_ == nullptr ? LensView{} : LensView{lens_, &grid_, &fill_, &groove_, &motion_, &reflex_};
+}
+
+void Observer::look_at_lens(const ObserveInput& input) {
+    const SolidState& state = input.state.solids[0];
+    if (update_columns(*lens_, grid_, state.fraction, fill_)) {
+        groove_ = groove_shape(grid_, fill_);
+    }
+    motion_ = lens_motion(*lens_, volumes_, state);
+    reflex_ = reflex_of(grid_, fill_, motion_, input.eye.anatomy.pupil_radius);
+}
+
+void Observer::observe(const ObserveInput& input, std::vector<double>& memory, Observation& observation) {
+    if (lens_ != nullptr) {
+        look_at_lens(input);
+    }
+    memory.resize(memory_size_, 0.0);
+    observation.time_s = input.state.time_s;
+    observation.values.assign(schema_.size(), 0.0);
+    const LensView lens = view();
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        const std::span<double> values(observation.values);
+        const std::span<double> kept(memory);
+        groups_[i]->measure(input, lens, kept.subspan(used, groups_[i]->memory_size()),
+                            values.subspan(first_value_[i], first_value_[i + 1] - first_value_[i]));
+        used += groups_[i]->memory_size();
+    }
+}
+
+Percept Observer::percept(const ObserveInput& input) const { return seen(input, view(), tissues_.iris); }
+
+}  // namespace rhexis

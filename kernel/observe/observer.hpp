@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The observe stage: one row of named measures per step, and what someone at the microscope can see.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/profile.hpp"
+#include "flow/percept.hpp"
+#include "observe/measure_group.hpp"
+
+namespace rhexis {
+
+/// Tissues that the scene names: measures of others do not exist.
+struct ObservedTissues {
+    bool lens = false;
+    bool bag = false;
+    bool iris = false;
+    bool cornea = false;
+};
+
+class Observer {
+public:
+    /// The lens is solid 0 and the bag is bag 0 of the world. dt: step [s].
+    Observer(const WorldModel& world, const ObservedTissues& tissues, double dt);
+
+    [[nodiscard]] const ObservationSchema& schema() const { return schema_; }
+    /// Entries of the memory that `observe` carries from step to step; all 0 at the start.
+    [[nodiscard]] std::size_t memory_size() const { return memory_size_; }
+
+    /// Measures one step. The result depends on input and memory alone.
+    void observe(const ObserveInput& input, std::vector<double>& memory, Observation& observation);
+
+    /// What can be seen now, of the same step that was observed last.
+    [[nodiscard]] Percept percept(const ObserveInput& input) const;
+
+private:
+    void look_at_lens(const ObserveInput& input);
+    [[nodiscard]] LensView view() const;
+
+    ObservedTissues tissues_;
+    std::vector<std::unique_ptr<MeasureGroup>> groups_;
+    std::vector<std::size_t> first_value_;
+    ObservationSchema schema_;
+    std::size_t memory_size_ = 0;
+
+    // Scratch: follows from the state that is being observed.
+    const SolidModel* lens_ = nullptr;
+    ColumnGrid grid_;
+    std::vector<double> volumes_;
+    ColumnFill fill_;
+    GrooveShape groove_;
+    LensMotion motion_;
+    Reflex reflex_;
+};
+
+}  // namespace rhexis

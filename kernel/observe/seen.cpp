@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "observe/seen.hpp"
+
+#include <cmath>
+
+namespace rhexis {
+namespace {
+
+bool over_pupil(const EyeAnatomy& eye, const Vec3& place) {
+    return place.x() * place.x() + place.y() * place.y() <= eye.pupil_radius * eye.pupil_radius;
+}
+
+Landmark in_lens(const std::string& name, bool exists, const Vec3& rest, double size, const LensMotion& motion,
+                 const EyeAnatomy& eye) {
+    const Vec3 place = motion.to_eye(rest);
+    return {name, exists && over_pupil(eye, place), place, size};
+}
+
+Landmark surface_at_tip(const ObserveInput& input, const LensView& lens) {
+    Landmark mark{"surface_at_tip", false, Vec3::Zero(), 0.0};
+    if (input.tools.empty() || !input.tools[0].present) {
+        return mark;
+    }
+    const Vec3 rest = lens.motion->to_rest(input.tools[0].pose.position);
+    const Vec2 across(rest.x(), rest.y());
+    const int cell = lens.grid->cell_at(across);
+    if (cell < 0 || !lens.grid->inside(cell)) {
+        return mark;
+    }
+    const double depth = local_depth(*lens.grid, *lens.fill, cell);
+    const Vec3 place(rest.x(), rest.y(), front_surface(*lens.grid, across) - depth);
+    return in_lens("surface_at_tip", true, place, 0.0, *lens.motion, input.eye.anatomy);
+}
+
+void add_lens_landmarks(const ObserveInput& input, const LensView& lens, std::vector<Landmark>& marks) {
+    const EyeAnatomy& eye = input.eye.anatomy;
+    const GrooveShape& groove = *lens.groove;
+    const Vec3 pole(0.0, 0.0, front_surface(*lens.grid, Vec2::Zero()));
+    marks.push_back(in_lens("lens_front", true, pole, 0.0, *lens.motion, eye));
+    marks.push_back(surface_at_tip(input, lens));
+    marks.push_back(in_lens("groove_near", groove.exists, groove.near_end, 0.5 * groove.width, *lens.motion, eye));
+    marks.push_back(in_lens("groove_far", groove.exists, groove.far_end, 0.5 * groove.width, *lens.motion, eye));
+    marks.push_back(in_lens("groove_floor", groove.exists, groove.floor, 0.0, *lens.motion, eye));
+}
+
+}  // namespace
+
+Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
+    const EyeAnatomy& eye = input.eye.anatomy;
+    Percept percept;
+    percept.time_s = input.state.time_s;
+    for (std::size_t i = 0; i < input.tools.size(); ++i) {
+        percept.tools.push_back({input.world.tools[i].name, input.tools[i].present, input.tools[i].pose});
+    }
+    percept.landmarks.push_back({"pupil", iris, Vec3(0.0, 0.0, eye.iris_z), eye.pupil_radius});
+    percept.landmarks.push_back({"incision", true, eye.incision, 0.5 * eye.incision_width});
+    if (!input.tools.empty()) {
+        percept.pedal = input.tools[0].pedal;
+        percept.power = input.tools[0].power;
+    }
+    if (lens.model != nullptr) {
+        add_lens_landmarks(input, lens, percept.landmarks);
+        percept.reflex_brightness = lens.reflex->mean_brightness;
+        if (!input.tools.empty() && input.tools[0].present) {
+            percept.tip_brightness = reflex_around(*lens.reflex, *lens.grid, *lens.fill, *lens.motion, eye.pupil_radius,
+                                                   input.tools[0].pose.position, reflex_at_tip_mm);
+        }
+    }
+    return percept;
+}
+
+}  // namespace rhexis
