@@ -24,4 +24,23 @@ double remaining_fraction(const SolidModel& model, const SolidState& state, int 
     return sum / 8.0;
 }
 
+double tet_mass(const SolidModel& model, int t) {
+    const std::size_t index = static_cast<std::size_t>(t);
+    const std::array<int, 4>& tet = model.coarse.tets[index];
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < 4; ++k) {
+        x[k] = model.coarse.nodes[static_cast<std::size_t>(tet[k])];
+    }
+    const Material& material = model.materials[static_cast<std::size_t>(model.coarse.region[index])];
+    return material.density * tet_volume(x[0], x[1], x[2], x[3]);
+}
+
+double remaining_mass(const SolidModel& model, const SolidState& state) {
+    double sum = 0.0;
+    for (int t = 0; t < static_cast<int>(model.coarse.tets.size()); ++t) {
+        sum += remaining_fraction(model, state, t) * tet_mass(model, t);
+    }
+    return sum;
+}
+
 }  // namespace rhexis

@@ -49,4 +49,10 @@ SolidState rest_state(const SolidModel& model);
 /// Share of coarse tetrahedron t that is left: the mean of its 8 children, or `present` without a fine mesh.
 double remaining_fraction(const SolidModel& model, const SolidState& state, int t);
 
+/// Mass of coarse tetrahedron t when whole [g].
+double tet_mass(const SolidModel& model, int t);
+
+/// Mass of all that is left [g].
+double remaining_mass(const SolidModel& model, const SolidState& state);
+
 }  // namespace rhexis
