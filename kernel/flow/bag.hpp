@@ -24,12 +24,23 @@ struct SurfaceDistance {
 };
 SurfaceDistance bag_distance(const BagShape& shape, const Vec3& point);
 
-/// A linear spring from a point of the bag to a fixed point of the ciliary body.
+/// A linear spring from a point of the bag to a fixed point of the ciliary body. It acts along its line and is
+/// unstretched where the bag rests (pose identity: the bag's frame is the eye's).
 struct ZonuleSpring {
     Vec3 on_bag = Vec3::Zero();      ///< in the bag's frame [mm]
     Vec3 on_ciliary = Vec3::Zero();  ///< in the eye's frame [mm]
     double stiffness = 0.0;          ///< [uN/mm]
 };
+
+/// Force of a zonule on the bag, which acts at bag.to_world(spring.on_bag) [uN]. Zero at rest.
+Vec3 zonule_force(const ZonuleSpring& spring, const Pose& bag);
+
+/// Change of that force against a displacement of its point, without the part from the spring's turning: positive
+/// semidefinite [uN/mm].
+Mat3 zonule_stiffness(const ZonuleSpring& spring, const Pose& bag);
+
+/// Length over length at rest, less 1; negative: slack.
+double zonule_strain(const ZonuleSpring& spring, const Pose& bag);
 
 struct BagModel {
     BagShape shape;
