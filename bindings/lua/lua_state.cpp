@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lua/lua_state.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+#include "lua/guard.hpp"
+#include "lua/sandbox.hpp"
+
+namespace rhexis {
+namespace lua {
+namespace {
+
+constexpr std::size_t max_source_bytes = std::size_t{4} << 20;
+
+// Position of the colon after "file:line", or npos.
+std::size_t end_of_place(const std::string& message) {
+    for (std::size_t at = message.find(':'); at != std::string::npos; at = message.find(':', at + 1)) {
+        std::size_t end = at + 1;
+        while (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end])) != 0) {
+            ++end;
+        }
+        if (end > at + 1 && end + 1 < message.size() && message[end] == ':' && message[end + 1] == ' ') {
+            return end;
+        }
+        if (message[at] == '\n') {
+            break;
+        }
+    }
+    return std::string::npos;
+}
+
+void push_error_text(lua_State* L) {
+    if (lua_type(L, 1) == LUA_TSTRING) {
+        lua_pushvalue(L, 1);
+    } else if (luaL_callmeta(L, 1, "__tostring") == 0 || lua_type(L, -1) != LUA_TSTRING) {
+        lua_pushfstring(L, "error with a %s instead of a message", luaL_typename(L, 1));
+    }
+}
+
+int message_handler(lua_State* L) {
+    push_error_text(L);
+    std::string message = lua_tostring(L, -1);
+    if (end_of_place(message) == std::string::npos) {
+        const std::string where = place(L);
+        message = where.empty() ? message : where + ": " + message;
+    }
+    luaL_traceback(L, L, nullptr, 1);
+    context(L).traceback = lua_tostring(L, -1);
+    lua_pushlstring(L, message.data(), message.size());
+    return 1;
+}
+
+int run_body(lua_State* L) {
+    const auto& body = *static_cast<const std::function<void(lua_State*)>*>(lua_touserdata(L, 1));
+    lua_settop(L, 0);
+    body(L);
+    return 0;
+}
+
+std::string mebibytes(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
+
+Error error_of(Context& c, lua_State* L, int status) {
+    if (status == LUA_ERRMEM) {
+        c.traceback.clear();
+        return {"stopped: needs more memory than its limit of " + mebibytes(c.options.limits.memory_bytes),
+                c.refused_at, ""};
+    }
+    const char* message = lua_tostring(L, -1);
+    return error_from_message(message != nullptr ? message : "unknown error");
+}
+
+}  // namespace
+
+Error error_from_message(const std::string& message) {
+    const std::size_t end = end_of_place(message);
+    if (end == std::string::npos) {
+        return {message, "", ""};
+    }
+    return {message.substr(end + 2), message.substr(0, end), ""};
+}
+
+void load_text(lua_State* L, const std::string& text, const std::string& chunk) {
+    const std::string name = "@" + chunk;
+    // "t": precompiled code could break the interpreter, so only text is taken.
+    if (luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
+        lua_error(L);
+    }
+}
+
+void load_file(lua_State* L, const std::string& path, const std::string& chunk) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text;
+    if (file) {
+        text.resize(max_source_bytes + 1);
+        file.read(text.data(), static_cast<std::streamsize>(text.size()));
+        text.resize(static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad() || !file.eof()) {
+        luaL_error(L, text.size() > max_source_bytes ? "%s: larger than a script may be (4 MiB)" : "%s: cannot be read",
+                   chunk.c_str());
+    }
+    if (text.starts_with('#')) {  // "#!" line; its line stays, so that numbers hold
+        text.insert(0, "--");
+    }
+    load_text(L, text, chunk);
+}
+
+}  // namespace lua
+
+Result<LuaState> LuaState::create(LuaOptions options) {
+    auto context = std::make_shared<lua::Context>(std::move(options));
+    lua_State* L = lua_newstate(lua::allocate, context.get());
+    if (L == nullptr) {
+        return Error{"cannot start a Lua interpreter", "", "memory limit of at least 1 MiB"};
+    }
+    *static_cast<lua::Context**>(lua_getextraspace(L)) = context.get();
+    context->main = L;
+    context->current = L;
+    LuaState state(std::move(context));
+    const Status opened = state.run([](lua_State* inner) { lua::open_libraries(inner); });
+    if (!opened) {
+        return opened.error();
+    }
+    return state;
+}
+
+LuaState::~LuaState() {
+    if (context_) {
+        lua_State* L = context_->main;
+        context_->main = nullptr;
+        context_->current = nullptr;
+        lua_close(L);
+    }
+}
+
+LuaState::LuaState(LuaState&&) noexcept = default;
+
+LuaState& LuaState::operator=(LuaState&& other) noexcept {
+    LuaState old(std::move(*this));
+    context_ = std::move(other.context_);
+    return *this;
+}
+
+Status LuaState::run(const std::function<void(lua_State*)>& body) {
+    lua::Context& c = *context_;
+    lua_State* L = c.current;
+    if (lua_checkstack(L, 3) == 0) {
+        return Error{"Lua stack overflow", "", ""};
+    }
+    const int top = lua_gettop(L);
+    lua_pushcfunction(L, lua::guarded<lua::message_handler>);
+    lua_pushcfunction(L, lua::guarded<lua::run_body>);
+    // Lua takes no pointer to const; run_body only reads it.
+    lua_pushlightuserdata(L, const_cast<std::function<void(lua_State*)>*>(&body));
+    if (c.depth++ == 0) {
+        lua::arm(c);
+    }
+    const int status = lua_pcall(L, 1, 0, top + 1);
+    if (--c.depth == 0) {
+        lua::disarm(c);
+    }
+    Status result = status == LUA_OK ? success() : Status(lua::error_of(c, L, status));
+    lua_settop(L, top);
+    return result;
+}
+
+Status LuaState::run_file(const std::string& path, const std::string& chunk, const std::vector<std::string>& args) {
+    return run([&](lua_State* L) {
+        lua::load_file(L, path, chunk);
+        luaL_checkstack(L, static_cast<int>(args.size()), "too many arguments");
+        for (const std::string& arg : args) {
+            lua_pushlstring(L, arg.data(), arg.size());
+        }
+        lua_call(L, static_cast<int>(args.size()), 0);
+    });
+}
+
+Status LuaState::run_text(const std::string& text, const std::string& chunk) {
+    return run([&](lua_State* L) {
+        lua::load_text(L, text, chunk);
+        lua_call(L, 0, 0);
+    });
+}
+
+const std::string& LuaState::traceback() const { return context_->traceback; }
+std::size_t LuaState::used_bytes() const { return context_->used_bytes; }
+Rng& LuaState::rng() { return context_->rng; }
+lua_State* LuaState::raw() const { return context_->current; }
+
+LuaRef::LuaRef(const LuaState& state, lua_State* L)
+    : context_(state.context_), index_(luaL_ref(L, LUA_REGISTRYINDEX)) {}
+
+LuaRef::~LuaRef() { release(); }
+
+LuaRef::LuaRef(LuaRef&& other) noexcept
+    : context_(std::move(other.context_)), index_(std::exchange(other.index_, LUA_NOREF)) {}
+
+LuaRef& LuaRef::operator=(LuaRef&& other) noexcept {
+    if (this != &other) {
+        release();
+        context_ = std::move(other.context_);
+        index_ = std::exchange(other.index_, LUA_NOREF);
+    }
+    return *this;
+}
+
+void LuaRef::push(lua_State* L) const {
+    if (index_ == LUA_NOREF) {
+        lua_pushnil(L);
+    } else {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, index_);
+    }
+}
+
+void LuaRef::release() {
+    if (const auto context = context_.lock(); context && context->main != nullptr && index_ != LUA_NOREF) {
+        luaL_unref(context->main, LUA_REGISTRYINDEX, index_);
+    }
+    index_ = LUA_NOREF;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,3 @@
+-- fails when it runs
+
+error("broken on purpose")
