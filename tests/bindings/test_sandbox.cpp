@@ -179,7 +179,7 @@ TEST_SUITE("bindings") {
             CHECK(failure("require('" + std::string(name) + "')").find("is not a module name") != std::string::npos);
         }
         CHECK(failure("require('loop')").find("requires itself") != std::string::npos);
-        CHECK(failure("require('broken')").starts_with("modules/broken.lua:3: "));
+        CHECK(failure("require('broken')").starts_with("modules/broken.lua:4: "));
     }
 
     TEST_CASE("a syntax error names file and line") {
