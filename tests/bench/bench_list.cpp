@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/bench.hpp"
+#include "bench/bench_explicit.hpp"
+
+namespace rhexis::bench {
+
+std::vector<BenchCase> bench_cases() {
+    std::vector<BenchCase> cases;
+    const auto add = [&cases](const std::vector<BenchCase>& more) {
+        cases.insert(cases.end(), more.begin(), more.end());
+    };
+    add(explicit_cases());
+    return cases;
+}
+
+}  // namespace rhexis::bench
