@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/codec.hpp"
+
+#include "session/bytes.hpp"
+
+// One function per struct names its fields for both directions: `io` is a writer with const structs, or a reader.
+namespace rhexis {
+namespace {
+
+class Writing {
+public:
+    template <typename T>
+    void operator()(const T& value) {
+        writer.put(value);
+    }
+    template <typename T, typename Fields>
+    void list(const std::vector<T>& items, std::size_t, const Fields& fields) {
+        writer.put(static_cast<std::uint64_t>(items.size()));
+        for (const T& item : items) {
+            fields(*this, item);
+        }
+    }
+    void limit(bool) {}
+    ByteWriter writer;
+};
+
+class Reading {
+public:
+    explicit Reading(std::string_view bytes) : reader(bytes) {}
+    template <typename T>
+    void operator()(T& value) {
+        reader.get(value);
+    }
+    template <typename T, typename Fields>
+    void list(std::vector<T>& items, std::size_t item_bytes, const Fields& fields) {
+        items.resize(reader.count(item_bytes));
+        for (T& item : items) {
+            fields(*this, item);
+        }
+    }
+    void limit(bool condition) { sound = sound && condition; }
+    [[nodiscard]] bool good() const { return reader.ok() && reader.at_end() && sound; }
+    ByteReader reader;
+    bool sound = true;
+};
+
+void scene_fields(auto& io, auto& scene) {
+    io(scene.patient.age);
+    io(scene.patient.nuclear_grade);
+    io(scene.patient.pupil_mm);
+    io(scene.patient.side);
+    io(scene.patient.tetrahedra);
+    io(scene.tissues);
+    io(scene.instruments);
+    io(scene.step_s);
+    io(scene.advance);
+    io.limit(scene.advance >= Advance::automatic && scene.advance <= Advance::implicit);
+    io(scene.threads);
+    io(scene.settings);
+}
+
+void text_map(Writing& io, const std::map<std::string, std::string>& map) {
+    io(static_cast<std::uint64_t>(map.size()));
+    for (const auto& [key, value] : map) {
+        io(key);
+        io(value);
+    }
+}
+
+void text_map(Reading& io, std::map<std::string, std::string>& map) {
+    const std::size_t size = io.reader.count(2 * sizeof(std::uint64_t));
+    for (std::size_t i = 0; i < size && io.reader.ok(); ++i) {
+        std::string key;
+        io(key);
+        io(map[key]);
+    }
+}
+
+void header_fields(auto& io, auto& header) {
+    scene_fields(io, header.scene);
+    io(header.seed);
+    io(header.curriculum);
+    io(header.identity);
+    io(header.surgeon);
+    text_map(io, header.set);
+    io(header.build);
+    io.list(header.schema, 24, [](auto& inner, auto& info) {
+        inner(info.name);
+        inner(info.unit);
+        inner(info.meaning);
+    });
+}
+
+void observation_fields(auto& io, auto& observation) {
+    io(observation.time_s);
+    io(observation.values);
+}
+
+void step_fields(auto& io, auto& step) {
+    io(step.step);
+    io.list(step.samples, 77, [](auto& inner, auto& sample) {
+        inner(sample.instrument);
+        inner(sample.present);
+        inner(sample.pose);
+        inner(sample.jaw);
+        inner(sample.pedal);
+    });
+    io.list(step.commands, 28, [](auto& inner, auto& command) {
+        inner(command.kind);
+        inner.limit(command.kind >= CommandKind::set && command.kind <= CommandKind::finish);
+        inner(command.name);
+        inner(command.value);
+        inner(command.text);
+    });
+    observation_fields(io, step.observation);
+    io(step.hash);
+}
+
+void world_fields(auto& io, auto& world) {
+    io.list(world.solids, 32, [](auto& inner, auto& solid) {
+        inner(solid.position);
+        inner(solid.velocity);
+        inner(solid.fraction);
+        inner(solid.present);
+    });
+    io.list(world.bags, 104, [](auto& inner, auto& bag) {
+        inner(bag.pose);
+        inner(bag.velocity);
+        inner(bag.angular_velocity);
+    });
+    io.list(world.loads, 36, [](auto& inner, auto& load) {
+        inner(load.solid);
+        inner(load.nodes);
+        inner(load.total);
+    });
+    io.list(world.memory, 64, [](auto& inner, auto& memory) {
+        inner(memory.solid);
+        inner(memory.vertex);
+        inner(memory.partner);
+        inner(memory.partner_index);
+        inner(memory.anchor);
+        inner(memory.force);
+    });
+    io(world.removed_mass);
+    io(world.ablation_energy);
+    io(world.time_s);
+}
+
+void snapshot_fields(auto& io, auto& snapshot) {
+    world_fields(io, snapshot.world);
+    io.list(snapshot.tools, 195, [](auto& inner, auto& tool) {
+        inner(tool.present);
+        inner(tool.pose);
+        inner(tool.previous_pose);
+        inner(tool.velocity);
+        inner(tool.angular_velocity);
+        inner(tool.jaw);
+        inner(tool.pedal);
+        inner(tool.irrigation);
+        inner(tool.aspiration);
+        inner(tool.power);
+    });
+    io(snapshot.settings);
+    io(snapshot.observer_memory);
+    io(snapshot.step);
+}
+
+void start_fields(auto& io, auto& start) {
+    observation_fields(io, start.observation);
+    io(start.hash);
+}
+
+template <typename T, typename Fields>
+std::string encoded(const T& value, const Fields& fields) {
+    Writing io;
+    fields(io, value);
+    return io.writer.bytes();
+}
+
+template <typename T, typename Fields>
+std::optional<T> decoded(std::string_view bytes, const Fields& fields) {
+    Reading io(bytes);
+    T value;
+    fields(io, value);
+    return io.good() ? std::optional<T>(std::move(value)) : std::nullopt;
+}
+
+constexpr auto header_io = [](auto& io, auto& value) { header_fields(io, value); };
+constexpr auto start_io = [](auto& io, auto& value) { start_fields(io, value); };
+constexpr auto step_io = [](auto& io, auto& value) { step_fields(io, value); };
+constexpr auto snapshot_io = [](auto& io, auto& value) { snapshot_fields(io, value); };
+
+}  // namespace
+
+std::string encode(const RecordingHeader& header) { return encoded(header, header_io); }
+std::string encode(const RecordedStart& start) { return encoded(start, start_io); }
+std::string encode(const RecordedStep& step) { return encoded(step, step_io); }
+std::string encode(const Snapshot& snapshot) { return encoded(snapshot, snapshot_io); }
+
+std::optional<RecordingHeader> decode_header(std::string_view bytes) {
+    return decoded<RecordingHeader>(bytes, header_io);
+}
+std::optional<RecordedStart> decode_start(std::string_view bytes) { return decoded<RecordedStart>(bytes, start_io); }
+std::optional<RecordedStep> decode_step(std::string_view bytes) { return decoded<RecordedStep>(bytes, step_io); }
+std::optional<Snapshot> decode_snapshot(std::string_view bytes) { return decoded<Snapshot>(bytes, snapshot_io); }
+
+}  // namespace rhexis

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/hash.hpp"
+#include "session/chunk.hpp"
+#include "session/codec.hpp"
+
+namespace rhexis {
+
+struct RecordingWriter::Parts {
+    std::string path;
+    std::string file;
+    int descriptor = -1;
+    std::string waiting;  ///< bytes not yet given to the system
+
+    ~Parts() {
+        if (descriptor >= 0) {
+            static_cast<void>(flush());
+            ::close(descriptor);
+        }
+    }
+
+    [[nodiscard]] Error failure(int code) const {
+        return {std::string("cannot write: ") + std::strerror(code), file, ""};
+    }
+
+    Status flush() {
+        std::size_t done = 0;
+        while (done < waiting.size()) {
+            const ssize_t written = ::write(descriptor, waiting.data() + done, waiting.size() - done);
+            if (written < 0 && errno != EINTR) {
+                const int code = errno;
+                waiting.erase(0, done);
+                return failure(code);
+            }
+            done += written > 0 ? static_cast<std::size_t>(written) : 0;
+        }
+        waiting.clear();
+        return success();
+    }
+
+    Status add(ChunkKind kind, const std::string& payload) {
+        waiting += make_chunk(kind, payload);
+        constexpr std::size_t enough = 32768;
+        return waiting.size() >= enough || kind != ChunkKind::step ? flush() : success();
+    }
+};
+
+RecordingWriter::RecordingWriter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+RecordingWriter::~RecordingWriter() = default;
+RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
+RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;
+
+Result<RecordingWriter> RecordingWriter::create(const std::string& path, const RecordingHeader& header) {
+    std::unique_ptr<Parts> parts = std::make_unique<Parts>();
+    parts->path = path;
+    parts->file = path + ".part";
+    parts->descriptor = ::open(parts->file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (parts->descriptor < 0) {
+        return parts->failure(errno);
+    }
+    parts->waiting = recording_magic;
+    const Status status = parts->add(ChunkKind::header, encode(header));
+    if (!status) {
+        return status.error();
+    }
+    return RecordingWriter(std::move(parts));
+}
+
+Status RecordingWriter::add(const RecordedStart& start) { return parts_->add(ChunkKind::start, encode(start)); }
+Status RecordingWriter::add(const RecordedStep& step) { return parts_->add(ChunkKind::step, encode(step)); }
+Status RecordingWriter::add(const Snapshot& checkpoint) {
+    return parts_->add(ChunkKind::checkpoint, encode(checkpoint));
+}
+
+Status RecordingWriter::finish() {
+    Status status = parts_->add(ChunkKind::end, "");
+    if (!status) {
+        return status;
+    }
+    const int descriptor = parts_->descriptor;
+    parts_->descriptor = -1;
+    const bool synced = ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS;
+    const int code = errno;
+    const bool closed = ::close(descriptor) == 0;
+    if (!synced || !closed) {
+        return parts_->failure(synced ? errno : code);
+    }
+    if (std::rename(parts_->file.c_str(), parts_->path.c_str()) != 0) {
+        return parts_->failure(errno);
+    }
+    parts_->file = parts_->path;
+    return success();
+}
+
+const std::string& RecordingWriter::file() const { return parts_->file; }
+
+}  // namespace rhexis

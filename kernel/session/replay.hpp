@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording simulated again: does every step end in the state that was recorded?
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "session/recording.hpp"
+
+namespace rhexis {
+
+struct Divergence {
+    std::uint64_t step = 0;      ///< first step that ended differently; 0: already the start
+    std::uint64_t recorded = 0;  ///< hash
+    std::uint64_t simulated = 0;
+    std::string measure;    ///< measure that differs most then, relative to its size; empty: none
+    double relative = 0.0;  ///< by how much
+};
+
+struct Verification {
+    std::uint64_t steps = 0;  ///< compared
+    std::optional<Divergence> divergence;
+    /// Greatest relative difference of any measure in any step; only filled after a divergence.
+    double worst_measure = 0.0;
+};
+
+/// Called after each step.
+using ReplayProgress = std::function<void(std::uint64_t step, std::uint64_t of)>;
+
+/// A session in the state before the first step of the recording.
+Result<Session> session_of(const Recording& recording);
+
+/// The session as it was after a recorded step: restored at the last checkpoint before it and stepped from there.
+/// step: 0 to the number of steps.
+Result<Session> session_at(const Recording& recording, std::uint64_t step);
+
+/// Simulates from the start with the recorded samples and commands. threads: 0 takes the recorded number.
+Result<Verification> verify(const Recording& recording, int threads, const ReplayProgress& progress);
+
+}  // namespace rhexis

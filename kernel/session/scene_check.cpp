@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/scene_check.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/near_names.hpp"
+#include "session/numbers.hpp"
+#include "session/settings.hpp"
+
+namespace rhexis {
+namespace {
+
+const std::array<std::string, 4> known_tissues{"lens", "bag", "iris", "cornea"};
+const std::array<std::string, 2> known_instruments{"phaco", "probe"};
+
+Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::find(known.begin(), known.end(), names[i]) == known.end()) {
+            return Error{std::string(field) + " names " + names[i], "", suggestion(names[i], known)};
+        }
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+            names.begin() + static_cast<std::ptrdiff_t>(i)) {
+            return Error{std::string(field) + " names " + names[i] + " twice", "", "each once"};
+        }
+    }
+    return success();
+}
+
+Status check_patient(const Patient& patient) {
+    for (const Status& status : {check_range("patient.age", patient.age, 20.0, 95.0),
+                                 check_range("patient.nuclear_grade", patient.nuclear_grade, 1.0, 6.0),
+                                 check_range("patient.pupil_mm", patient.pupil_mm, 3.0, 9.0),
+                                 check_range("patient.tetrahedra", patient.tetrahedra, 500.0, 24000.0)}) {
+        if (!status) {
+            return status;
+        }
+    }
+    if (patient.side != "right" && patient.side != "left") {
+        return Error{"patient.side is " + patient.side, "", "right or left"};
+    }
+    return success();
+}
+
+Status check_settings(const SceneDescription& scene) {
+    for (const auto& [name, value] : scene.settings) {
+        Status status = check_setting(name, value);
+        if (!status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+Status check_scene(const SceneDescription& scene) {
+    for (const Status& status : {check_patient(scene.patient), check_names("tissues", scene.tissues, known_tissues),
+                                 check_names("instruments", scene.instruments, known_instruments),
+                                 check_range("step_s", scene.step_s, 0.001, 0.02),
+                                 check_range("threads", scene.threads, 1.0, 64.0), check_settings(scene)}) {
+        if (!status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+}  // namespace rhexis

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/snapshot_check.hpp"
+
+#include <algorithm>
+
+#include "session/settings.hpp"
+#include "topology/remove.hpp"
+
+namespace rhexis {
+namespace {
+
+Error misfit(const std::string& what) { return {what + " does not fit the scene", "snapshot", ""}; }
+
+bool sizes_fit(const SolidModel& model, const SolidState& state) {
+    return state.position.size() == model.coarse.nodes.size() && state.velocity.size() == model.coarse.nodes.size() &&
+           state.fraction.size() == model.fine.tets.size() && state.present.size() == model.coarse.tets.size();
+}
+
+bool load_fits(const NodeLoad& load, const WorldModel& world) {
+    if (load.solid < 0 || load.solid >= static_cast<int>(world.solids.size())) {
+        return false;
+    }
+    const int nodes = static_cast<int>(world.solids[load.solid].coarse.nodes.size());
+    return std::all_of(load.nodes.begin(), load.nodes.end(), [&](int node) { return node >= 0 && node < nodes; });
+}
+
+std::size_t partners(const WorldModel& world, ContactPartner partner) {
+    switch (partner) {
+        case ContactPartner::tool:
+            return world.tools.size();
+        case ContactPartner::bag:
+            return world.bags.size();
+        case ContactPartner::plane:
+            return world.planes.size();
+    }
+    return 0;
+}
+
+bool memory_fits(const ContactMemory& memory, const WorldModel& world) {
+    if (memory.solid < 0 || memory.solid >= static_cast<int>(world.solids.size())) {
+        return false;
+    }
+    const SolidModel& solid = world.solids[memory.solid];
+    const int vertices = static_cast<int>(solid.coarse.nodes.size() + solid.fine.edges.size());
+    return memory.vertex >= 0 && memory.vertex < vertices && memory.partner_index >= 0 &&
+           memory.partner_index < static_cast<int>(partners(world, memory.partner));
+}
+
+Status settings_fit(const Snapshot& snapshot) {
+    for (const SettingInfo& info : setting_table()) {
+        if (!snapshot.settings.contains(std::string(info.name))) {
+            return misfit("a missing setting");
+        }
+    }
+    for (const auto& [name, value] : snapshot.settings) {
+        Status status = check_setting(name, value);
+        if (!status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+Status solids_fit(const Snapshot& snapshot, const WorldModel& world) {
+    if (snapshot.world.solids.size() != world.solids.size()) {
+        return misfit("the number of bodies");
+    }
+    for (std::size_t i = 0; i < world.solids.size(); ++i) {
+        if (!sizes_fit(world.solids[i], snapshot.world.solids[i])) {
+            return misfit("the mesh of body " + std::to_string(i));
+        }
+        Status status = validate(world.solids[i], snapshot.world.solids[i]);
+        if (!status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t observer_memory) {
+    Status solids = solids_fit(snapshot, world);
+    if (!solids) {
+        return solids;
+    }
+    const std::vector<NodeLoad>& loads = snapshot.world.loads;
+    if (!std::all_of(loads.begin(), loads.end(), [&](const NodeLoad& load) { return load_fits(load, world); })) {
+        return misfit("a load");
+    }
+    const std::vector<ContactMemory>& memory = snapshot.world.memory;
+    if (!std::all_of(memory.begin(), memory.end(), [&](const ContactMemory& m) { return memory_fits(m, world); })) {
+        return misfit("the memory of a contact");
+    }
+    if (snapshot.world.bags.size() != world.bags.size() || snapshot.tools.size() != world.tools.size() ||
+        snapshot.observer_memory.size() != observer_memory) {
+        return misfit("the number of bags, instruments or measures");
+    }
+    return settings_fit(snapshot);
+}
+
+}  // namespace rhexis

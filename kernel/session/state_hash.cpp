@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/state_hash.hpp"
+
+#include "base/hash.hpp"
+
+namespace rhexis {
+namespace {
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+void add(StateHash& hash, const std::vector<Vec3>& vectors) {
+    hash.add(static_cast<std::uint64_t>(vectors.size()));
+    if (!vectors.empty()) {
+        hash.add(std::span<const double>(vectors.front().data(), 3 * vectors.size()));
+    }
+}
+
+void add(StateHash& hash, const Vec3& vector) { hash.add(std::span<const double>(vector.data(), 3)); }
+
+void add(StateHash& hash, const Pose& pose) {
+    add(hash, pose.position);
+    hash.add(std::span<const double>(pose.orientation.coeffs().data(), 4));
+}
+
+void add(StateHash& hash, const SolidState& solid) {
+    add(hash, solid.position);
+    add(hash, solid.velocity);
+    hash.add(std::span<const double>(solid.fraction));
+    hash.add_bytes(solid.present.data(), solid.present.size());
+}
+
+void add(StateHash& hash, const BagState& bag) {
+    add(hash, bag.pose);
+    add(hash, bag.velocity);
+    add(hash, bag.angular_velocity);
+}
+
+void add(StateHash& hash, const NodeLoad& load) {
+    hash.add(static_cast<std::uint64_t>(load.solid));
+    for (const int node : load.nodes) {
+        hash.add(static_cast<std::uint64_t>(node));
+    }
+    add(hash, load.total);
+}
+
+void add(StateHash& hash, const ContactMemory& memory) {
+    hash.add(static_cast<std::uint64_t>(memory.solid));
+    hash.add(static_cast<std::uint64_t>(memory.vertex));
+    hash.add(static_cast<std::uint64_t>(memory.partner));
+    hash.add(static_cast<std::uint64_t>(memory.partner_index));
+    add(hash, memory.anchor);
+    add(hash, memory.force);
+}
+
+void add(StateHash& hash, const ToolState& tool) {
+    hash.add(static_cast<std::uint64_t>(tool.present ? 1 : 0) + (tool.irrigation ? 2 : 0));
+    add(hash, tool.pose);
+    add(hash, tool.previous_pose);
+    add(hash, tool.velocity);
+    add(hash, tool.angular_velocity);
+    for (const double value : {tool.jaw, tool.pedal, tool.aspiration, tool.power}) {
+        hash.add(value);
+    }
+}
+
+template <typename Items>
+void add_all(StateHash& hash, const Items& items) {
+    hash.add(static_cast<std::uint64_t>(items.size()));
+    for (const auto& item : items) {
+        add(hash, item);
+    }
+}
+
+}  // namespace
+
+std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> tools,
+                         const std::map<std::string, double>& settings, std::span<const double> observer_memory,
+                         std::uint64_t step, std::uint64_t seed) {
+    StateHash hash;
+    hash.add(seed);
+    hash.add(step);
+    add_all(hash, world.solids);
+    add_all(hash, world.bags);
+    add_all(hash, world.loads);
+    add_all(hash, world.memory);
+    add_all(hash, tools);
+    for (const double value : {world.removed_mass, world.ablation_energy, world.time_s}) {
+        hash.add(value);
+    }
+    for (const auto& [name, value] : settings) {
+        hash.add(std::string_view(name));
+        hash.add(value);
+    }
+    hash.add(observer_memory);
+    return hash.value();
+}
+
+}  // namespace rhexis
