@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/raw_mesh.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rhexis {
+
+namespace {
+
+bool indices_exist(const RawMesh& raw) {
+    const int count = static_cast<int>(raw.nodes.size());
+    return std::all_of(raw.tets.begin(), raw.tets.end(), [count](const std::array<int, 4>& tet) {
+        return std::all_of(tet.begin(), tet.end(), [count](int node) { return node >= 0 && node < count; });
+    });
+}
+
+/// Leaves out nodes that lower cells use and tetrahedra do not. Nodes of no cell at all stay, and are reported.
+void drop_lower_nodes(RawMesh& raw) {
+    std::vector<std::uint8_t> keep(raw.nodes.size(), 0);
+    for (std::size_t n = 0; n < keep.size(); ++n) {
+        keep[n] = raw.in_lower_cell[n] == 0 ? 1 : 0;
+    }
+    for (const std::array<int, 4>& tet : raw.tets) {
+        for (int node : tet) {
+            keep[static_cast<std::size_t>(node)] = 1;
+        }
+    }
+    std::vector<int> new_index(raw.nodes.size(), -1);
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < keep.size(); ++n) {
+        if (keep[n] != 0) {
+            new_index[n] = static_cast<int>(kept);
+            raw.nodes[kept] = raw.nodes[n];
+            raw.node_line[kept] = raw.node_line[n];
+            ++kept;
+        }
+    }
+    raw.nodes.resize(kept);
+    raw.node_line.resize(kept);
+    for (std::array<int, 4>& tet : raw.tets) {
+        for (int& node : tet) {
+            node = new_index[static_cast<std::size_t>(node)];
+        }
+    }
+}
+
+std::vector<int> distinct(std::vector<int> values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+/// Regions from tags, and the tag of each region.
+std::vector<int> make_regions(const std::vector<int>& tags, bool rank_tags, std::vector<int>& region) {
+    const std::vector<int> used = distinct(tags);
+    if (rank_tags) {
+        for (int tag : tags) {
+            region.push_back(static_cast<int>(std::lower_bound(used.begin(), used.end(), tag) - used.begin()));
+        }
+        return used;
+    }
+    region = tags;
+    std::vector<int> own(static_cast<std::size_t>(used.empty() ? 0 : used.back() + 1));
+    for (std::size_t r = 0; r < own.size(); ++r) {
+        own[r] = static_cast<int>(r);
+    }
+    return own;
+}
+
+}  // namespace
+
+bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> nodes, int line, RawMesh& raw,
+              TokenReader& reader) {
+    if (kind == nullptr || kind->dimension == 3) {
+        if (kind == nullptr || kind->nodes != 4 || nodes.size() != 4) {
+            reader.fail(
+                "a cell is of type " + std::to_string(code) + " with " + std::to_string(nodes.size()) + " nodes",
+                "tetrahedra of 4 nodes, and points, lines and surfaces, which are left out");
+            return false;
+        }
+        raw.tets.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+        raw.tet_line.push_back(line);
+        return true;
+    }
+    if (kind->nodes > 0 && nodes.size() != static_cast<std::size_t>(kind->nodes)) {
+        reader.fail("a cell of type " + std::to_string(code) + " has " + std::to_string(nodes.size()) + " nodes",
+                    std::to_string(kind->nodes));
+        return false;
+    }
+    for (int node : nodes) {
+        if (node < 0 || static_cast<std::size_t>(node) >= raw.nodes.size()) {
+            reader.fail("a cell uses node " + std::to_string(node), "0 to " + std::to_string(raw.nodes.size()));
+            return false;
+        }
+        raw.in_lower_cell[static_cast<std::size_t>(node)] = 1;
+    }
+    return false;
+}
+
+Result<MeshFile> finish_mesh(RawMesh raw, bool rank_tags, const std::string& path) {
+    if (indices_exist(raw)) {
+        drop_lower_nodes(raw);
+    }
+    MeshFile file;
+    raw.tag.resize(raw.tets.size(), 0);
+    file.region_tags = make_regions(raw.tag, rank_tags, file.mesh.region);
+    file.mesh.nodes = std::move(raw.nodes);
+    file.mesh.tets = std::move(raw.tets);
+    const MeshSource source{path, std::move(raw.node_line), std::move(raw.tet_line)};
+    if (const Status status = validate_mesh(file.mesh, &source); !status.ok()) {
+        return status.error();
+    }
+    return file;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside mesh: what the readers of mesh files collect, before it is checked.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "mesh/io.hpp"
+#include "mesh/token_reader.hpp"
+#include "mesh/validate.hpp"
+
+namespace rhexis {
+
+struct RawMesh {
+    std::vector<Vec3> nodes;
+    std::vector<int> node_line;
+    std::vector<std::uint8_t> in_lower_cell;  ///< per node: 1 if a point, line or surface cell uses it
+    std::vector<std::array<int, 4>> tets;
+    std::vector<int> tet_line;
+    std::vector<int> tag;  ///< one per tetrahedron, or empty
+};
+
+/// Kinds of cells by dimension and number of nodes.
+struct CellKind {
+    int code;
+    int dimension;
+    int nodes;
+};
+
+/// Adds one cell to a raw mesh, or fails in the reader: only tetrahedra of 4 nodes are solids we take. kind: null if
+/// the file's code is unknown. nodes: indices from 0. True if the cell was a tetrahedron.
+bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> nodes, int line, RawMesh& raw,
+              TokenReader& reader);
+
+/// Drops nodes that only lower cells use, makes regions of tags and validates. rank_tags: regions are the ranks of the
+/// tags that occur; otherwise they are the tags.
+Result<MeshFile> finish_mesh(RawMesh raw, bool rank_tags, const std::string& path);
+
+Result<MeshFile> read_vtk(std::string_view text, const std::string& path);
+Result<MeshFile> read_msh(std::string_view text, const std::string& path);
+
+}  // namespace rhexis
