@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Symmetric sparse matrices of 3x3 blocks, one block row per node. The pattern is fixed, the values change.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "math/types.hpp"
+
+namespace rhexis {
+
+/// Compressed block rows with both triangles: row i holds columns column[first[i]] .. column[first[i + 1] - 1],
+/// ascending.
+struct BlockPattern {
+    std::vector<int> first;
+    std::vector<int> column;
+    std::vector<int> diagonal;  ///< slot of (i, i)
+    std::vector<int> mirror;    ///< slot of (j, i) for the slot of (i, j)
+
+    [[nodiscard]] int rows() const { return static_cast<int>(diagonal.size()); }
+    [[nodiscard]] int blocks() const { return static_cast<int>(column.size()); }
+    /// Slot of (row, column), or -1.
+    [[nodiscard]] int slot(int row, int column) const;
+};
+
+/// The diagonal and, for every group of nodes, all pairs in it. groups: compressed rows as in `first`, `node`.
+BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const int> node);
+
+/// Values of a pattern: 9 per slot, each block by columns. One value of padding at the end lets kernels read four.
+using BlockValues = std::vector<double>;
+BlockValues zero_values(const BlockPattern& pattern);
+
+/// The block of a slot.
+Mat3 block_of(const BlockValues& values, int slot);
+void add_block(BlockValues& values, int slot, const Mat3& block);
+
+/// y = A x; x and y hold 3 numbers per row.
+void multiply(const BlockPattern& pattern, const BlockValues& values, std::span<const double> x, std::span<double> y);
+
+}  // namespace rhexis
