@@ -1,0 +1,91 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- One groove, sculpted into the middle of a cataract that lies free in its capsular bag.
+
+return exercise {
+    title = "Sculpting a groove",
+    version = 1,
+    summary = "The capsule is open and the nucleus turns freely. Sculpt one groove with the phaco tip: at least 4 mm "
+        .. "long and so deep that the red reflex glows in it, without touching the posterior capsule or the iris and "
+        .. "without pushing the lens.",
+    objectives = {
+        "Judge depth by the red reflex",
+        "Match speed and ultrasound power, so that the tip cuts and does not push",
+        "Ultrasound on the forward stroke only",
+    },
+
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    tissues = { "lens", "bag", "iris", "cornea" },
+    instruments = { "phaco" },
+
+    goals = {
+        length_mm = { 4.0, from = 1, to = 7, meaning = "how long the groove must be" },
+        depth_percent = { 60, from = 10, to = 90, meaning = "how deep, of the lens's thickness" },
+    },
+    reference = { time_s = 90, path_mm = 200 },
+
+    steps = {
+        step "approach" {
+            title = "Enter the eye and come to the lens",
+            hint = "Go in through the incision with irrigation on (pedal 1), and bring the tip to the front of the "
+                .. "lens, on your own side of its centre.",
+            done = "phaco.inside_lens or phaco.in_contact",
+            time_limit_s = 30,
+        },
+        step "sculpt" {
+            title = "Sculpt the groove",
+            hint = "Stroke away from yourself with ultrasound (pedal 3), come back without it. Take a thin layer each "
+                .. "time. Stop when the groove glows red.",
+            done = "groove.length_mm >= goal.length_mm and 100 * groove.depth_share >= goal.depth_percent "
+                .. "and phaco.tip_depth_mm < 0",
+            time_limit_s = 180,
+        },
+        step "withdraw" {
+            title = "Leave the eye",
+            hint = "Back to pedal 1, lift the tip over the lens and draw it out through the incision.",
+            done = "not phaco.present",
+            time_limit_s = 20,
+        },
+    },
+
+    errors = {
+        error_event "groove too deep" {
+            when = "phaco.tip_posterior_mm < 0.3 and (phaco.aspirating or phaco.ultrasound)",
+            recovered = "phaco.tip_posterior_mm > 0.6",
+            deadline_s = 2,
+            harm = "phaco.capsule_touch",
+            severity = "critical",
+            cue = "The reflex in the groove is bright, and the plate at its floor feels soft.",
+            advice = "Too deep: let go to pedal 1 and lift the tip straight up. Go on elsewhere, not here.",
+            items = { "T9", "G4" },
+            evidence = { "groove.depth_share", "phaco.power", "reflex.tip" },
+        },
+        error_event "iris touched" {
+            when = "iris.touch",
+            recovered = "iris.gap_mm > 0.1",
+            deadline_s = 1,
+            near_miss_s = 0,
+            severity = "minor",
+            cue = "The pupil's edge moves with the instrument.",
+            advice = "Iris touched: stop, draw the instrument back to the middle of the pupil, and look at the shaft.",
+            items = { "G5", "G4" },
+            evidence = { "iris.gap_mm", "phaco.pedal" },
+        },
+        error_event "pushing the lens" {
+            when = "lens.displacement_mm > 0.5",
+            recovered = "lens.displacement_mm < 0.25",
+            deadline_s = 5,
+            severity = "critical",
+            cue = "The whole lens moves away from the tip.",
+            advice = "You push more than you cut: stop, let the lens come back, then stroke more slowly or with more "
+                .. "power.",
+            items = { "T9" },
+            evidence = { "phaco.force_mN", "phaco.speed_mm_s", "phaco.power", "zonules.strain" },
+        },
+    },
+
+    -- The attempt is over when the instrument has left the eye after work, whatever was reached.
+    over = { "phaco.inside_lens or phaco.in_contact", "not phaco.present" },
+    time_limit_s = 240,
+
+    scoring = osacss { "T8", "T9", "G3", "G4", "G5", "G6" },
+}

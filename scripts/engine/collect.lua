@@ -1,0 +1,93 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Ways to make one number of a quantity that changes during an attempt. Each collector has add(value, dt, time_s) and
+-- result(), which gives the number (nil when nothing was ever added) and the time that it speaks of, if any.
+
+local collect = {}
+
+local function extreme(better)
+    return function()
+        local value, at
+        return {
+            add = function(x, _, time_s)
+                if value == nil or better(x, value) then value, at = x, time_s end
+            end,
+            result = function() return value, at end,
+        }
+    end
+end
+
+collect.max = extreme(function(a, b) return a > b end)
+collect.min = extreme(function(a, b) return a < b end)
+
+function collect.last()
+    local value, at
+    return {
+        add = function(x, _, time_s) value, at = x, time_s end,
+        result = function() return value, at end,
+    }
+end
+
+--- Mean over time.
+function collect.mean()
+    local sum, time = 0, 0
+    return {
+        add = function(x, dt) sum, time = sum + x * dt, time + dt end,
+        result = function() return time > 0 and sum / time or nil end,
+    }
+end
+
+--- Root of the mean square over time.
+function collect.rms()
+    local sum, time = 0, 0
+    return {
+        add = function(x, dt) sum, time = sum + x * x * dt, time + dt end,
+        result = function() return time > 0 and math.sqrt(sum / time) or nil end,
+    }
+end
+
+-- Adds up the time in which a condition holds, in stretches of at least hold_s.
+local function stretches(hold_s)
+    local total, stretch = 0, 0
+    return function(x, dt)
+        if not x then
+            stretch = 0
+            return total
+        end
+        local before = stretch
+        stretch = stretch + dt
+        if stretch >= hold_s then total = total + (before < hold_s and stretch or dt) end
+        return total
+    end
+end
+
+--- Time in which a condition holds [s].
+function collect.time(options)
+    local add, total, any = stretches(options.hold_s or 0), 0, false
+    return {
+        add = function(x, dt) total, any = add(x, dt), true end,
+        result = function() return any and total or nil end,
+    }
+end
+
+--- Share of the time in which a condition holds [%].
+function collect.share(options)
+    local add, total, time = stretches(options.hold_s or 0), 0, 0
+    return {
+        add = function(x, dt) total, time = add(x, dt), time + dt end,
+        result = function() return time > 0 and 100 * total / time or nil end,
+    }
+end
+
+--- How often a condition comes true.
+function collect.count()
+    local count, before, any, at = 0, false, false, nil
+    return {
+        add = function(x, _, time_s)
+            if x and not before then count, at = count + 1, at or time_s end
+            before, any = x, true
+        end,
+        result = function() return any and count or nil, at end,
+    }
+end
+
+return collect

@@ -1,0 +1,230 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Conditions and quantities written as text: "phaco.tip_posterior_mm < 0.3 and phaco.aspirating".
+--
+--   or, and, not     < <= > >= == ~= !=     + - * /     ( )     numbers, true, false     min, max, abs
+--
+-- A measure that is not defined now (an instrument outside the eye has no depth) makes a sum undefined and a
+-- comparison false. parse() finds mistakes of form when a curriculum loads; bind() finds unknown names when the
+-- scene is known, and makes a function without arguments.
+
+local words = require "engine.words"
+
+local expression = {}
+
+local comparisons = { ["<"] = true, ["<="] = true, [">"] = true, [">="] = true, ["=="] = true, ["~="] = true,
+    ["!="] = true }
+
+local function tokens_of(text, where)
+    local tokens, at = {}, 1
+    local function take(kind, pattern)
+        local value = text:match("^" .. pattern, at)
+        if not value then return false end
+        tokens[#tokens + 1] = { kind = kind, text = value }
+        at = at + #value
+        return true
+    end
+    while at <= #text do
+        local space = text:match("^%s+", at)
+        if space then
+            at = at + #space
+        elseif not (take("number", "%d+%.?%d*[eE][+-]?%d+") or take("number", "%d*%.?%d+")
+                or take("name", "[%a_][%w_]*%.[%a_][%w_]*") or take("name", "[%a_][%w_]*")
+                or take("sign", "[<>=~!]=") or take("sign", "[<>+*/(),-]")) then
+            local odd = text:sub(at, at)
+            local advice = odd == "=" and ": write == to compare" or ""
+            words.fail(where, ("'%s' does not belong in the condition \"%s\"%s"):format(odd, text, advice))
+        end
+    end
+    return tokens
+end
+
+local Parser = {}
+Parser.__index = Parser
+
+function Parser:peek() return self.tokens[self.at] and self.tokens[self.at].text end
+
+function Parser:accept(text)
+    if self:peek() ~= text then return false end
+    self.at = self.at + 1
+    return true
+end
+
+function Parser:fail(message)
+    local near = self:peek() and (" near '" .. self:peek() .. "'") or " at its end"
+    words.fail(self.where, ("%s%s of the condition \"%s\""):format(message, near, self.text))
+end
+
+function Parser:expect(text)
+    if not self:accept(text) then self:fail("'" .. text .. "' is missing") end
+end
+
+local functions = { min = true, max = true, abs = true }
+
+function Parser:primary()
+    local token = self.tokens[self.at]
+    if not token then self:fail("a number or a measure is missing") end
+    if self:accept("(") then
+        local inner = self:any()
+        self:expect(")")
+        return inner
+    end
+    if token.kind == "sign" or token.text == "and" or token.text == "or" then
+        self:fail("a number or a measure is missing")
+    end
+    self.at = self.at + 1
+    if token.kind == "number" then return { op = "constant", value = tonumber(token.text) } end
+    if token.text == "true" or token.text == "false" then return { op = "constant", value = token.text == "true" } end
+    if functions[token.text] and self:accept("(") then
+        local arguments = { self:sum() }
+        while self:accept(",") do arguments[#arguments + 1] = self:sum() end
+        self:expect(")")
+        return { op = token.text, table.unpack(arguments) }
+    end
+    self.names[#self.names + 1] = token.text
+    return { op = "name", name = token.text }
+end
+
+function Parser:unary()
+    if self:accept("-") then return { op = "-", { op = "constant", value = 0 }, self:unary() } end
+    return self:primary()
+end
+
+function Parser:product()
+    local left = self:unary()
+    while self:peek() == "*" or self:peek() == "/" do
+        local op = self:peek()
+        self.at = self.at + 1
+        left = { op = op, left, self:unary() }
+    end
+    return left
+end
+
+function Parser:sum()
+    local left = self:product()
+    while self:peek() == "+" or self:peek() == "-" do
+        local op = self:peek()
+        self.at = self.at + 1
+        left = { op = op, left, self:product() }
+    end
+    return left
+end
+
+function Parser:comparison()
+    local left = self:sum()
+    local op = self:peek()
+    if op and comparisons[op] then
+        self.at = self.at + 1
+        if op == "!=" then op = "~=" end
+        return { op = op, left, self:sum() }
+    end
+    return left
+end
+
+function Parser:negation()
+    if self:accept("not") then return { op = "not", self:negation() } end
+    return self:comparison()
+end
+
+function Parser:all()
+    local left = self:negation()
+    while self:accept("and") do left = { op = "and", left, self:negation() } end
+    return left
+end
+
+function Parser:any()
+    local left = self:all()
+    while self:accept("or") do left = { op = "or", left, self:all() } end
+    return left
+end
+
+--- Reads a text. where: "file:line" for messages. Returns { text, where, names, tree }.
+function expression.parse(text, where)
+    local parser = setmetatable({ tokens = tokens_of(text, where), at = 1, text = text, where = where, names = {} },
+        Parser)
+    local tree = parser:any()
+    if parser:peek() then parser:fail("'and' or 'or' is missing") end
+    return { text = text, where = where, names = parser.names, tree = tree }
+end
+
+local make = {}
+
+make["and"] = function(a, b) return function() return (a() and b()) and true or false end end
+make["or"] = function(a, b) return function() return (a() or b()) and true or false end end
+make["not"] = function(a) return function() return not a() end end
+
+-- A comparison with something undefined is false.
+local function compared(f)
+    return function(a, b)
+        return function()
+            local x, y = a(), b()
+            if x == nil or y == nil then return false end
+            return f(x, y)
+        end
+    end
+end
+make["<"] = compared(function(x, y) return x < y end)
+make["<="] = compared(function(x, y) return x <= y end)
+make[">"] = compared(function(x, y) return x > y end)
+make[">="] = compared(function(x, y) return x >= y end)
+make["=="] = compared(function(x, y) return x == y end)
+make["~="] = compared(function(x, y) return x ~= y end)
+
+-- Arithmetic with something undefined, and division by zero, is undefined.
+local function computed(f)
+    return function(a, b)
+        return function()
+            local x, y = a(), b()
+            if x == nil or y == nil then return nil end
+            local value = f(x, y)
+            if value ~= value or value == math.huge or value == -math.huge then return nil end
+            return value
+        end
+    end
+end
+make["+"] = computed(function(x, y) return x + y end)
+make["-"] = computed(function(x, y) return x - y end)
+make["*"] = computed(function(x, y) return x * y end)
+make["/"] = computed(function(x, y) return x / y end)
+make.min = computed(math.min)
+make.max = computed(math.max)
+
+function make.abs(a)
+    return function()
+        local x = a()
+        return x and math.abs(x)
+    end
+end
+
+local function build(node, resolve)
+    if node.op == "constant" then
+        local value = node.value
+        return function() return value end
+    end
+    if node.op == "name" then return resolve(node.name) end
+    local built = build(node[1], resolve)
+    if #node == 1 then return make[node.op](built) end
+    for i = 2, #node do built = make[node.op](built, build(node[i], resolve)) end
+    return built
+end
+
+--- Makes a function of a parsed text. resolve(name) returns a function that gives the value now, or nil and the list of
+--- known names.
+function expression.bind(parsed, resolve)
+    return build(parsed.tree, function(name)
+        local value, known = resolve(name)
+        if not value then
+            words.fail(parsed.where, ("unknown measure '%s'%s"):format(name, words.hint(name, known)))
+        end
+        return value
+    end)
+end
+
+--- Whether all names of a parsed text are known.
+function expression.known(parsed, resolve)
+    for _, name in ipairs(parsed.names) do
+        if not resolve(name) then return false end
+    end
+    return true
+end
+
+return expression

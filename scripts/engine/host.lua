@@ -1,0 +1,55 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- What bindings/lua/exercise_host.cpp calls: the whole border between the kernel and the exercise engine.
+
+local Run = require "engine.run"
+local language = require "exercise"
+local osacss = require "osacss"
+local scoring = require "scoring"
+local words = require "engine.words"
+
+local host = {}
+
+--- The words that a curriculum finds besides the standard ones.
+function host.environment()
+    return setmetatable({ exercise = language.exercise, step = language.step, error_event = language.error_event,
+        osacss = osacss, rubric = scoring.rubric }, { __index = _G })
+end
+
+--- Before the curriculum runs: its name in messages and its text.
+host.begin_file = words.begin_file
+
+--- After it ran: what it returned.
+function host.accept(value)
+    if type(value) ~= "table" or value.kind ~= "exercise" then
+        words.fail(words.file(), "a curriculum must end with: return exercise { ... }")
+    end
+    host.exercise = value
+end
+
+--- --set name=text; settings: names that the kernel knows.
+function host.set(name, text, settings) language.set(host.exercise, name, text, settings) end
+
+--- The scene that the exercise asks for.
+function host.scene()
+    local exercise = host.exercise
+    return { title = exercise.title, version = exercise.version, surgeon = exercise.surgeon,
+        patient = words.as_object(exercise.patient), tissues = exercise.tissues, instruments = exercise.instruments,
+        settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance }
+end
+
+--- schema: list of { name, unit, meaning }. The row that observe reads is returned: the host overwrites it.
+function host.start(schema)
+    host.run = Run.new(host.exercise, schema)
+    host.row = {}
+    return host.row
+end
+
+function host.observe(time_s) return host.run:observe(time_s, host.row) end
+
+function host.finished() return host.run ~= nil and host.run.finished == true end
+
+function host.result()
+    return host.run and host.run:result() or words.as_object({})
+end
+
+return host

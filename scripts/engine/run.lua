@@ -1,0 +1,112 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- One attempt at an exercise: takes an observation per step of time, gives commands, and in the end the result.
+
+local Eye = require "engine.eye"
+local condition = require "engine.condition"
+local events = require "engine.events"
+local scoring = require "scoring"
+local steps = require "engine.steps"
+local words = require "engine.words"
+
+local Run = {}
+Run.__index = Run
+
+-- What the parts of the engine may do to the outside: all of it becomes commands.
+local function actions(self)
+    local act = {}
+    local function queue(kind, name, value, text)
+        table.insert(self.commands, { kind = kind, name = name, value = value, text = text })
+    end
+    function act.say(text) queue("say", "", 0, text) end
+    function act.hint(text)
+        if self.exercise.mode == "teaching" then act.say(text) end
+    end
+    function act.picture(name, caption) queue("picture", name, 0, caption) end
+    function act.set(name, value) queue("set", name, value, "") end
+    function act.finish(reason) queue("finish", "", 0, reason) end
+    function act.step_ended(record)
+        local how = record.completed and "completed" or "not completed"
+        act.picture("step_" .. record.id, ("Step \"%s\" %s."):format(record.title, how))
+    end
+    return act
+end
+
+local function event_log(self)
+    local log = { events = self.events }
+    function log.raised(record, declared)
+        self.act.picture("error_" .. record.id, ("Error: %s."):format(record.title))
+        self.act.hint(declared.advice)
+        if declared.ends_exercise then self.reason = ("error: %s"):format(record.title) end
+    end
+    function log.closed(record)
+        if record.recovered then
+            self.act.picture("recovered_" .. record.id, ("Put right after %.1f s: %s."):format(record.recovery_s,
+                record.title))
+        end
+    end
+    return log
+end
+
+--- schema: list of { name, unit, meaning }; exercise: from exercise { ... }.
+function Run.new(exercise, schema)
+    local self = setmetatable({ exercise = exercise, events = {}, commands = {}, time_s = 0 }, Run)
+    self.eye = Eye.new(schema, exercise.goals)
+    self.act = actions(self)
+    self.log = event_log(self)
+    self.steps = steps.prepare(exercise.steps, self.eye, self.act)
+    self.watches = {}
+    for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye) end
+    self.over = exercise.over and condition.bind(exercise.over, self.eye, "in 'over'")
+    if exercise.scoring then
+        self.sheet = scoring.sheet(exercise.scoring, self.eye, exercise.reference, exercise.step_s)
+    end
+    return self
+end
+
+local function finish(self, reason)
+    self.finished, self.reason = true, reason
+    self.steps:stop(self.time_s)
+    for _, watch in ipairs(self.watches) do watch:finish(self.time_s, self.log) end
+    self.act.picture("end", "End of the exercise.")
+    self.act.finish(reason)
+end
+
+local function reason_to_end(self)
+    if self.reason then return self.reason end
+    if self.steps:over() then return "all steps have had their turn" end
+    if self.over and self.over.test() then return "over" end
+    if self.time_s >= self.exercise.time_limit_s then return "time limit of the exercise" end
+    return nil
+end
+
+--- Takes one observation: time_s and a row of numbers in the order of the schema. Returns the commands, a list of
+--- { kind, name, value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
+function Run:observe(time_s, row)
+    self.commands = {}
+    if self.finished then return self.commands end
+    self.time_s = time_s
+    self.eye:look(time_s, row, time_s - self.steps:since())
+    for _, watch in ipairs(self.watches) do watch:tick(time_s, self.steps:current(), self.log) end
+    if self.sheet then self.sheet:tick(time_s, self.steps:current()) end
+    self.steps:tick(time_s)
+    local reason = reason_to_end(self)
+    if reason then finish(self, reason) end
+    return self.commands
+end
+
+--- The part of report.json that the exercise knows, as far as it has come..
+function Run:result()
+    local exercise = self.exercise
+    local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
+        steps = self.steps.records, events = self.events, mode = exercise.mode, title = exercise.title,
+        summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
+        measures = words.as_object({}), advice = {} }
+    if self.sheet then
+        result.osacss = self.sheet:score(self.events)
+        result.measures = self.sheet:measures()
+        result.advice = scoring.advice(result.osacss, self.events)
+    end
+    return result
+end
+
+return Run

@@ -1,0 +1,110 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Names and where they stand: near names for "did you mean", file:line of what a curriculum says.
+
+local words = {}
+
+-- Number of single-letter changes (a swap of neighbours counts one) between two words.
+local function distance(a, b)
+    local last
+    local before, row = nil, {}
+    for j = 0, #b do row[j] = j end
+    for i = 1, #a do
+        last, before, row = before, row, {}
+        row[0] = i
+        for j = 1, #b do
+            local cost = a:byte(i) == b:byte(j) and 0 or 1
+            row[j] = math.min(before[j] + 1, row[j - 1] + 1, before[j - 1] + cost)
+            if i > 1 and j > 1 and a:byte(i) == b:byte(j - 1) and a:byte(i - 1) == b:byte(j) then
+                row[j] = math.min(row[j], last[j - 2] + 1)
+            end
+        end
+    end
+    return row[#b]
+end
+
+--- Up to three of `known` (a list) that are spelt nearly like `word`, nearest first.
+function words.near(word, known)
+    local found = {}
+    for _, candidate in ipairs(known) do
+        local d = distance(word:lower(), candidate:lower())
+        local inside = #word >= 4 and candidate:find(word, 1, true) ~= nil
+        if inside then d = math.min(d, 2) end
+        if d <= math.max(2, #candidate // 3) then found[#found + 1] = { name = candidate, d = d } end
+    end
+    table.sort(found, function(x, y)
+        if x.d ~= y.d then return x.d < y.d end
+        return x.name < y.name
+    end)
+    local names = {}
+    for i = 1, math.min(3, #found) do names[i] = found[i].name end
+    return names
+end
+
+--- " (did you mean a or b?)", or " (one of: ...)" when nothing is near and the list is short, or "".
+function words.hint(word, known)
+    local near = words.near(word, known)
+    if #near > 0 then return " (did you mean " .. table.concat(near, " or ") .. "?)" end
+    if #known > 0 and #known <= 16 then return " (one of: " .. table.concat(known, ", ") .. ")" end
+    return ""
+end
+
+--- The keys of a table that are strings, in a fixed order.
+function words.keys(t)
+    local keys = {}
+    for key in pairs(t) do
+        if type(key) == "string" then keys[#keys + 1] = key end
+    end
+    table.sort(keys)
+    return keys
+end
+
+--- Joins a list as a person would: "a, b and c".
+function words.list(items)
+    if #items < 2 then return items[1] or "" end
+    return table.concat(items, ", ", 1, #items - 1) .. " and " .. items[#items]
+end
+
+-- What is being read: its name in messages and its lines, so that a field can be found again.
+local reading = { name = "?", lines = {} }
+
+--- Says which file the following declarations come from. text: its source.
+function words.begin_file(name, text)
+    reading = { name = name, lines = {} }
+    for line in (text .. "\n"):gmatch("(.-)\r?\n") do reading.lines[#reading.lines + 1] = line end
+end
+
+function words.file() return reading.name end
+
+--- Line of the file being read from which the running declaration was made, or nil. (`error` at a level of the call
+--- stack is how a script without the debug library learns a line.)
+function words.line_here()
+    for level = 2, 24 do
+        local _, message = pcall(error, "", level)
+        local file, line = tostring(message):match("^(.*):(%d+):")
+        if file == reading.name then return tonumber(line) end
+    end
+    return nil
+end
+
+local object_mark = { __json = "object" }
+
+--- Marks a table as one with names, so that an empty one is written as {} and not as [] in a report.
+function words.as_object(t) return setmetatable(t, object_mark) end
+
+--- "file:line" of `field = ...` at or after line `from`; "file:from" when it cannot be found; "file" without a line.
+function words.where(field, from)
+    local plain = field and field:gsub("%p", "%%%0")
+    for i = from or 1, plain and #reading.lines or 0 do
+        local line = reading.lines[i]:gsub("%-%-.*$", "")
+        local bare = line:find("%f[%w_]" .. plain .. "%f[^%w_]%s*=[^=]")
+        local quoted = line:find('%["' .. plain .. '"%]%s*=')
+        if bare or quoted then return reading.name .. ":" .. i end
+    end
+    if from then return reading.name .. ":" .. from end
+    return reading.name
+end
+
+--- Raises "where: message" without another position before it.
+function words.fail(where, message) error(where .. ": " .. message, 0) end
+
+return words

@@ -1,0 +1,260 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The words that a curriculum is written in. See curricula/groove/curriculum.lua for one that uses most of them.
+--
+--   return exercise {
+--       title       = "Sculpting a groove",
+--       patient     = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+--       tissues     = { "lens", "bag", "iris" },                -- nothing else is simulated
+--       instruments = { "phaco" },
+--       goals       = { length_mm = 4 },                        -- numbers that conditions may use as goal.length_mm
+--       steps  = { step "sculpt" { done = "groove.length_mm >= goal.length_mm" } },
+--       errors = { error_event "too deep" {
+--           when      = "phaco.tip_posterior_mm < 0.3 and phaco.aspirating",
+--           recovered = "phaco.tip_posterior_mm > 1.0",
+--           advice    = "Stop, draw the tip up, and go on elsewhere.",
+--           items     = { "T9", "G4" } } },
+--       scoring = osacss { "T8", "T9", "G4" },
+--   }
+--
+-- A condition (`when`, `done`, `recovered`, `harm`, `over`) is a text as above, a function of the eye
+-- (function(eye) return eye.groove.length_mm > 4 end), or a list of either that must come true in that order.
+
+local fields = require "engine.fields"
+local words = require "engine.words"
+
+local language = {}
+
+local step_rules = {
+    title = { kind = "text" },             -- what the trainee reads; the name of the step if missing
+    hint = { kind = "text" },              -- said when the step begins, in teaching mode
+    done = { kind = "condition" },         -- the step is complete
+    script = { kind = "call" },            -- function(eye, act): act.say, .wait, .wait_until, .picture, .set
+    time_limit_s = { kind = "number", from = 0.1, to = 7200 },  -- then the next step begins, this one undone
+}
+
+local event_rules = {
+    title = { kind = "text" },
+    when = { kind = "condition", required = true },  -- the error happens
+    hold_s = { kind = "number", default = 0, from = 0, to = 60 },  -- only if it lasts this long
+    recovered = { kind = "condition" },    -- it is put right
+    deadline_s = { kind = "number", default = 10, from = 0, to = 7200 },  -- time to put it right
+    harm = { kind = "condition" },         -- tissue was changed: no longer a near miss
+    near_miss_s = { kind = "number", default = 0.5, from = 0, to = 60 },  -- put right as fast as this: a near miss
+    quiet_s = { kind = "number", default = 1, from = 0, to = 60 },  -- calm needed before it can happen again
+    severity = { kind = "text", default = "critical", choices = { "critical", "minor" } },
+    cue = { kind = "text" },               -- what the surgeon sees of it
+    advice = { kind = "text", required = true },  -- what to do
+    items = { kind = "texts" },            -- items of the rubric that it caps
+    evidence = { kind = "texts" },         -- measures to note besides those of `when`
+    steps = { kind = "texts" },            -- only during these steps
+    ends_exercise = { kind = "yes_no", default = false },
+}
+
+local patient_rules = {
+    age = { kind = "number", from = 20, to = 95 },
+    nuclear_grade = { kind = "number", from = 1, to = 6 },
+    cataract = { kind = "text" },
+    pupil_mm = { kind = "number", from = 3, to = 9 },
+    side = { kind = "text", choices = { "right", "left" } },
+    tetrahedra = { kind = "number", from = 500, to = 24000, whole = true },
+}
+
+local exercise_rules = {
+    title = { kind = "text", required = true },
+    version = { kind = "number", default = 1, from = 0 },
+    summary = { kind = "text" },
+    objectives = { kind = "texts", default = {} },
+    patient = { kind = "table", default = {} },
+    tissues = { kind = "texts", required = true, choices = { "lens", "bag", "iris", "cornea" } },
+    instruments = { kind = "texts", required = true, choices = { "phaco", "probe" } },
+    settings = { kind = "table", default = {} },
+    goals = { kind = "table", default = {} },
+    steps = { kind = "table", required = true },
+    errors = { kind = "table", default = {} },
+    scoring = { kind = "table" },
+    reference = { kind = "table", default = {} },  -- what a good performance needs, for measures relative to it
+    over = { kind = "condition" },         -- ends the exercise, whatever step it is in
+    time_limit_s = { kind = "number", default = 300, from = 1, to = 7200 },
+    mode = { kind = "text", default = "teaching", choices = { "teaching", "exam" } },
+    surgeon = { kind = "text", default = "surgeon" },  -- the plan that virtual surgeons follow: a file beside this one
+    step_s = { kind = "number", default = 0.01, from = 0.001, to = 0.02 },
+    advance = { kind = "text", default = "automatic", choices = { "automatic", "explicit", "implicit" } },
+}
+
+local function id_of(name) return (name:lower():gsub("[^%w]+", "_"):gsub("^_+", ""):gsub("_+$", "")) end
+
+-- step "name" { ... } and error_event "name" { ... } share this shape.
+local function declaration(kind, rules, finish)
+    return function(name)
+        if type(name) ~= "string" or id_of(name) == "" then
+            words.fail(words.where(nil, words.line_here()), ("%s must be followed by a name in quotes"):format(kind))
+        end
+        return function(given)
+            local line = words.line_here()
+            local result = fields.read(given, rules, ("%s '%s'"):format(kind, name), line)
+            result.id, result.title = id_of(name), result.title or name
+            result.kind, result.name, result.line, result.where = kind, name, line, words.where(nil, line)
+            if finish then finish(result) end
+            return result
+        end
+    end
+end
+
+language.step = declaration("step", step_rules, function(step)
+    if not step.done and not step.script then
+        words.fail(step.where, ("step '%s' lacks 'done' (or 'script'): when is it complete?"):format(step.name))
+    end
+end)
+
+language.error_event = declaration("error_event", event_rules)
+
+local function check_list(list, kind, field)
+    local seen = {}
+    for i, entry in ipairs(list) do
+        if type(entry) ~= "table" or entry.kind ~= kind then
+            words.fail(words.where(field), ("%s: entry %d is no %s \"name\" { ... }"):format(field, i, kind))
+        end
+        if seen[entry.id] then
+            words.fail(entry.where, ("%s '%s' is there twice"):format(kind, entry.name))
+        end
+        seen[entry.id] = true
+    end
+    return seen
+end
+
+-- { phaco = { power_limit = 0.6 } } and { ["phaco.power_limit"] = 0.6 } both become { "phaco.power_limit" = 0.6 }.
+local function flatten(settings, prefix, out)
+    for _, key in ipairs(words.keys(settings)) do
+        local value = settings[key]
+        if type(value) == "table" then
+            flatten(value, prefix .. key .. ".", out)
+        elseif type(value) == "boolean" then
+            out[prefix .. key] = value and 1 or 0
+        else
+            out[prefix .. key] = fields.check_value({ kind = "number" }, value, words.where(key), prefix .. key)
+        end
+    end
+    return out
+end
+
+-- A goal is a number, or { number, from = , to = , meaning = }.
+local function read_goals(goals)
+    local values, rules = {}, {}
+    for _, name in ipairs(words.keys(goals)) do
+        local given = goals[name]
+        local rule = type(given) == "table" and given or { given }
+        rules[name] = { kind = "number", from = rule.from, to = rule.to, meaning = rule.meaning }
+        values[name] = fields.check_value(rules[name], rule[1], words.where(name, words.line_here()), "goal " .. name)
+    end
+    return values, rules
+end
+
+local function grade_of(cataract, where)
+    local grade = tonumber(tostring(cataract):match("^N[OC](%d%.?%d*)$"))
+    if not grade then
+        words.fail(where, ("patient: cataract = \"%s\" is not a grade such as \"NO3\" (NO1 to NO6)"):format(cataract))
+    end
+    return fields.check_value(patient_rules.nuclear_grade, grade, where, "patient: cataract (grade)")
+end
+
+local function read_patient(given)
+    local patient = fields.read(given, patient_rules, "patient")
+    if patient.cataract then
+        patient.nuclear_grade = grade_of(patient.cataract, words.where("cataract"))
+        patient.cataract = nil
+    end
+    return patient
+end
+
+local function check_steps_of_events(result, known)
+    for _, event in ipairs(result.errors) do
+        for _, name in ipairs(event.steps or {}) do
+            if not known[id_of(name)] then
+                words.fail(words.where("steps", event.line), ("error_event '%s': there is no step '%s'%s"):format(
+                    event.name, name, words.hint(id_of(name), words.keys(known))))
+            end
+            event.in_steps = event.in_steps or {}
+            event.in_steps[id_of(name)] = true
+        end
+    end
+end
+
+local function check_items(result)
+    if not result.scoring then return end
+    if not result.scoring.rubric then
+        words.fail(words.where("scoring"), "scoring must be a rubric, like osacss { \"T9\", \"G4\" }")
+    end
+    local known = words.keys(result.scoring.rubric.by_id)
+    for _, event in ipairs(result.errors) do
+        for _, item in ipairs(event.items or {}) do
+            if not result.scoring.rubric.by_id[item] then
+                words.fail(words.where("items", event.line), ("error_event '%s': unknown item '%s'%s"):format(
+                    event.name, item, words.hint(item, known)))
+            end
+        end
+    end
+end
+
+--- exercise { ... }: checks everything that can be checked before there is an eye.
+function language.exercise(given)
+    local result = fields.read(given, exercise_rules, "exercise")
+    result.kind = "exercise"
+    result.patient = read_patient(result.patient)
+    result.settings = flatten(result.settings, "", {})
+    result.goals, result.goal_rules = read_goals(result.goals)
+    local known = check_list(result.steps, "step", "steps")
+    if #result.steps == 0 then words.fail(words.where("steps"), "an exercise needs at least one step") end
+    check_list(result.errors, "error_event", "errors")
+    check_steps_of_events(result, known)
+    check_items(result)
+    return result
+end
+
+-- Fields of the exercise that --set may change, besides patient.*, goal.* and the settings of the machine.
+local changeable = { "mode", "step_s", "advance", "time_limit_s" }
+
+--- Every name that --set knows. settings: names of the machine's settings, from the kernel.
+function language.changeable(exercise, settings)
+    local names = {}
+    for _, name in ipairs(changeable) do names[#names + 1] = name end
+    for _, name in ipairs(words.keys(patient_rules)) do names[#names + 1] = "patient." .. name end
+    for _, name in ipairs(words.keys(exercise.goal_rules)) do names[#names + 1] = "goal." .. name end
+    for _, name in ipairs(settings) do names[#names + 1] = name end
+    return names
+end
+
+local function set_patient(exercise, name, text, full)
+    local value = fields.from_text(patient_rules[name], text, full)
+    if name == "cataract" then
+        exercise.patient.nuclear_grade = grade_of(value, "--set " .. full .. "=" .. text)
+    else
+        exercise.patient[name] = value
+    end
+end
+
+--- Applies --set name=text. settings: the names of the machine's settings; their ranges are the kernel's to check.
+function language.set(exercise, name, text, settings)
+    local patient, goal = name:match("^patient%.(.+)$"), name:match("^goal%.(.+)$")
+    for _, known in ipairs(changeable) do
+        if known == name then
+            exercise[name] = fields.from_text(exercise_rules[name], text, name)
+            return
+        end
+    end
+    for _, known in ipairs(settings) do
+        if known == name then
+            exercise.settings[name] = fields.from_text({ kind = "number" }, text, name)
+            return
+        end
+    end
+    if patient and patient_rules[patient] then
+        set_patient(exercise, patient, text, name)
+    elseif goal and exercise.goal_rules[goal] then
+        exercise.goals[goal] = fields.from_text(exercise.goal_rules[goal], text, name)
+    else
+        words.fail("--set " .. name .. "=" .. text, ("nothing is called '%s'%s"):format(name,
+            words.hint(name, language.changeable(exercise, settings))))
+    end
+end
+
+return language

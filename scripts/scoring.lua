@@ -1,0 +1,345 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Scores an attempt by a rubric. A rubric is data (see osacss.lua): items with measures, thresholds and caps. A
+-- centre's own rubric is another such table: return scoring.rubric { ... }.
+
+local collect = require "engine.collect"
+local expression = require "engine.expression"
+local fields = require "engine.fields"
+local words = require "engine.words"
+
+local scoring = {}
+
+local measure_rules = {
+    id = { kind = "text", required = true },
+    name = { kind = "text", required = true },   -- what it is, for the reader of a report
+    of = { kind = "text", required = true },     -- the quantity or condition that is watched
+    take = { kind = "text", required = true, choices = { "max", "min", "mean", "rms", "last", "time", "share",
+        "count" } },                             -- what is made of it over the attempt
+    during = { kind = "text" },                  -- only while this holds
+    hold_s = { kind = "number", from = 0 },      -- time, share: only stretches as long as this
+    if_never = { kind = "number" },              -- the value when it never was defined; without it: not scored
+    unit = { kind = "text", required = true },
+    digits = { kind = "number", default = 1, from = 0, to = 4, whole = true },
+    curve = { kind = "table", required = true }, -- { {value, score}, ... } made of five, three, one
+    weight = { kind = "number", default = 1, from = 0 },
+    source = { kind = "text", required = true }, -- ground for the thresholds
+    better = { kind = "text" },                  -- what would have been better
+    too_low = { kind = "text" },                 -- the same, where too little and too much differ
+    too_high = { kind = "text" },
+}
+
+local function points(low, high) return { low = low, high = high } end
+
+-- five = 1.0 stands for one value, five = { 80, 90 } for a range with a worse side on either hand.
+local function side(value)
+    if type(value) == "table" then return points(value[1], value[2]) end
+    return points(value, nil)
+end
+
+-- Thresholds as a curve of { value, score }, ascending in value.
+local function curve_of(given)
+    local five, three, one = side(given.five), side(given.three), side(given.one)
+    local curve = {}
+    local function add(value, score)
+        if value then curve[#curve + 1] = { value, score } end
+    end
+    add(five.low, 5)
+    add(five.high, 5)
+    add(three.low, 3)
+    add(three.high, 3)
+    add(one.low, 1)
+    add(one.high, 1)
+    table.sort(curve, function(a, b) return a[1] < b[1] end)
+    return curve
+end
+
+local function read_measure(given, item)
+    local plain = {}
+    for key, value in pairs(given) do
+        if key ~= "five" and key ~= "three" and key ~= "one" then plain[key] = value end
+    end
+    if given.five == nil or given.three == nil or given.one == nil then
+        words.fail("rubric", ("item %s, measure %s: five, three and one must all be given"):format(item,
+            tostring(given.id)))
+    end
+    plain.curve = curve_of(given)
+    local measure = fields.read(plain, measure_rules, ("item %s, measure '%s'"):format(item, tostring(given.id)))
+    measure.thresholds = { five = given.five, three = given.three, one = given.one }
+    local where = "rubric, item " .. item .. ", measure " .. measure.id
+    measure.of = expression.parse(measure.of, where)
+    measure.during = measure.during and expression.parse(measure.during, where)
+    return measure
+end
+
+--- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
+--- with a list of item ids gives what an exercise writes as `scoring`.
+function scoring.rubric(given)
+    local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
+        bands = given.bands, by_id = {} }
+    for _, item in ipairs(given.items) do
+        item.measures = item.measures or {}
+        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id) end
+        rubric.by_id[item.id] = item
+    end
+    return setmetatable(rubric, { __call = function(_, wanted)
+        local known = words.keys(rubric.by_id)
+        for _, id in ipairs(wanted) do
+            if not rubric.by_id[id] then
+                words.fail(words.where("scoring", nil), ("unknown item '%s'%s"):format(tostring(id),
+                    words.hint(tostring(id), known)))
+            end
+        end
+        return { rubric = rubric, items = wanted }
+    end })
+end
+
+--- Score of a value on a curve: linear between its points, level beyond them.
+function scoring.interpolate(curve, value)
+    if value <= curve[1][1] then return curve[1][2] end
+    for i = 2, #curve do
+        local a, b = curve[i - 1], curve[i]
+        if value <= b[1] then
+            if b[1] == a[1] then return b[2] end
+            return a[2] + (b[2] - a[2]) * (value - a[1]) / (b[1] - a[1])
+        end
+    end
+    return curve[#curve][2]
+end
+
+local function number(value, digits) return (("%." .. digits .. "f"):format(value):gsub("^%-(0%.?0*)$", "%1")) end
+
+local function amount(measure, value)
+    if measure.unit == "1" then return number(value, measure.digits) end
+    return number(value, measure.digits) .. " " .. measure.unit
+end
+
+local function threshold_text(measure, threshold)
+    if type(threshold) ~= "table" then return amount(measure, threshold) end
+    return number(threshold[1], measure.digits) .. " to " .. amount(measure, threshold[2])
+end
+
+-- "5 points at 0.2 mm, 3 at 0.5 mm, 1 at 1.0 mm"
+local function scale_text(measure)
+    local t = measure.thresholds
+    local one = type(t.one) == "table" and number(t.one[1], measure.digits) .. " or " .. amount(measure, t.one[2])
+        or amount(measure, t.one)
+    return ("5 points at %s, 3 at %s, 1 at %s"):format(threshold_text(measure, t.five),
+        threshold_text(measure, t.three), one)
+end
+
+-- What would have been better, of a value that lost points.
+local function advice_of(measure, value)
+    local five = measure.thresholds.five
+    local low = type(five) == "table" and five[1] or five
+    if value < low and measure.too_low then return measure.too_low end
+    if value > low and measure.too_high then return measure.too_high end
+    return measure.better
+end
+
+local Sheet = {}
+Sheet.__index = Sheet
+
+local function resolver(eye, reference)
+    return function(name)
+        local key = name:match("^reference%.(.+)$")
+        if key then
+            local value = reference[key]
+            if value == nil then return nil, {} end
+            return function() return value end
+        end
+        return eye:resolve(name)
+    end
+end
+
+local function open_measure(measure, resolve)
+    if not expression.known(measure.of, resolve) then return { missing = true, measure = measure } end
+    if measure.during and not expression.known(measure.during, resolve) then
+        return { missing = true, measure = measure }
+    end
+    return {
+        measure = measure,
+        of = expression.bind(measure.of, resolve),
+        during = measure.during and expression.bind(measure.during, resolve),
+        collector = collect[measure.take]({ hold_s = measure.hold_s }),
+    }
+end
+
+--- Opens a score sheet. selection: what the exercise wrote as scoring; reference: its named reference numbers; dt: step
+--- of time [s].
+function scoring.sheet(selection, eye, reference, dt)
+    local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {} }, Sheet)
+    local resolve = resolver(eye, reference)
+    for i, id in ipairs(selection.items) do
+        local item = selection.rubric.by_id[id]
+        local line = { item = item, open = {} }
+        for k, measure in ipairs(item.measures) do
+            line.open[k] = open_measure(measure, resolve)
+            if not line.open[k].missing then table.insert(self.open, line.open[k]) end
+        end
+        self.lines[i] = line
+    end
+    return self
+end
+
+--- Takes the observation that the eye holds now.
+function Sheet:tick(time_s)
+    for _, open in ipairs(self.open) do
+        if not open.during or open.during() then
+            local value = open.of()
+            if value ~= nil then open.collector.add(value, self.dt, time_s) end
+        end
+    end
+end
+
+local function round(value, digits) return tonumber(("%." .. digits .. "f"):format(value)) end
+
+local function measured(open)
+    local measure = open.measure
+    if open.missing then return nil end
+    local value, at = open.collector.result()
+    if value == nil then value = measure.if_never end
+    if value == nil then return nil end
+    local score = scoring.interpolate(measure.curve, value)
+    local result = { id = measure.id, name = measure.name, value = round(value, 6), unit = measure.unit,
+        score = round(score, 2), weight = measure.weight, threshold_source = measure.source, time_s = at,
+        text = ("%s: %s (%s)"):format(measure.name, amount(measure, value), scale_text(measure)) }
+    if score < 4.995 then result.better = advice_of(measure, value) end
+    return result
+end
+
+-- The lowest cap that the events put on an item, and what put it there.
+local function caps_on(rubric, item, events)
+    local cap, by = 5, {}
+    for _, event in ipairs(events) do
+        for _, id in ipairs(event.items) do
+            local caps = rubric.caps[event.severity]
+            local value = caps and caps[event.outcome]
+            if id == item.id and value and value < 5 then
+                cap = math.min(cap, value)
+                by[#by + 1] = { event = event.id, title = event.title, outcome = event.outcome, cap = value,
+                    time_s = event.time_s }
+            end
+        end
+    end
+    return cap, by
+end
+
+local outcomes = { near_miss = "a near miss, put right at once", recovered = "put right",
+    not_recovered = "not put right in time", open = "not put right yet" }
+
+local function reasons(result, cap)
+    local list = {}
+    for _, by in ipairs(result.capped_by) do
+        list[#list + 1] = ("%s at %.1f s, %s: at most %d points."):format(by.title, by.time_s, outcomes[by.outcome],
+            by.cap)
+    end
+    for _, measure in ipairs(result.measures) do
+        if measure.score < 4.995 then
+            list[#list + 1] = measure.text .. (measure.better and ". " .. measure.better or ".")
+        end
+    end
+    if #list == 0 and cap == 5 then list[1] = "All measures in the range for full points." end
+    return list
+end
+
+local function score_item(line, rubric, events)
+    local item = line.item
+    local result = { id = item.id, name = item.name, measures = {} }
+    local sum, weight = 0, 0
+    for _, open in ipairs(line.open) do
+        local measure = measured(open)
+        if measure then
+            table.insert(result.measures, measure)
+            sum, weight = sum + measure.weight * measure.score, weight + measure.weight
+        end
+    end
+    local cap, by = caps_on(rubric, item, events)
+    result.capped_by = by
+    if weight > 0 then
+        result.score = round(math.max(1, math.min(cap, sum / weight)), 2)
+        result.reasons = reasons(result, cap)
+    else
+        result.reasons = { "Not scored: " .. (item.not_scored or "nothing that this attempt "
+            .. "showed tells of it.") }
+    end
+    return result
+end
+
+-- The band of skill that a share of the scale falls into.
+local function band_of(rubric, scaled)
+    local found
+    for _, band in ipairs(rubric.bands or {}) do
+        if scaled >= band.from then found = band end
+    end
+    return found
+end
+
+--- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled = (total - n) / (4 n).
+function Sheet:score(events)
+    local result = { rubric = self.rubric.name, items = {}, total = 0, max = 0 }
+    local n = 0
+    for i, line in ipairs(self.lines) do
+        result.items[i] = score_item(line, self.rubric, events)
+        local score = result.items[i].score
+        if score then n, result.total = n + 1, result.total + score end
+    end
+    result.total, result.max = round(result.total, 2), 5 * n
+    if n > 0 then
+        result.scaled = round((result.total - n) / (4 * n), 4)
+        local band = band_of(self.rubric, result.scaled)
+        if band then result.band, result.band_meaning = band.name, band.meaning end
+    end
+    return result
+end
+
+--- All measures by id.
+function Sheet:measures()
+    local values = words.as_object({})
+    for _, line in ipairs(self.lines) do
+        for _, open in ipairs(line.open) do
+            local measure = measured(open)
+            if measure then values[measure.id] = measure.value end
+        end
+    end
+    return values
+end
+
+-- Points that putting a measure right would bring back to its item.
+local function lost_points(item)
+    local lost, weight = {}, 0
+    for _, measure in ipairs(item.measures) do weight = weight + measure.weight end
+    for _, measure in ipairs(item.measures) do
+        if measure.better and weight > 0 then
+            lost[#lost + 1] = { text = measure.better, points = (5 - measure.score) * measure.weight / weight }
+        end
+    end
+    return lost
+end
+
+--- Up to five sentences: what was done wrong and not put right first, then what cost most points.
+function scoring.advice(score, events)
+    local advice, seen = {}, {}
+    local function add(text)
+        if not seen[text] and #advice < 5 then advice[#advice + 1] = text end
+        seen[text] = true
+    end
+    for _, outcome in ipairs({ "not_recovered", "open", "recovered" }) do
+        for _, event in ipairs(events) do
+            if event.outcome == outcome then add(event.advice) end
+        end
+    end
+    local lost = {}
+    for _, item in ipairs(score.items) do
+        for _, entry in ipairs(lost_points(item)) do lost[#lost + 1] = entry end
+    end
+    table.sort(lost, function(a, b)
+        if a.points ~= b.points then return a.points > b.points end
+        return a.text < b.text
+    end)
+    for _, entry in ipairs(lost) do
+        if entry.points > 0.2 then add(entry.text) end
+    end
+    return advice
+end
+
+return scoring
