@@ -21,13 +21,17 @@ host.begin_file = words.begin_file
 --- After it ran: what it returned.
 function host.accept(value)
     if type(value) ~= "table" or value.kind ~= "exercise" then
-        words.fail(words.file(), "a curriculum must end with: return exercise { ... }")
+        words.fail(words.where(), "a curriculum must end with: return exercise { ... }")
     end
     host.exercise = value
 end
 
---- --set name=text; settings: names that the kernel knows.
-function host.set(name, text, settings) language.set(host.exercise, name, text, settings) end
+--- --set name=text; settings: names that the kernel knows. Returns the complaint, or nil.
+function host.set(name, text, settings)
+    local ok, complaint = pcall(language.set, host.exercise, name, text, settings)
+    if not ok then return complaint end
+    return nil
+end
 
 --- The scene that the exercise asks for.
 function host.scene()

@@ -91,7 +91,16 @@ local object_mark = { __json = "object" }
 --- Marks a table as one with names, so that an empty one is written as {} and not as [] in a report.
 function words.as_object(t) return setmetatable(t, object_mark) end
 
---- "file:line" of `field = ...` at or after line `from`; "file:from" when it cannot be found; "file" without a line.
+-- Line on which `exercise {` stands: what a mistake without a better place is blamed on.
+local function line_of_exercise()
+    for i, line in ipairs(reading.lines) do
+        if line:gsub("%-%-.*$", ""):find("%f[%w_]exercise%s*[({]") then return i end
+    end
+    return 1
+end
+
+--- "file:line" of `field = ...` at or after line `from`; without a field, or when it cannot be found, of `from` or of the
+--- whole exercise.
 function words.where(field, from)
     local plain = field and field:gsub("%p", "%%%0")
     for i = from or 1, plain and #reading.lines or 0 do
@@ -100,8 +109,7 @@ function words.where(field, from)
         local quoted = line:find('%["' .. plain .. '"%]%s*=')
         if bare or quoted then return reading.name .. ":" .. i end
     end
-    if from then return reading.name .. ":" .. from end
-    return reading.name
+    return reading.name .. ":" .. (from or line_of_exercise())
 end
 
 --- Raises "where: message" without another position before it.

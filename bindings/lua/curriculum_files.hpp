@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a curriculum's scripts lie, and the hash that names their content.
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+
+namespace rhexis {
+
+struct CurriculumFiles {
+    std::string id;      ///< name of the folder, or of the file without its ending
+    std::string folder;  ///< searched by `require`, and for the plan of the virtual surgeon
+    std::string script;  ///< path of the curriculum itself
+    std::string chunk;   ///< its name in messages: "groove/curriculum.lua"
+    std::string sha256;  ///< over names and contents of all .lua files of the folder (of the file, if it stands alone)
+};
+
+/// name: a folder with a curriculum.lua, a .lua file, or the bare name of a folder in root/curricula. Fails with near
+/// names when there is none.
+Result<CurriculumFiles> find_curriculum(const std::string& name, const std::string& root);
+
+/// Content of a file; fails when it cannot be read or is larger than 4 MiB.
+Result<std::string> read_script(const std::string& path);
+
+}  // namespace rhexis

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lua/exercise_host.hpp"
+
+#include <optional>
+
+#include "lua/curriculum_files.hpp"
+#include "lua/exercise_script.hpp"
+#include "lua/surgeon_script.hpp"
+
+namespace rhexis {
+
+using nlohmann::json;
+
+struct ExerciseHost::Parts {
+    ExerciseScript exercise;
+    std::optional<SurgeonScript> surgeon;
+    json identity;
+};
+
+Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
+    const Result<CurriculumFiles> files = find_curriculum(options.curriculum, options.root);
+    if (!files) {
+        return files.error();
+    }
+    Result<ExerciseScript> exercise = ExerciseScript::load(files.value(), options.root, options.seed, options.set);
+    if (!exercise) {
+        return exercise.error();
+    }
+    std::optional<SurgeonScript> surgeon;
+    if (options.surgeon != "none") {
+        Result<SurgeonScript> loaded =
+            SurgeonScript::load(options.surgeon, files.value(), exercise.value().plan(), options.root, options.seed);
+        if (!loaded) {
+            return loaded.error();
+        }
+        surgeon.emplace(std::move(loaded).value());
+    }
+    const json identity = {{"id", files.value().id},
+                           {"title", exercise.value().title()},
+                           {"version", exercise.value().version()},
+                           {"sha256", files.value().sha256}};
+    return ExerciseHost(std::make_unique<Parts>(Parts{std::move(exercise).value(), std::move(surgeon), identity}));
+}
+
+ExerciseHost::ExerciseHost(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+ExerciseHost::~ExerciseHost() = default;
+ExerciseHost::ExerciseHost(ExerciseHost&&) noexcept = default;
+
+const SceneDescription& ExerciseHost::scene() const { return parts_->exercise.scene(); }
+const json& ExerciseHost::identity() const { return parts_->identity; }
+
+Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
+    const Status status = parts_->exercise.start(schema);
+    if (!status || !parts_->surgeon) {
+        return status;
+    }
+    return parts_->surgeon->start(instruments, scene().step_s);
+}
+
+Result<std::vector<Command>> ExerciseHost::observe(const Observation& observation) {
+    return parts_->exercise.observe(observation);
+}
+
+Result<std::vector<DeviceSample>> ExerciseHost::operate(const Percept& percept) {
+    if (!parts_->surgeon) {
+        return std::vector<DeviceSample>{};
+    }
+    return parts_->surgeon->operate(percept);
+}
+
+bool ExerciseHost::finished() const { return parts_->exercise.finished(); }
+bool ExerciseHost::has_surgeon() const { return parts_->surgeon.has_value(); }
+Result<json> ExerciseHost::result() { return parts_->exercise.result(); }
+
+}  // namespace rhexis

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lua/exercise_script.hpp"
+
+#include "lua/json.hpp"
+#include "lua/stack.hpp"
+#include "session/settings.hpp"
+
+namespace rhexis {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> setting_names() {
+    std::vector<std::string> names;
+    for (const SettingInfo& info : setting_table()) {
+        names.emplace_back(info.name);
+    }
+    return names;
+}
+
+Patient patient_from(const json& given) {
+    Patient patient;
+    patient.age = given.value("age", patient.age);
+    patient.nuclear_grade = given.value("nuclear_grade", patient.nuclear_grade);
+    patient.pupil_mm = given.value("pupil_mm", patient.pupil_mm);
+    patient.side = given.value("side", patient.side);
+    patient.tetrahedra = given.value("tetrahedra", patient.tetrahedra);
+    return patient;
+}
+
+Advance advance_from(const std::string& name) {
+    if (name == "explicit") {
+        return Advance::explicit_;
+    }
+    return name == "implicit" ? Advance::implicit : Advance::automatic;
+}
+
+SceneDescription scene_from(const json& given) {
+    SceneDescription scene;
+    scene.patient = patient_from(given.at("patient"));
+    scene.tissues = given.at("tissues").get<std::vector<std::string>>();
+    scene.instruments = given.at("instruments").get<std::vector<std::string>>();
+    scene.settings = given.at("settings").get<std::map<std::string, double>>();
+    scene.step_s = given.at("step_s");
+    scene.advance = advance_from(given.at("advance"));
+    return scene;
+}
+
+std::string string_field(lua_State* L, const char* name) {
+    lua_getfield(L, -1, name);
+    std::string value = lua_isstring(L, -1) != 0 ? lua_tostring(L, -1) : "";
+    lua_pop(L, 1);
+    return value;
+}
+
+CommandKind kind_from(const std::string& name) {
+    if (name == "set") {
+        return CommandKind::set;
+    }
+    if (name == "picture") {
+        return CommandKind::picture;
+    }
+    return name == "finish" ? CommandKind::finish : CommandKind::say;
+}
+
+/// The command table on top of the stack.
+Command command_from(lua_State* L) {
+    Command command;
+    command.kind = kind_from(string_field(L, "kind"));
+    command.name = string_field(L, "name");
+    command.text = string_field(L, "text");
+    lua_getfield(L, -1, "value");
+    command.value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return command;
+}
+
+/// The list of command tables on top of the stack.
+std::vector<Command> commands_from(lua_State* L) {
+    std::vector<Command> commands;
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        commands.push_back(command_from(L));
+        lua_pop(L, 1);
+    }
+    return commands;
+}
+
+void push_schema(lua_State* L, const ObservationSchema& schema) {
+    lua_createtable(L, static_cast<int>(schema.size()), 0);
+    lua_Integer at = 0;
+    for (const MeasureInfo& info : schema) {
+        lua_createtable(L, 0, 3);
+        lua::set_field(L, "name", std::string_view(info.name));
+        lua::set_field(L, "unit", std::string_view(info.unit));
+        lua::set_field(L, "meaning", std::string_view(info.meaning));
+        lua_rawseti(L, -2, ++at);
+    }
+}
+
+}  // namespace
+
+void ExerciseScript::push_function(lua_State* L, const char* name) const {
+    host_.push(L);
+    lua_getfield(L, -1, name);
+    lua_remove(L, -2);
+}
+
+Status ExerciseScript::open_engine() {
+    return state_.run([this](lua_State* L) {
+        lua_getglobal(L, "require");
+        lua_pushstring(L, "engine.host");
+        lua_call(L, 1, 1);
+        host_ = LuaRef(state_, L);
+    });
+}
+
+Status ExerciseScript::run_curriculum(const CurriculumFiles& files) {
+    Result<std::string> text = read_script(files.script);
+    if (!text) {
+        return text.error();
+    }
+    return state_.run([&](lua_State* L) {
+        push_function(L, "begin_file");
+        lua::push(L, std::string_view(files.chunk));
+        lua::push(L, std::string_view(text.value()));
+        lua_call(L, 2, 0);
+        push_function(L, "accept");
+        lua::load_text(L, text.value(), files.chunk);
+        push_function(L, "environment");
+        lua_call(L, 0, 1);
+        lua_setupvalue(L, -2, 1);  // the curriculum's globals
+        lua_call(L, 0, 1);
+        lua_call(L, 1, 0);
+    });
+}
+
+Status ExerciseScript::apply(const std::map<std::string, std::string>& set) {
+    std::string complaint;
+    const Status status = state_.run([&](lua_State* L) {
+        for (const auto& [name, value] : set) {
+            push_function(L, "set");
+            lua::push(L, std::string_view(name));
+            lua::push(L, std::string_view(value));
+            lua::push(L, setting_names());
+            lua_call(L, 3, 1);
+            if (lua_isstring(L, -1) != 0) {
+                complaint = lua_tostring(L, -1);
+                return;
+            }
+            lua_pop(L, 1);
+        }
+    });
+    if (status && !complaint.empty()) {
+        return Error{complaint, "", ""};
+    }
+    return status;
+}
+
+Status ExerciseScript::read_scene() {
+    json given;
+    const Status status = state_.run([&](lua_State* L) {
+        push_function(L, "scene");
+        lua_call(L, 0, 1);
+        given = lua::to_json(L, -1);
+    });
+    if (!status) {
+        return status;
+    }
+    scene_ = scene_from(given);
+    title_ = given.at("title");
+    version_ = given.at("version");
+    plan_ = given.at("surgeon");
+    for (const auto& [name, value] : scene_.settings) {
+        const Status allowed = check_setting(name, value);
+        if (!allowed) {
+            return allowed;
+        }
+    }
+    return success();
+}
+
+Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
+                                            const std::map<std::string, std::string>& set) {
+    LuaOptions options;
+    options.seed = seed;
+    options.folders = {{root + "/scripts", "scripts"}, {files.folder, files.id}};
+    Result<LuaState> state = LuaState::create(std::move(options));
+    if (!state) {
+        return state.error();
+    }
+    ExerciseScript script(std::move(state).value());
+    Status status = script.open_engine();
+    if (status) {
+        status = script.run_curriculum(files);
+    }
+    if (status) {
+        status = script.apply(set);
+    }
+    if (status) {
+        status = script.read_scene();
+    }
+    if (!status) {
+        return status.error();
+    }
+    return script;
+}
+
+Status ExerciseScript::start(const ObservationSchema& schema) {
+    return state_.run([&](lua_State* L) {
+        push_function(L, "start");
+        push_schema(L, schema);
+        lua_call(L, 1, 1);
+        row_ = LuaRef(state_, L);
+        push_function(L, "observe");
+        observe_ = LuaRef(state_, L);
+    });
+}
+
+Result<std::vector<Command>> ExerciseScript::observe(const Observation& observation) {
+    std::vector<Command> commands;
+    const Status status = state_.run([&](lua_State* L) {
+        row_.push(L);
+        lua_Integer at = 0;
+        for (const double value : observation.values) {
+            lua_pushnumber(L, value);
+            lua_rawseti(L, -2, ++at);
+        }
+        lua_pop(L, 1);
+        observe_.push(L);
+        lua_pushnumber(L, observation.time_s);
+        lua_call(L, 1, 1);
+        commands = commands_from(L);
+        push_function(L, "finished");
+        lua_call(L, 0, 1);
+        finished_ = lua_toboolean(L, -1) != 0;
+    });
+    if (!status) {
+        finished_ = true;  // a script error ends the exercise; what there is can still be reported
+        return status.error();
+    }
+    return commands;
+}
+
+Result<json> ExerciseScript::result() {
+    json value;
+    const Status status = state_.run([&](lua_State* L) {
+        push_function(L, "result");
+        lua_call(L, 0, 1);
+        value = lua::to_json(L, -1);
+    });
+    if (!status) {
+        return status.error();
+    }
+    return value;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exercise's own Lua state: the engine of scripts/ with one curriculum in it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "base/result.hpp"
+#include "flow/command.hpp"
+#include "flow/observation.hpp"
+#include "flow/scene.hpp"
+#include "lua/curriculum_files.hpp"
+#include "lua/lua_state.hpp"
+
+namespace rhexis {
+
+class ExerciseScript {
+public:
+    /// Runs the curriculum and applies `set`. root: folder that holds scripts/.
+    static Result<ExerciseScript> load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
+                                       const std::map<std::string, std::string>& set);
+
+    [[nodiscard]] const SceneDescription& scene() const { return scene_; }
+    [[nodiscard]] const std::string& title() const { return title_; }
+    [[nodiscard]] const nlohmann::json& version() const { return version_; }
+    /// File beside the curriculum, without .lua, that says what a virtual surgeon does.
+    [[nodiscard]] const std::string& plan() const { return plan_; }
+
+    Status start(const ObservationSchema& schema);
+    Result<std::vector<Command>> observe(const Observation& observation);
+    [[nodiscard]] bool finished() const { return finished_; }
+    Result<nlohmann::json> result();
+
+private:
+    explicit ExerciseScript(LuaState state) : state_(std::move(state)) {}
+    Status open_engine();
+    Status run_curriculum(const CurriculumFiles& files);
+    Status apply(const std::map<std::string, std::string>& set);
+    Status read_scene();
+    void push_function(lua_State* L, const char* name) const;
+
+    LuaState state_;
+    LuaRef host_;  ///< the module scripts/engine/host.lua
+    LuaRef observe_;
+    LuaRef row_;
+    SceneDescription scene_;
+    std::string title_;
+    std::string plan_;
+    nlohmann::json version_;
+    bool finished_ = false;
+};
+
+}  // namespace rhexis

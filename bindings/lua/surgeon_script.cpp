@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lua/surgeon_script.hpp"
+
+#include <filesystem>
+
+#include "base/rng.hpp"
+#include "lua/stack.hpp"
+
+namespace rhexis {
+namespace {
+
+void push_quaternion(lua_State* L, const Quat& q) {
+    lua_createtable(L, 4, 0);
+    const double values[] = {q.w(), q.x(), q.y(), q.z()};
+    for (int i = 0; i < 4; ++i) {
+        lua_pushnumber(L, values[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+}
+
+void push_tools(lua_State* L, const std::vector<PerceivedTool>& tools) {
+    lua_createtable(L, 0, static_cast<int>(tools.size()));
+    for (const PerceivedTool& tool : tools) {
+        lua_createtable(L, 0, 3);
+        lua::set_field(L, "present", tool.present);
+        lua::set_field(L, "position", tool.pose.position);
+        push_quaternion(L, tool.pose.orientation);
+        lua_setfield(L, -2, "orientation");
+        lua_setfield(L, -2, tool.name.c_str());
+    }
+}
+
+void push_landmarks(lua_State* L, const std::vector<Landmark>& landmarks) {
+    lua_createtable(L, 0, static_cast<int>(landmarks.size()));
+    for (const Landmark& mark : landmarks) {
+        if (!mark.visible) {
+            continue;
+        }
+        lua_createtable(L, 0, 2);
+        lua::set_field(L, "position", mark.position);
+        lua::set_field(L, "size", mark.size);
+        lua_setfield(L, -2, mark.name.c_str());
+    }
+}
+
+void push_percept(lua_State* L, const Percept& percept) {
+    lua_createtable(L, 0, 7);
+    lua::set_field(L, "time_s", percept.time_s);
+    lua::set_field(L, "tip_brightness", percept.tip_brightness);
+    lua::set_field(L, "reflex_brightness", percept.reflex_brightness);
+    lua::set_field(L, "pedal", percept.pedal);
+    lua::set_field(L, "power", percept.power);
+    push_tools(L, percept.tools);
+    lua_setfield(L, -2, "tools");
+    push_landmarks(L, percept.landmarks);
+    lua_setfield(L, -2, "landmarks");
+}
+
+/// Number i of the table on top of the stack.
+double item(lua_State* L, lua_Integer i) {
+    lua_rawgeti(L, -1, i);
+    const double value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return value;
+}
+
+double number_field(lua_State* L, const char* name) {
+    lua_getfield(L, -1, name);
+    const double value = lua_tonumber(L, -1);
+    lua_pop(L, 1);
+    return value;
+}
+
+/// The sample table on top of the stack.
+DeviceSample sample_from(lua_State* L) {
+    DeviceSample sample;
+    sample.instrument = static_cast<int>(number_field(L, "instrument"));
+    lua_getfield(L, -1, "present");
+    sample.present = lua_toboolean(L, -1) != 0;
+    lua_pop(L, 1);
+    lua_getfield(L, -1, "position");
+    sample.pose.position = Vec3(item(L, 1), item(L, 2), item(L, 3));
+    lua_pop(L, 1);
+    lua_getfield(L, -1, "orientation");
+    sample.pose.orientation = Quat(item(L, 1), item(L, 2), item(L, 3), item(L, 4));
+    lua_pop(L, 1);
+    sample.jaw = number_field(L, "jaw");
+    sample.pedal = number_field(L, "pedal");
+    return sample;
+}
+
+/// The list of sample tables on top of the stack.
+std::vector<DeviceSample> samples_from(lua_State* L) {
+    std::vector<DeviceSample> samples;
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        samples.push_back(sample_from(L));
+        lua_pop(L, 1);
+    }
+    return samples;
+}
+
+/// A stream apart from the exercise's own.
+std::uint64_t surgeon_seed(std::uint64_t seed) {
+    Rng rng(seed, "surgeon");
+    const std::uint64_t high = rng.next();
+    return (high << 32) | rng.next();
+}
+
+}  // namespace
+
+Result<SurgeonScript> SurgeonScript::load(const std::string& name, const CurriculumFiles& files,
+                                          const std::string& plan, const std::string& root, std::uint64_t seed) {
+    LuaOptions options;
+    options.seed = surgeon_seed(seed);
+    options.folders = {{root + "/scripts", "scripts"}, {files.folder, files.id}};
+    Result<LuaState> state = LuaState::create(std::move(options));
+    if (!state) {
+        return state.error();
+    }
+    SurgeonScript script(std::move(state).value());
+    std::string complaint;
+    const Status status = script.state_.run([&](lua_State* L) {
+        lua_getglobal(L, "require");
+        lua_pushstring(L, "surgeons.surgeon");
+        lua_call(L, 1, 1);
+        lua_pushvalue(L, -1);
+        script.host_ = LuaRef(script.state_, L);
+        lua_getfield(L, -1, "choose");
+        lua::push(L, std::string_view(name));
+        lua::push(L, std::string_view(plan));
+        lua_call(L, 2, 1);
+        if (lua_isstring(L, -1) != 0) {
+            complaint = lua_tostring(L, -1);
+        }
+    });
+    if (!status) {
+        return status.error();
+    }
+    if (!complaint.empty()) {
+        return Error{complaint, "surgeon", ""};
+    }
+    return script;
+}
+
+Status SurgeonScript::start(const std::vector<std::string>& instruments, double step_s) {
+    return state_.run([&](lua_State* L) {
+        host_.push(L);
+        lua_getfield(L, -1, "start");
+        lua::push(L, instruments);
+        lua_pushnumber(L, step_s);
+        lua_call(L, 2, 0);
+        lua_getfield(L, -1, "operate");
+        operate_ = LuaRef(state_, L);
+    });
+}
+
+Result<std::vector<DeviceSample>> SurgeonScript::operate(const Percept& percept) {
+    std::vector<DeviceSample> samples;
+    const Status status = state_.run([&](lua_State* L) {
+        operate_.push(L);
+        push_percept(L, percept);
+        lua_call(L, 1, 1);
+        samples = samples_from(L);
+    });
+    if (!status) {
+        return status.error();
+    }
+    return samples;
+}
+
+}  // namespace rhexis

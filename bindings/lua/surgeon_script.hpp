@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A virtual surgeon in a Lua state of its own. It is given a percept and nothing else: no observation, event or score.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "flow/device_sample.hpp"
+#include "flow/percept.hpp"
+#include "lua/curriculum_files.hpp"
+#include "lua/lua_state.hpp"
+
+namespace rhexis {
+
+class SurgeonScript {
+public:
+    /// name: of a group or an alias in scripts/surgeons/groups.lua. plan: file of the curriculum's folder, without
+    /// .lua. Fails with near names for an unknown surgeon.
+    static Result<SurgeonScript> load(const std::string& name, const CurriculumFiles& files, const std::string& plan,
+                                      const std::string& root, std::uint64_t seed);
+
+    Status start(const std::vector<std::string>& instruments, double step_s);
+    Result<std::vector<DeviceSample>> operate(const Percept& percept);
+
+private:
+    explicit SurgeonScript(LuaState state) : state_(std::move(state)) {}
+
+    LuaState state_;
+    LuaRef host_;  ///< the module scripts/surgeons/surgeon.lua
+    LuaRef operate_;
+};
+
+}  // namespace rhexis
