@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "base/near_names.hpp"
+#include "base/near_name.hpp"
 
 namespace rhexis {
 namespace {
@@ -27,6 +27,14 @@ std::vector<std::string> curricula_in(const std::string& root) {
     }
     std::sort(names.begin(), names.end());
     return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) {
+        list += (list.empty() ? "" : ", ") + name;
+    }
+    return list.empty() ? "none" : list;
 }
 
 /// Paths of all scripts below a folder, relative to it, in a fixed order.
@@ -124,7 +132,8 @@ Result<CurriculumFiles> find_curriculum(const std::string& name, const std::stri
     if (std::find(known.begin(), known.end(), name) != known.end()) {
         return from_folder(fs::path(root) / "curricula" / name);
     }
-    return Error{"there is no curriculum '" + name + "'", "curriculum", suggestion(name, known)};
+    const std::string near = did_you_mean(name, known);
+    return Error{"there is no curriculum '" + name + "'" + near, "", near.empty() ? "curricula: " + joined(known) : ""};
 }
 
 }  // namespace rhexis

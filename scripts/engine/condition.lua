@@ -23,21 +23,30 @@ function condition.read(value, where, field)
     return parts
 end
 
--- Says in plain words what a function that compared nil has met.
-local function explain(message)
-    local field = message:match("nil %(field '([%w_]+)'%)") or message:match("%(field '([%w_]+)'%)$")
-    if field and message:find("nil", 1, true) then
-        return message .. (": %s is not defined at this moment (is the instrument outside the eye?); "
-            .. "test it first, or write the condition as a text, where such a comparison is simply false"):format(field)
+-- Says in plain words what a function that met nil has met: the measures that it read and that are not defined now.
+local function explain(message, eye)
+    if not message:find("nil", 1, true) then return message end
+    for i = #eye.read, 1, -1 do
+        if eye:value(eye.read[i]) == nil then
+            return message .. (": %s is not defined at this moment (is the instrument outside the eye?); test it first,"
+                .. " or write the condition as a text, where such a comparison is simply false"):format(eye.read[i])
+        end
     end
     return message
 end
 
---- Calls a part of a curriculum. A failure is raised as one line that names file:line and what was running.
-function condition.call(context, f, ...)
+--- Calls a part of a curriculum and returns its result and the names of the measures that it read. A failure is raised
+--- as one line that names file:line and what was running.
+function condition.call(eye, context, f, ...)
+    eye.read = {}
     local ok, result = pcall(f, ...)
-    if ok then return result end
-    local message = explain(tostring(result))
+    local read = eye.read
+    if ok then
+        eye.read = nil
+        return result, read
+    end
+    local message = explain(tostring(result), eye)
+    eye.read = nil
     if not message:find("^[^:\n]+:%d+: ") then message = context.where .. ": " .. message end
     error(message .. " (" .. context.what .. ")", 0)
 end
@@ -49,13 +58,13 @@ local function bind_part(part, eye, what)
         local bound = { names = {} }
         function bound.test()
             local result
-            result, bound.names = eye:watch(function() return condition.call(context, part.call, eye.view) end)
+            result, bound.names = condition.call(eye, context, part.call, eye.view)
             return result and true or false
         end
         return bound
     end
     local value = expression.bind(part, function(name) return eye:resolve(name) end)
-    return { names = part.names, test = function() return condition.call(context, value) and true or false end }
+    return { names = part.names, test = function() return condition.call(eye, context, value) and true or false end }
 end
 
 --- Binds the parts to an eye. The result's test() is true once all parts have come true in order; reset() starts over.

@@ -10,7 +10,7 @@ Eye.__index = Eye
 --- schema: list of { name, unit, meaning }; goals: named numbers of the exercise.
 function Eye.new(schema, goals)
     local self = setmetatable({ row = {}, time_s = 0, step_time_s = 0, goals = goals, names = {}, groups = {},
-        info = {}, read = nil }, Eye)
+        info = {} }, Eye)  -- `read`: names read since it was set, if it is
     for i, entry in ipairs(schema) do
         local group, field = entry.name:match("^([^.]+)%.(.+)$")
         self.names[i] = entry.name
@@ -114,15 +114,6 @@ function Eye:make_view()
         __newindex = function() error("the eye can only be looked at", 2) end,
         __metatable = false,
     })
-end
-
---- Runs f and returns its result and the names of the measures that it read.
-function Eye:watch(f, ...)
-    self.read = {}
-    local result = f(...)
-    local read = self.read
-    self.read = nil
-    return result, read
 end
 
 return Eye

@@ -99,8 +99,8 @@ local function line_of_exercise()
     return 1
 end
 
---- "file:line" of `field = ...` at or after line `from`; without a field, or when it cannot be found, of `from` or of the
---- whole exercise.
+--- "file:line" of `field = ...` at or after line `from`; without a field, or when it cannot be found, of `from` or of
+--- the whole exercise.
 function words.where(field, from)
     local plain = field and field:gsub("%p", "%%%0")
     for i = from or 1, plain and #reading.lines or 0 do

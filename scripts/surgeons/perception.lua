@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- What a person makes of the picture: late by the reaction time, and with errors of place and brightness that drift
+-- slowly, as misjudgements do. What has not been seen yet is kept here and cannot be reached from a plan.
+
+local perception = {}
+
+local drift_s = 2.0  -- correlation time of a misjudgement [s]; proposal
+
+-- A first-order random drift of unit spread.
+local function drift(stream, dt)
+    local keep = math.max(0, 1 - dt / drift_s)
+    local fresh = math.sqrt(1 - keep * keep)
+    local value = stream:normal()
+    return function()
+        value = keep * value + fresh * stream:normal()
+        return value
+    end
+end
+
+local function place_error(stream, person, dt)
+    local x, y, z = drift(stream, dt), drift(stream, dt), drift(stream, dt)
+    return function(place)
+        return { place[1] + person.lateral_error_mm * x(), place[2] + person.lateral_error_mm * y(),
+            place[3] + person.depth_error_mm * z() }
+    end
+end
+
+-- Everything in the picture shares one misjudgement of place per kind, so that errors between an instrument and what
+-- lies beside it are those of one look.
+local function judgement(stream, person, dt)
+    local places, bright = {}, drift(stream, dt)
+    local function place_of(name, place)
+        places[name] = places[name] or place_error(stream, person, dt)
+        return places[name](place)
+    end
+    return function(raw)
+        local factor = math.exp(person.brightness_error * bright())
+        local view = { time_s = raw.time_s, pedal = raw.pedal, power = raw.power, tools = {}, landmarks = {},
+            tip_brightness = raw.tip_brightness * factor, reflex_brightness = raw.reflex_brightness * factor }
+        for name, tool in pairs(raw.tools) do
+            view.tools[name] = { present = tool.present, position = place_of(name, tool.position) }
+        end
+        for name, mark in pairs(raw.landmarks) do
+            view.landmarks[name] = { position = place_of(name, mark.position), size = mark.size }
+        end
+        return view
+    end
+end
+
+--- Returns a function that takes the picture of now and gives what the person sees now: the picture of reaction_s ago
+--- with this person's errors, or nil before there is one.
+function perception.start(stream, person, dt)
+    local judge = judgement(stream, person, dt)
+    local queue, first = {}, 1
+    local seen
+    return function(raw)
+        queue[#queue + 1] = raw
+        while queue[first] and queue[first].time_s <= raw.time_s - person.reaction_s + 1e-9 do
+            seen = judge(queue[first])
+            queue[first] = false
+            first = first + 1
+        end
+        if first > 512 then
+            queue = table.move(queue, first, #queue, 1, {})
+            first = 1
+        end
+        return seen
+    end
+end
+
+return perception

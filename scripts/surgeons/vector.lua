@@ -1,0 +1,47 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Places and directions as { x, y, z } [mm], orientations as { w, x, y, z }.
+
+local vector = {}
+
+function vector.add(a, b) return { a[1] + b[1], a[2] + b[2], a[3] + b[3] } end
+
+function vector.sub(a, b) return { a[1] - b[1], a[2] - b[2], a[3] - b[3] } end
+
+function vector.scale(a, s) return { a[1] * s, a[2] * s, a[3] * s } end
+
+function vector.dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
+
+function vector.norm(a) return math.sqrt(vector.dot(a, a)) end
+
+function vector.distance(a, b) return vector.norm(vector.sub(a, b)) end
+
+function vector.cross(a, b)
+    return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
+end
+
+function vector.unit(a) return vector.scale(a, 1 / vector.norm(a)) end
+
+--- From a to b, share 0 to 1.
+function vector.mix(a, b, share) return vector.add(a, vector.scale(vector.sub(b, a), share)) end
+
+-- Quaternion of a rotation given by its columns; its trace must exceed -1 clearly, which holds for directions() below
+-- unless the shaft points straight down into the eye.
+local function quaternion(x, y, z)
+    local trace = x[1] + y[2] + z[3]
+    if trace > -0.9 then
+        local s = 2 * math.sqrt(1 + trace)
+        return { 0.25 * s, (y[3] - z[2]) / s, (z[1] - x[3]) / s, (x[2] - y[1]) / s }
+    end
+    local s = 2 * math.sqrt(1 + x[1] - y[2] - z[3])
+    return { (y[3] - z[2]) / s, 0.25 * s, (y[1] + x[2]) / s, (z[1] + x[3]) / s }
+end
+
+--- Orientation of an instrument whose shaft points along `shaft` (from the tip to the hand) and whose own x axis points
+--- to the surgeon's right.
+function vector.orientation(shaft)
+    local z = vector.unit(shaft)
+    local x = vector.unit(vector.sub({ 1, 0, 0 }, vector.scale(z, z[1])))
+    return quaternion(x, vector.cross(z, x), z)
+end
+
+return vector

@@ -1,0 +1,124 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The life of an error event.
+local support = require "support"
+
+local case, equal, near = support.case, support.equal, support.near
+
+local event = [[error_event "too deep" {
+    when = "tip.depth_mm > 2",
+    recovered = "tip.depth_mm < 1",
+    deadline_s = 2,
+    harm = "tip.touch",
+    evidence = { "tip.speed_mm_s" },
+    advice = "Up.", items = { "T9" } }]]
+
+local function events_of(at, seconds, declared)
+    local exercise = support.demo({ steps = 'step "only" { done = "tip.depth_mm > 100" }', errors = declared or event })
+    local run, commands = support.attempt(exercise, seconds or 10, at)
+    return run:result().events, run, commands
+end
+
+local function depth(t, from, to)
+    return { ["tip.depth_mm"] = t >= from and t < to and 3 or 0.5, ["tip.speed_mm_s"] = 7, ["tip.touch"] = false }
+end
+
+case("a provoked error that is put right in time is recovered, with evidence", function()
+    local events, run = events_of(function(t) return depth(t, 2, 3.5) end)
+    equal(#events, 1)
+    equal(events[1].id, "too_deep")
+    equal(events[1].step, "only")
+    near(events[1].time_s, 2, 1e-9)
+    equal(events[1].recovered, true)
+    equal(events[1].outcome, "recovered")
+    near(events[1].recovery_s, 1.5, 1e-9)
+    equal(events[1].evidence["tip.depth_mm"], 3)
+    equal(events[1].evidence["tip.speed_mm_s"], 7)
+    equal(run.finished, nil, "an error does not end the exercise")
+end)
+
+case("an error that is not put right in time is not recovered, even if it is later", function()
+    local events = events_of(function(t) return depth(t, 2, 5) end)
+    equal(#events, 1)
+    equal(events[1].outcome, "not_recovered")
+    equal(events[1].recovered, false)
+end)
+
+case("an error put right at once without harm is a near miss; with harm it is not", function()
+    local events = events_of(function(t) return depth(t, 2, 2.4) end)
+    equal(events[1].outcome, "near_miss")
+    events = events_of(function(t)
+        local values = depth(t, 2, 2.4)
+        values["tip.touch"] = t > 2.1 and t < 2.2
+        return values
+    end)
+    equal(events[1].outcome, "recovered")
+    equal(events[1].harmed, true)
+end)
+
+case("the silent twin: the same attempt just below the threshold raises nothing", function()
+    local events = events_of(function(t)
+        local values = depth(t, 2, 3.5)
+        values["tip.depth_mm"] = math.min(1.99, values["tip.depth_mm"])
+        return values
+    end)
+    equal(#events, 0)
+end)
+
+case("an undefined measure raises nothing", function()
+    equal(#events_of(function() return {} end), 0)
+end)
+
+case("a trembling measure is one event, two separate errors are two", function()
+    local events = events_of(function(t)
+        return { ["tip.depth_mm"] = (t > 2 and t < 4 and math.floor(t * 20) % 2 == 0) and 3 or 0.5 }
+    end)
+    equal(#events, 1, "trembling")
+    events = events_of(function(t) return depth(t % 4, 2, 3) end, 9)
+    equal(#events, 2, "separate")
+end)
+
+case("hold_s lets short crossings pass", function()
+    local declared = 'error_event "long" { when = "tip.depth_mm > 2", hold_s = 0.5, advice = "x" }'
+    equal(#events_of(function(t) return depth(t, 2, 2.4) end, 5, declared), 0)
+    equal(#events_of(function(t) return depth(t, 2, 2.6) end, 5, declared), 1)
+end)
+
+case("recovery may ask for an order", function()
+    local declared = [[error_event "e" { when = "tip.depth_mm > 2", advice = "x", deadline_s = 5,
+        recovered = { "tip.speed_mm_s < 1", "tip.depth_mm < 1" } }]]
+    local events = events_of(function(t)
+        local values = depth(t, 2, 3)
+        values["tip.speed_mm_s"] = (t > 4 and t < 4.5) and 0 or 5
+        return values
+    end, 10, declared)
+    near(events[1].recovery_s, 2.01, 0.011)
+end)
+
+case("events can be limited to steps, and end the exercise only if asked to", function()
+    local exercise = support.demo({ steps = [[step "one" { done = "tip.depth_mm > 1" },
+        step "two" { done = "tip.depth_mm > 100" }]],
+        errors = [[error_event "touch" { when = "tip.touch", advice = "x", steps = { "two" },
+            ends_exercise = true }]] })
+    local run = support.attempt(exercise, 10, function(t)
+        return { ["tip.depth_mm"] = t > 4 and 2 or 0, ["tip.touch"] = (t > 1 and t < 2) or (t > 6 and t < 7) }
+    end)
+    local events = run:result().events
+    equal(#events, 1)
+    equal(events[1].step, "two")
+    near(run.time_s, 6.01, 0.011)
+    equal(run:result().reason, "error: touch")
+end)
+
+case("an error that is open when the exercise ends was not put right", function()
+    local exercise = support.demo({ rest = "time_limit_s = 3,", steps = 'step "a" { done = "tip.depth_mm > 100" }',
+        errors = event })
+    local run = support.attempt(exercise, 5, function(t) return depth(t, 2, 9) end)
+    equal(run:result().events[1].outcome, "not_recovered")
+end)
+
+case("an error and its recovery leave pictures, and advice is said", function()
+    local _, _, commands = events_of(function(t) return depth(t, 2, 3.5) end)
+    local kinds = {}
+    for _, command in ipairs(commands) do kinds[#kinds + 1] = command.kind .. " " .. command.name end
+    equal(table.concat(kinds, ", "), "picture error_too_deep, say , picture recovered_too_deep")
+end)

@@ -1,0 +1,158 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Scores: interpolation, caps, items that do not apply, and the shape of the rubric.
+local osacss = require "osacss"
+local scoring = require "scoring"
+local support = require "support"
+local Eye = require "engine.eye"
+
+local case, equal, near, fails = support.case, support.equal, support.near, support.fails
+
+local caps = { critical = { not_recovered = 1, open = 1, recovered = 3, near_miss = 4 },
+    minor = { not_recovered = 3, open = 3, recovered = 4, near_miss = 5 } }
+
+local function rubric(measures, bands)
+    return scoring.rubric { name = "test", caps = caps, bands = bands, items = {
+        { id = "I1", name = "first", measures = measures },
+        { id = "I2", name = "second", not_scored = "not here." },
+    } }
+end
+
+local function depth_measure(given)
+    local measure = { id = "m", name = "depth", of = "tip.depth_mm", take = "max", unit = "mm", five = 1, three = 2,
+        one = 4, source = "test", better = "Less." }
+    for key, value in pairs(given or {}) do measure[key] = value end
+    return measure
+end
+
+local function score(measures, depths, events)
+    local eye = Eye.new(support.schema, {})
+    local sheet = scoring.sheet(rubric(measures)({ "I1", "I2" }), eye, { depth = 2 }, 0.5)
+    for i, depth in ipairs(depths) do
+        eye:look(i * 0.5, { depth, 1, 0, 1 }, 0)
+        sheet:tick(i * 0.5)
+    end
+    return sheet:score(events or {})
+end
+
+case("a measure scores linearly between its thresholds and stays level beyond", function()
+    for _, pair in ipairs({ { 0, 5 }, { 1, 5 }, { 1.5, 4 }, { 2, 3 }, { 3, 2 }, { 4, 1 }, { 9, 1 } }) do
+        near(score({ depth_measure() }, { pair[1] }).items[1].score, pair[2], 1e-9, "at " .. pair[1])
+    end
+end)
+
+case("a range is worse on both sides", function()
+    local measure = { five = { 80, 90 }, three = 60, one = { 40, 95 }, take = "last" }
+    for _, pair in ipairs({ { 85, 5 }, { 80, 5 }, { 70, 4 }, { 60, 3 }, { 50, 2 }, { 40, 1 }, { 10, 1 }, { 92.5, 3 },
+        { 95, 1 }, { 99, 1 } }) do
+        near(score({ depth_measure(measure) }, { pair[1] }).items[1].score, pair[2], 1e-9, "at " .. pair[1])
+    end
+end)
+
+case("an item is the weighted mean of its measures", function()
+    local low = depth_measure({ id = "low", take = "min", weight = 3 })
+    local result = score({ depth_measure(), low }, { 4, 1 })
+    near(result.items[1].score, (1 * 1 + 3 * 5) / 4, 1e-9)
+end)
+
+case("items without a measure are left out and the scale shrinks", function()
+    local result = score({ depth_measure() }, { 2 })
+    equal(result.items[2].score, nil)
+    equal(result.items[2].reasons[1], "Not scored: not here.")
+    equal(result.max, 5)
+    near(result.total, 3, 1e-9)
+    near(result.scaled, 0.5, 1e-9)
+end)
+
+case("a measure of what is not simulated is left out, one that never was defined too unless it says", function()
+    local other = depth_measure({ id = "other", of = "phaco.power", five = 0, three = 1, one = 2 })
+    near(score({ depth_measure(), other }, { 2 }).items[1].score, 3, 1e-9)
+    equal(score({ depth_measure() }, { 0 / 0 }).items[1].score, nil)
+    near(score({ depth_measure({ if_never = 4 }) }, { 0 / 0 }).items[1].score, 1, 1e-9)
+end)
+
+case("events cap their items by what became of them", function()
+    local function capped(severity, outcome)
+        return score({ depth_measure() }, { 0 }, { { id = "e", title = "E", severity = severity, outcome = outcome,
+            items = { "I1" }, time_s = 1 } }).items[1]
+    end
+    equal(capped("critical", "not_recovered").score, 1)
+    equal(capped("critical", "recovered").score, 3)
+    equal(capped("critical", "near_miss").score, 4)
+    equal(capped("minor", "not_recovered").score, 3)
+    equal(capped("minor", "recovered").score, 4)
+    equal(capped("minor", "near_miss").score, 5)
+    local item = capped("critical", "recovered")
+    equal(item.capped_by[1].event, "e")
+    equal(item.reasons[1], "E at 1.0 s, put right: at most 3 points.")
+end)
+
+case("a cap never raises a score", function()
+    local item = score({ depth_measure() }, { 4 }, { { id = "e", title = "E", severity = "critical",
+        outcome = "recovered", items = { "I1" }, time_s = 1 } }).items[1]
+    equal(item.score, 1)
+end)
+
+case("lost points are explained with value, thresholds and what would have been better", function()
+    local item = score({ depth_measure() }, { 2 }).items[1]
+    equal(item.reasons[1], "depth: 2.0 mm (5 points at 1.0 mm, 3 at 2.0 mm, 1 at 4.0 mm). Less.")
+    equal(item.measures[1].threshold_source, "test")
+    near(item.measures[1].time_s, 0.5, 1e-9)
+end)
+
+case("collectors: mean, rms, time, share, count over an attempt", function()
+    local function value(take, depths, more)
+        local given = { take = take }
+        for key, v in pairs(more or {}) do given[key] = v end
+        return score({ depth_measure(given) }, depths).items[1].measures[1].value
+    end
+    near(value("mean", { 1, 2, 6 }), 3, 1e-9)
+    near(value("rms", { 3, 4 }), math.sqrt(12.5), 1e-6)
+    near(value("min", { 3, 1, 2 }), 1, 1e-9)
+    near(value("last", { 3, 1, 2 }), 2, 1e-9)
+    near(value("time", { 3, 1, 3 }, { of = "tip.depth_mm > 2" }), 1, 1e-9)
+    near(value("share", { 3, 1, 3, 1 }, { of = "tip.depth_mm > 2" }), 50, 1e-9)
+    near(value("share", { 3, 1, 3, 3 }, { of = "tip.depth_mm > 2", hold_s = 1 }), 50, 1e-9)
+    equal(value("count", { 3, 1, 3, 3 }, { of = "tip.depth_mm > 2" }), 2)
+    near(value("max", { 3, 1, 9 }, { during = "tip.depth_mm < 5" }), 3, 1e-9)
+    near(value("last", { 3 }, { of = "tip.depth_mm / reference.depth" }), 1.5, 1e-9)
+end)
+
+case("a faulty rubric names item and measure", function()
+    fails(function() rubric({ depth_measure({ take = "biggest" }) }) end, "I1", "'m'", "biggest")
+    fails(function()
+        local measure = depth_measure()
+        measure.five = nil
+        rubric({ measure })
+    end, "item I1, measure m: five, three and one")
+    fails(function() rubric({ depth_measure({ of = "tip.depth_mm <" }) }) end, "measure m", "missing")
+end)
+
+case("the band follows the share of the scale", function()
+    local eye = Eye.new(support.schema, {})
+    local bands = { { from = 0, name = "low" }, { from = 0.5, name = "high" } }
+    local sheet = scoring.sheet(rubric({ depth_measure() }, bands)({ "I1" }), eye, {}, 0.01)
+    eye:look(0, { 2, 1, 0, 1 }, 0)
+    sheet:tick(0)
+    equal(sheet:score({}).band, "high")
+end)
+
+case("OSACSS has its twenty items, and every measure says where its thresholds come from", function()
+    local ids = {}
+    for _, item in ipairs(osacss.items) do ids[#ids + 1] = item.id end
+    equal(table.concat(ids, " "), "T1 T2 T3 T4 T5 T6 T7 T8 T9 T10 T11 T12 T13 T14 G1 G2 G3 G4 G5 G6")
+    for _, item in ipairs(osacss.items) do
+        equal(#item.measures > 0 or item.not_scored ~= nil, true, item.id)
+        for _, measure in ipairs(item.measures) do
+            equal(measure.id:sub(1, #item.id + 1), item.id .. ".", measure.id)
+            equal(#measure.source > 0, true, measure.id)
+        end
+    end
+end)
+
+case("advice begins with errors that were not put right, then with what cost most", function()
+    local events = { { id = "e", title = "E", severity = "minor", outcome = "recovered", items = {}, time_s = 1,
+        advice = "Second." }, { id = "f", title = "F", severity = "critical", outcome = "not_recovered", items = {},
+        time_s = 2, advice = "First." } }
+    local result = score({ depth_measure() }, { 4 }, events)
+    equal(table.concat(scoring.advice(result, events), " "), "First. Second. Less.")
+end)

@@ -1,0 +1,222 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The model of a person who operates, against its own parameters.
+local chance = require "surgeons.chance"
+local groups = require "surgeons.groups"
+local motion = require "surgeons.motion"
+local operator = require "surgeons.operator"
+local perception = require "surgeons.perception"
+local support = require "support"
+local tremor = require "surgeons.tremor"
+local vector = require "surgeons.vector"
+
+local case, equal, near = support.case, support.equal, support.near
+
+local dt = 0.01
+
+local function percept(t, x, brightness)
+    return { time_s = t, tip_brightness = brightness or 0.2, reflex_brightness = 0.3, pedal = 0, power = 0,
+        tools = { phaco = { present = true, position = { x, 0, 0 }, orientation = { 1, 0, 0, 0 } } },
+        landmarks = { pupil = { position = { 0, 0, 1.5 }, size = 3.75 } } }
+end
+
+case("chance is the same for the same seed and purpose, and another for others", function()
+    local function three(seed, purpose)
+        local stream = chance.stream(seed, purpose)
+        return ("%.17g %.17g %.17g"):format(stream:uniform(), stream:normal(), stream:normal())
+    end
+    equal(three(5, "x"), three(5, "x"))
+    equal(three(5, "x") ~= three(6, "x"), true)
+    equal(three(5, "x") ~= three(5, "y"), true)
+    local stream, sum, square = chance.stream(1, "test"), 0, 0
+    for _ = 1, 20000 do
+        local value = stream:normal()
+        sum, square = sum + value, square + value * value
+    end
+    near(sum / 20000, 0, 0.03, "mean")
+    near(square / 20000, 1, 0.05, "variance")
+end)
+
+case("a minimum-jerk path starts and ends at rest and is fastest in the middle", function()
+    equal(motion.minimum_jerk(0), 0)
+    equal(motion.minimum_jerk(1), 1)
+    near(motion.minimum_jerk(0.5), 0.5, 1e-12)
+    near((motion.minimum_jerk(0.501) - motion.minimum_jerk(0.499)) / 0.002, 1.875, 1e-4)
+    near(motion.minimum_jerk(1e-3), 0, 1e-7)
+end)
+
+case("a movement takes the time of its peak speed and misses by the aim error", function()
+    local square, n = 0, 400
+    local hand = motion.hand(chance.stream(3, "aim"), 0.05)
+    for _ = 1, n do
+        hand:put({ 0, 0, 0 })
+        hand:move({ 10, 0, 0 }, 5)
+        local steps, fastest, before = 0, 0, hand.place
+        while hand:moving() do
+            local place = hand:advance(dt)
+            fastest = math.max(fastest, vector.distance(place, before) / dt)
+            before, steps = place, steps + 1
+        end
+        near(steps * dt, 1.875 * 10 / 5, 2 * dt, "duration")
+        near(fastest, 5, 1.2, "peak speed")
+        square = square + (hand.place[1] - 10) ^ 2
+    end
+    near(math.sqrt(square / n), 0.5, 0.06, "spread along the way")
+end)
+
+case("a hand that is told to stop stops within 0.2 s and a short way", function()
+    local hand = motion.hand(chance.stream(3, "aim"), 0)
+    hand:put({ 0, 0, 0 })
+    hand:move({ 10, 0, 0 }, 5)
+    for _ = 1, 180 do hand:advance(dt) end
+    local x = hand.place[1]
+    hand:stop()
+    for _ = 1, 20 do hand:advance(dt) end
+    equal(hand:moving(), false)
+    equal(hand.place[1] > x and hand.place[1] < x + 0.5, true, "way")
+end)
+
+-- Mean square of a signal in one frequency [Hz]: Goertzel's recurrence over all of it.
+local function power_at(signal, hz)
+    local w = 2 * math.pi * hz * dt
+    local k, s1, s2 = 2 * math.cos(w), 0, 0
+    for _, x in ipairs(signal) do s1, s2 = x + k * s1 - s2, s1 end
+    return 2 * (s1 * s1 + s2 * s2 - k * s1 * s2) / (#signal * #signal)
+end
+
+case("tremor has the root mean square of its parameter, all of it between 8 and 12 Hz", function()
+    local step = tremor.start(chance.stream(11, "tremor"), 0.2, dt)
+    local axes, square, n = { {}, {}, {} }, 0, 6000
+    for i = 1, n do
+        local shift = step()
+        for axis = 1, 3 do axes[axis][i] = shift[axis] end
+        square = square + vector.dot(shift, shift)
+    end
+    near(math.sqrt(square / n), 0.2, 0.01, "root mean square [mm]")
+    local inside, all = 0, 0
+    for axis = 1, 3 do
+        for i = 1, n // 2 - 1, 1 do
+            local hz = i / (n * dt)
+            local at_edge = hz > 7.8 and hz < 12.2
+            if at_edge or i % 20 == 0 then
+                local p = power_at(axes[axis], hz) * (at_edge and 1 or 20)
+                all = all + p
+                if at_edge then inside = inside + p end
+            end
+        end
+    end
+    equal(inside / all > 0.97, true, "share inside the band " .. inside / all)
+end)
+
+case("what is seen is late by the reaction time", function()
+    local person = { reaction_s = 0.37, lateral_error_mm = 0, depth_error_mm = 0, brightness_error = 0 }
+    local see = perception.start(chance.stream(1, "p"), person, dt)
+    local noticed
+    for i = 0, 200 do
+        local t = i * dt
+        local seen = see(percept(t, t >= 1 and 5 or 0))
+        if seen and seen.tools.phaco.position[1] > 4 and not noticed then noticed = t end
+    end
+    near(noticed, 1.37, dt + 1e-9)
+end)
+
+case("places are misjudged by the parameters, and the misjudgement drifts slowly", function()
+    local person = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3 }
+    local see = perception.start(chance.stream(2, "p"), person, dt)
+    local lateral, depth, bright, jump, before, n = 0, 0, 0, 0, nil, 60000
+    for i = 0, n - 1 do
+        local seen = see(percept(i * dt, 0, 0.5))
+        local place = seen.tools.phaco.position
+        lateral, depth = lateral + place[1] ^ 2, depth + place[3] ^ 2
+        bright = bright + math.log(seen.tip_brightness / 0.5) ^ 2
+        jump = jump + (before and (place[3] - before) ^ 2 or 0)
+        before = place[3]
+    end
+    near(math.sqrt(lateral / n), 0.1, 0.02, "across")
+    near(math.sqrt(depth / n), 0.4, 0.08, "along")
+    near(math.sqrt(bright / n), 0.3, 0.06, "brightness")
+    equal(math.sqrt(jump / n) < 0.05, true, "from step to step")
+end)
+
+local function samples_of(seed, group, plan, n)
+    local person = operator.start(plan, group, seed, dt)
+    local texts = {}
+    for i = 0, n - 1 do
+        local s = person:operate(percept(i * dt, 0))
+        texts[#texts + 1] = ("%.17g %.17g %.17g %.17g"):format(s.position[1], s.position[2], s.position[3], s.pedal)
+    end
+    return table.concat(texts, "\n")
+end
+
+local function to_and_fro(me)
+    me.wait_until(function(seen) return seen end)
+    me.take_up({ 0, -6, 3 }, { 0, -4, 2.5 })
+    for _ = 1, 3 do
+        me.pedal(3)
+        me.go({ 0, 2, 1 }, me.about(4))
+        me.pedal(1)
+        me.go({ 0, -1, 1 }, 6)
+    end
+end
+
+case("a surgeon does the same again with the same seed, and something else with another", function()
+    equal(samples_of(7, "a", to_and_fro, 500), samples_of(7, "a", to_and_fro, 500))
+    equal(samples_of(7, "a", to_and_fro, 500) ~= samples_of(8, "a", to_and_fro, 500), true)
+    equal(samples_of(7, "a", to_and_fro, 500) ~= samples_of(7, "d", to_and_fro, 500), true)
+end)
+
+case("a plan that draws numbers of its own changes nothing else", function()
+    local function dice(me)
+        for _ = 1, 10 do math.random() end
+        to_and_fro(me)
+    end
+    equal(samples_of(7, "b", dice, 300), samples_of(7, "b", to_and_fro, 300))
+end)
+
+case("a plan sees late pictures only and nothing else of the world", function()
+    local first, found = nil, {}
+    local function plan(me)
+        me.wait_until(function(seen) return seen end)
+        first = me.time_s() - me.see().time_s
+        for name, value in pairs(me) do
+            if type(value) ~= "function" then found[#found + 1] = name end
+        end
+    end
+    local person = operator.start(plan, "d", 4, dt)
+    for i = 0, 200 do person:operate(percept(i * dt, 0)) end
+    near(first, person.person.reaction_s, dt + 1e-9, "age of the first picture")
+    equal(#found, 0, "values within reach: " .. table.concat(found, ", "))
+end)
+
+case("the shaft passes the wound once the tip is inside, and an orientation is a unit quaternion", function()
+    local person
+    person = operator.start(function(me)
+        me.take_up({ 0, -6.5, 3.7 }, { 0, -4.3, 2.7 })
+        me.go({ 0.5, 2, 0 }, 20)
+    end, "d", 4, dt)
+    for i = 0, 400 do
+        local s = person:operate(percept(i * dt, 0))
+        local q = s.orientation
+        near(q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2, 1, 1e-9)
+        if i > 300 then
+            local z = { 2 * (q[2] * q[4] + q[1] * q[3]), 2 * (q[3] * q[4] - q[1] * q[2]),
+                1 - 2 * (q[2] ^ 2 + q[3] ^ 2) }
+            local to_wound = vector.sub({ 0, -4.3, 2.7 }, s.position)
+            near(vector.norm(vector.cross(z, to_wound)), 0, 1e-9, "wound off the shaft")
+            equal(vector.dot(z, to_wound) > 0, true, "the hand is outside")
+        end
+    end
+end)
+
+case("people of a group vary about its parameters, and the groups keep their order", function()
+    for _, parameter in ipairs(groups.parameters) do
+        local means = {}
+        for _, group in ipairs(groups.names) do
+            local sum = 0
+            for seed = 1, 60 do sum = sum + operator.person(group, seed)[parameter.name] end
+            means[#means + 1] = sum / 60
+            near(sum / 60 / parameter[group], 1, 0.08, parameter.name .. " of " .. group)
+        end
+        for i = 2, 4 do equal(means[i] < means[i - 1], true, parameter.name) end
+        equal(#parameter.source > 0, true)
+    end
+end)
