@@ -14,7 +14,8 @@ namespace rhexis {
 
 class ExplicitSolid {
 public:
-    /// instruction_set: "" for the best of this machine, or "baseline", "avx2", "avx512".
+    /// The model must outlive the solid. instruction_set: "" for the best of this machine, or "baseline", "avx2",
+    /// "avx512"; same bits, other speed.
     static Result<ExplicitSolid> create(const SolidModel& model, std::string_view instruction_set);
     ~ExplicitSolid();
     ExplicitSolid(ExplicitSolid&&) noexcept;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench_explicit.hpp"
 
+#include "base/rng.hpp"
 #include "bench/methods/matrix_free_product.hpp"
 #include "bench/timing.hpp"
 #include "eye/make_eye.hpp"
+#include "physics/explicit_solid.hpp"
 
 namespace rhexis::bench {
 namespace {
@@ -23,6 +25,31 @@ nlohmann::json product_row(const std::string& name, const SolidModel& model, con
             {"spread", timing.spread}};
 }
 
+/// A state with strains of some per cent and motion, the same in every run.
+SolidState stirred(const SolidModel& model) {
+    SolidState state = rest_state(model);
+    Rng rng(1, "stirred");
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+        const Vec3 x = state.position[i];
+        state.position[i] += Vec3(0.03 * x.y() * x.y() / 5.0, -0.02 * x.z(), 0.04 * x.x());
+        state.velocity[i] = Vec3(rng.uniform(), rng.uniform(), rng.uniform()) - Vec3::Constant(0.5);
+    }
+    return state;
+}
+
+nlohmann::json step_row(const SolidModel& model, ExplicitSolid& solid, const Timing& step, const Timing& product) {
+    const double dt = 0.8 * solid.stable_step();
+    return {{"elements", model.coarse.tets.size()},
+            {"nodes", model.coarse.nodes.size()},
+            {"us", 1e6 * step.seconds},
+            {"product_us", 1e6 * product.seconds},
+            {"ratio", step.seconds / product.seconds},
+            {"stable_step_us", 1e6 * solid.stable_step()},
+            {"steps_per_second", 1.0 / step.seconds},
+            {"cpu_s_per_s", step.seconds / dt},
+            {"spread", std::max(step.spread, product.spread)}};
+}
+
 nlohmann::json run_product(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     const std::vector<int> sizes = options.quick ? std::vector<int>{1000} : std::vector<int>{1000, 3000, 12000, 24000};
@@ -37,11 +64,47 @@ nlohmann::json run_product(const BenchOptions& options) {
     return rows;
 }
 
+/// One step without contact: forces, velocities, positions. The state drifts on while it is timed, as in use.
+nlohmann::json run_step(const BenchOptions& options) {
+    nlohmann::json rows = nlohmann::json::array();
+    const std::vector<int> sizes = options.quick ? std::vector<int>{1000} : std::vector<int>{1000, 3000, 12000, 24000};
+    for (const int size : sizes) {
+        const SolidModel model = patient_lens(size);
+        const SolidState state = stirred(model);
+        const MatrixFreeProduct product(model, state);
+        std::vector<Vec3> y;
+        std::vector<ExplicitSolid> solids;
+        for (const char* set : {"avx512", "avx2", "baseline"}) {
+            Result<ExplicitSolid> solid = ExplicitSolid::create(model, set);
+            if (solid.ok()) {
+                solids.push_back(std::move(solid).value());
+                solids.back().load(state);
+            }
+        }
+        std::vector<std::function<void()>> turns{[&] { product.apply(state.position, y); }};
+        for (ExplicitSolid& solid : solids) {
+            const double dt = 0.8 * solid.stable_step();
+            turns.emplace_back([&solid, dt] {
+                solid.predict(dt, Vec3(0.0, 0.0, -9810.0), {});
+                solid.move(dt);
+            });
+        }
+        const std::vector<Timing> timings = time_interleaved(turns, options.repeats);
+        for (std::size_t k = 0; k < solids.size(); ++k) {
+            rows.push_back(step_row(model, solids[k], timings[k + 1], timings[0]));
+            rows.back()["name"] = "explicit/" + std::to_string(size) + "/" + std::string(solids[k].instruction_set());
+        }
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::vector<BenchCase> explicit_cases() {
-    return {{"product", "scalar double matrix-free stiffness product of the patient's lens: the unit of the others",
-             run_product}};
+    return {
+        {"explicit", "one explicit step of the patient's lens by instruction set, over the scalar product", run_step},
+        {"product", "scalar double matrix-free stiffness product of the patient's lens: the unit of the others",
+         run_product}};
 }
 
 }  // namespace rhexis::bench

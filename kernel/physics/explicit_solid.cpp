@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/explicit_solid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include "physics/explicit_groups.hpp"
+#include "physics/explicit_kernel.hpp"
+#include "physics/solid_share.hpp"
+#include "physics/stable_step.hpp"
+
+namespace rhexis {
+namespace {
+
+using explicit_kernel::Group;
+using explicit_kernel::Kernel;
+using explicit_kernel::lanes;
+using explicit_kernel::Nodes;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Storage that whole vector registers can be loaded from.
+template <typename T>
+struct Aligned {
+    using value_type = T;
+    Aligned() = default;
+    template <typename U>
+    explicit Aligned(const Aligned<U>& /*other*/) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
+    void deallocate(T* p, std::size_t /*n*/) { ::operator delete (p, std::align_val_t{64}); }
+    friend bool operator==(const Aligned& /*a*/, const Aligned& /*b*/) { return true; }
+};
+template <typename T>
+using Array = std::vector<T, Aligned<T>>;
+
+/// A node keeps at least this share of the mean (or all of its own mass at rest, if that is less) while it has any
+/// element: the limit of an isolated fragment would otherwise be a third of the body's.
+constexpr double mass_floor = 0.3;
+
+/// Nodes that lanes without an element point at, as an undeformed tetrahedron.
+constexpr int spare_nodes = 4;
+
+constexpr std::array<double, 6> spare_gradient{1.0, 0.0, 1.0, 0.0, 0.0, 1.0};
+
+/// Inverse of the rest edges in a frame with the first edge on x and the second in the x-y plane: upper triangle by
+/// columns.
+struct RestShape {
+    std::array<double, 6> gradient{};
+    double volume = 0.0;
+};
+
+/// Zero volume if the tetrahedron is flat or inverted.
+RestShape rest_shape(const TetMesh& mesh, const std::array<int, 4>& tet) {
+    const Vec3& origin = mesh.nodes[at(tet[0])];
+    const Vec3 e1 = mesh.nodes[at(tet[1])] - origin;
+    const Vec3 e2 = mesh.nodes[at(tet[2])] - origin;
+    const Vec3 e3 = mesh.nodes[at(tet[3])] - origin;
+    RestShape shape;
+    shape.volume = e1.cross(e2).dot(e3) / 6.0;
+    if (!(shape.volume > 0.0)) {
+        return RestShape{};
+    }
+    const Vec3 x = e1.normalized();
+    const Vec3 z = e1.cross(e2).normalized();
+    const Vec3 y = z.cross(x);
+    const double a = e1.dot(x);
+    const double b = e2.dot(x);
+    const double c = e2.dot(y);
+    const double d = e3.dot(x);
+    const double e = e3.dot(y);
+    const double f = e3.dot(z);
+    shape.gradient = {1.0 / a, -b / (a * c), 1.0 / c, (b * e - c * d) / (a * c * f), -e / (c * f), 1.0 / f};
+    return shape;
+}
+
+struct Named {
+    const char* name;
+    bool available;
+    const Kernel* (*kernel)();
+};
+
+std::vector<Named> instruction_sets() {
+    const bool avx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                        __builtin_cpu_supports("avx512vl") != 0;
+    return {{"avx512", avx512, explicit_kernel::avx512},
+            {"avx2", __builtin_cpu_supports("avx2") != 0, explicit_kernel::avx2},
+            {"baseline", true, explicit_kernel::baseline}};
+}
+
+Result<const Kernel*> choose_kernel(std::string_view name) {
+    for (const Named& set : instruction_sets()) {
+        if (name.empty() ? set.available : name == set.name) {
+            if (!set.available) {
+                return Error{"this machine has no " + std::string(name), "instruction_set", "\"\" for the best it has"};
+            }
+            return set.kernel();
+        }
+    }
+    return Error{"unknown instruction set \"" + std::string(name) + "\"", "instruction_set",
+                 "\"\", \"baseline\", \"avx2\" or \"avx512\""};
+}
+
+}  // namespace
+
+struct ExplicitSolid::Parts {
+    const SolidModel* model = nullptr;
+    const Kernel* kernel = nullptr;
+    std::vector<RestShape> rest;
+    std::vector<int> slot;  ///< of each tetrahedron: group * lanes + lane
+    std::vector<double> rest_inertia;
+    Array<Group> groups;
+    // state
+    Array<double> position, velocity;
+    Array<float> probe, force;
+    // what follows from the elements that are left
+    std::vector<std::uint8_t> present;
+    std::vector<double> fraction;
+    Array<double> inverse_mass, weight_share;
+    std::vector<double> mass;
+    bool elements_known = false;
+    double limit = 0.0;  ///< [s]; 0: not known
+
+    [[nodiscard]] int node_count() const { return static_cast<int>(model->coarse.nodes.size()); }
+    Nodes nodes();
+    void allocate();
+    void fill_lane(int t, const TetStiffness& stiffness);
+    void set_masses(const NodeMass& left);
+    void set_elements(const SolidState& state);
+    double compute_limit();
+};
+
+Nodes ExplicitSolid::Parts::nodes() {
+    return {node_count(), position.data(),     velocity.data(),    probe.data(),
+            force.data(), inverse_mass.data(), weight_share.data()};
+}
+
+void ExplicitSolid::Parts::allocate() {
+    const std::size_t all = at(node_count() + spare_nodes);
+    position.assign(4 * all, 0.0);
+    velocity.assign(4 * all, 0.0);
+    probe.assign(4 * all, 0.0F);
+    force.assign(4 * all, 0.0F);
+    inverse_mass.assign(all, 0.0);
+    weight_share.assign(all, 0.0);
+    mass.assign(all, 0.0);
+    for (int k = 1; k < spare_nodes; ++k) {
+        probe[at(4 * (node_count() + k) + k - 1)] = 1.0F;
+    }
+}
+
+void ExplicitSolid::Parts::fill_lane(int t, const TetStiffness& stiffness) {
+    Group& group = groups[at(slot[at(t)] / lanes)];
+    const std::size_t lane = at(slot[at(t)] % lanes);
+    const bool gone = !(stiffness.share > 0.0);
+    const double volume = stiffness.share * rest[at(t)].volume;
+    group.twice_mu[lane] = gone ? 0.0F : static_cast<float>(-2.0 * volume * stiffness.mu);
+    group.lambda[lane] = gone ? 0.0F : static_cast<float>(-volume * stiffness.lambda);
+    for (int a = 0; a < 4; ++a) {
+        const int node = gone ? node_count() + a : model->coarse.tets[at(t)][at(a)];
+        group.offset[a][lane] = static_cast<std::uint32_t>(4 * node);
+    }
+    for (int k = 0; k < 6; ++k) {
+        group.gradient[k][lane] = static_cast<float>(gone ? spare_gradient[at(k)] : rest[at(t)].gradient[at(k)]);
+    }
+}
+
+void ExplicitSolid::Parts::set_masses(const NodeMass& left) {
+    double total = 0.0;
+    for (const double m : rest_inertia) {
+        total += m;
+    }
+    const double floor = mass_floor * total / node_count();
+    for (int i = 0; i < node_count(); ++i) {
+        const double inertia = left.inertia[at(i)];
+        mass[at(i)] = inertia > 0.0 ? std::max(inertia, std::min(floor, rest_inertia[at(i)])) : 0.0;
+    }
+    for (const int node : model->fixed_nodes) {
+        mass[at(node)] = 0.0;
+    }
+    for (int i = 0; i < node_count(); ++i) {
+        const double m = mass[at(i)];
+        inverse_mass[at(i)] = m > 0.0 ? 1.0 / m : 0.0;
+        weight_share[at(i)] = m > 0.0 ? left.weight[at(i)] / m : 0.0;
+    }
+}
+
+void ExplicitSolid::Parts::set_elements(const SolidState& state) {
+    if (elements_known && present == state.present && fraction == state.fraction) {
+        return;
+    }
+    present = state.present;
+    fraction = state.fraction;
+    const std::vector<TetStiffness> stiffness = tet_stiffness(*model, state);
+    for (std::size_t t = 0; t < stiffness.size(); ++t) {
+        fill_lane(static_cast<int>(t), stiffness[t]);
+    }
+    set_masses(node_mass(*model, state, stiffness));
+    elements_known = true;
+    limit = 0.0;
+}
+
+/// The product K u at rest by differencing the kernel's own force: at rest, because the limit must depend on nothing
+/// but the elements that are left, or a resumed run would differ from one that ran through.
+double ExplicitSolid::Parts::compute_limit() {
+    const std::size_t all = at(4 * (node_count() + spare_nodes));
+    Array<float> place = probe;
+    Array<float> pull(all, 0.0F);
+    constexpr float shift = 1e-3F;  // [mm]; strains of about 0.2 %: above rounding, below what bends the result
+    std::vector<double> scale(at(node_count()));
+    for (std::size_t i = 0; i < scale.size(); ++i) {
+        scale[i] = std::sqrt(inverse_mass[i]);
+    }
+    const auto product = [&](const VecX& x, VecX& y) {
+        double largest = 1e-300;
+        for (Eigen::Index k = 0; k < x.size(); ++k) {
+            largest = std::max(largest, std::abs(x[k]) * scale[static_cast<std::size_t>(k / 3)]);
+        }
+        const double amplitude = shift / largest;
+        for (const double sign : {1.0, -1.0}) {
+            std::fill(pull.begin(), pull.end(), 0.0F);
+            for (Eigen::Index k = 0; k < x.size(); ++k) {
+                const auto i = static_cast<std::size_t>(k / 3);
+                const double u = sign * amplitude * scale[i] * x[k];
+                place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] + u);
+            }
+            kernel->add_forces(groups.data(), static_cast<int>(groups.size()), place.data(), pull.data());
+            for (Eigen::Index k = 0; k < x.size(); ++k) {
+                const auto i = static_cast<std::size_t>(k / 3);
+                const double f = pull[4 * i + static_cast<std::size_t>(k % 3)];
+                const double part = -0.5 * sign * f * scale[i] / amplitude;
+                y[k] = sign > 0.0 ? part : y[k] + part;
+            }
+        }
+    };
+    constexpr int steps = 24;
+    return symplectic_limit(largest_eigenvalue(product, 3 * node_count(), steps), model->damping_stiffness);
+}
+
+ExplicitSolid::ExplicitSolid(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+ExplicitSolid::~ExplicitSolid() = default;
+ExplicitSolid::ExplicitSolid(ExplicitSolid&&) noexcept = default;
+
+Result<ExplicitSolid> ExplicitSolid::create(const SolidModel& model, std::string_view instruction_set) {
+    if (model.formulation != Formulation::linear) {
+        return Error{"edge-smoothed elements cannot be stepped explicitly", model.name, "formulation linear"};
+    }
+    const Result<const Kernel*> kernel = choose_kernel(instruction_set);
+    if (!kernel.ok()) {
+        return kernel.error();
+    }
+    auto parts = std::make_unique<Parts>();
+    parts->model = &model;
+    parts->kernel = kernel.value();
+    const TetMesh& mesh = model.coarse;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        parts->rest.push_back(rest_shape(mesh, mesh.tets[t]));
+        if (!(parts->rest.back().volume > 0.0)) {
+            return Error{"tetrahedron " + std::to_string(t) + " is flat or inverted at rest", model.name,
+                         "positive volume"};
+        }
+    }
+    const LaneAssignment assignment = assign_lanes(mesh.tets, static_cast<int>(mesh.nodes.size()), lanes);
+    parts->slot = assignment.slot;
+    parts->allocate();
+    Group empty{};
+    for (int lane = 0; lane < lanes; ++lane) {
+        for (int k = 0; k < 6; ++k) {
+            empty.gradient[k][lane] = static_cast<float>(spare_gradient[at(k)]);
+        }
+        for (int a = 0; a < 4; ++a) {
+            empty.offset[a][lane] = static_cast<std::uint32_t>(4 * (parts->node_count() + a));
+        }
+    }
+    parts->groups.assign(at(assignment.groups), empty);
+    const SolidState rest = rest_state(model);
+    parts->rest_inertia = node_mass(model, rest, tet_stiffness(model, rest)).inertia;
+    ExplicitSolid solid(std::move(parts));
+    solid.load(rest);
+    return solid;
+}
+
+void ExplicitSolid::load(const SolidState& state) {
+    Parts& p = *parts_;
+    p.set_elements(state);
+    for (int i = 0; i < p.node_count(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            p.position[at(4 * i + k)] = state.position[at(i)][k];
+            p.velocity[at(4 * i + k)] = p.mass[at(i)] > 0.0 ? state.velocity[at(i)][k] : 0.0;
+        }
+    }
+    std::fill(p.force.begin(), p.force.end(), 0.0F);
+    p.kernel->move(p.nodes(), 0.0, p.model->damping_stiffness);
+}
+
+void ExplicitSolid::store(SolidState& state) const {
+    const int count = parts_->node_count();
+    state.position.resize(at(count));
+    state.velocity.resize(at(count));
+    for (int i = 0; i < count; ++i) {
+        state.position[at(i)] = position(i);
+        state.velocity[at(i)] = velocity(i);
+    }
+}
+
+double ExplicitSolid::stable_step() {
+    if (!(parts_->limit > 0.0)) {
+        parts_->limit = parts_->compute_limit();
+    }
+    return parts_->limit;
+}
+
+void ExplicitSolid::predict(double dt, const Vec3& gravity, std::span<const Vec3> external) {
+    Parts& p = *parts_;
+    p.kernel->add_forces(p.groups.data(), static_cast<int>(p.groups.size()), p.probe.data(), p.force.data());
+    for (std::size_t i = 0; i < external.size(); ++i) {
+        const double rate = dt * p.inverse_mass[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            p.velocity[4 * i + k] += rate * external[i][static_cast<Eigen::Index>(k)];
+        }
+    }
+    const double pull[4] = {gravity.x(), gravity.y(), gravity.z(), 0.0};
+    p.kernel->accelerate(p.nodes(), dt, pull, 1.0 / (1.0 + dt * p.model->damping_mass));
+}
+
+void ExplicitSolid::move(double dt) { parts_->kernel->move(parts_->nodes(), dt, parts_->model->damping_stiffness); }
+
+Vec3 ExplicitSolid::position(int node) const { return Eigen::Map<const Vec3>(&parts_->position[at(4 * node)]); }
+
+Vec3 ExplicitSolid::velocity(int node) const { return Eigen::Map<const Vec3>(&parts_->velocity[at(4 * node)]); }
+
+void ExplicitSolid::set_velocity(int node, const Vec3& velocity) {
+    if (parts_->mass[at(node)] > 0.0) {
+        Eigen::Map<Vec3>(&parts_->velocity[at(4 * node)]) = velocity;
+    }
+}
+
+double ExplicitSolid::mass(int node) const { return parts_->mass[at(node)]; }
+
+bool ExplicitSolid::finite() const {
+    const auto good = [](double value) { return std::isfinite(value); };
+    return std::all_of(parts_->position.begin(), parts_->position.end(), good) &&
+           std::all_of(parts_->velocity.begin(), parts_->velocity.end(), good);
+}
+
+std::string_view ExplicitSolid::instruction_set() const { return parts_->kernel->name; }
+
+}  // namespace rhexis
