@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench.hpp"
+#include "bench/bench_calculix.hpp"
 #include "bench/bench_explicit.hpp"
 
 namespace rhexis::bench {
@@ -10,6 +11,7 @@ std::vector<BenchCase> bench_cases() {
         cases.insert(cases.end(), more.begin(), more.end());
     };
     add(explicit_cases());
+    add(calculix_cases());
     return cases;
 }
 
