@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "base/near_name.hpp"
+#include "base/text_file.hpp"
 
 namespace rhexis {
 
@@ -28,7 +30,7 @@ constexpr std::array<NumberField, 3> number_fields{{
 constexpr int fewest_tetrahedra = 500;
 constexpr int most_tetrahedra = 24000;
 
-constexpr std::uintmax_t longest_file = 1 << 20;  ///< [bytes]
+constexpr std::size_t longest_file = 1 << 20;  ///< [bytes]
 
 std::string as_text(double value) {
     std::ostringstream text;
@@ -76,27 +78,12 @@ Status set_field(const std::string& name, const nlohmann::json& value, Patient& 
         patient.tetrahedra = value.get<int>();
         return success();
     }
+    const std::vector<std::string> names = field_names();
     std::string known;
-    for (const std::string& field : field_names()) {
-        known += (known.empty() ? "one of " : ", ") + field;
+    for (const std::string& field : names) {
+        known.append(known.empty() ? "one of " : ", ").append(field);
     }
-    return Error{"unknown field \"" + name + "\"", "", known};
-}
-
-Result<std::string> read_text(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        return Error{"cannot be read", path, ""};
-    }
-    std::string text;
-    std::array<char, 4096> block;
-    while (file.read(block.data(), block.size()) || file.gcount() > 0) {
-        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-        if (text.size() > longest_file) {
-            return Error{"is too long for a patient file", path, "1 MiB"};
-        }
-    }
-    return text;
+    return Error{"unknown field \"" + name + "\"" + did_you_mean(name, names), "", known};
 }
 
 std::size_t line_of(const std::string& text, std::size_t byte) {
@@ -135,7 +122,7 @@ Status check(const Patient& patient) {
 }
 
 Result<Patient> read_patient(const std::string& path) {
-    const Result<std::string> text = read_text(path);
+    const Result<std::string> text = read_text_file(path, longest_file);
     if (!text.ok()) {
         return text.error();
     }

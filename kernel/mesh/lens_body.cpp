@@ -10,7 +10,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr int sweeps = 30;
+constexpr int sweeps = 20;
 
 /// Where the lattice lies in the shape. Off its symmetries, so that the count changes in small steps with the spacing.
 const Vec3 lattice_offset(0.137, 0.291, 0.443);

@@ -7,8 +7,8 @@
 
 namespace rhexis {
 
-/// Lowers the sum over tetrahedra of (mean edge^2 / volume^(2/3))^6, a barrier against slivers, by moving one node at a
-/// time; surface nodes slide on the shape. Never lets a tetrahedron invert.
+/// Lowers the sum over tetrahedra of (mean squared edge / volume^(2/3))^6 / volume^2, a barrier against slivers and
+/// small elements, by moving one node at a time; surface nodes slide on the shape. Never lets a tetrahedron invert.
 void smooth(const HalfEllipsoids& shape, int sweeps, StuffedSolid& solid);
 
 }  // namespace rhexis

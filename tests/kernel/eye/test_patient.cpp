@@ -72,14 +72,17 @@ TEST_SUITE("eye") {
         CHECK(fault(R"({"age": "old"})") == ": age is not a number (20 to 95 years)");
         CHECK(fault(R"({"age": 130})") == ": age is 130 (20 to 95 years)");
         CHECK(fault(R"({"pupil": 7})").find(": unknown field \"pupil\"") == 0);
-        CHECK(fault(R"({"pupil": 7})").find("pupil_mm") != std::string::npos);
+        CHECK(fault(R"({"pupil_m": 7})").find("did you mean 'pupil_mm'?") != std::string::npos);
+        CHECK(fault(R"({"nucleus_grade": 7})").find("did you mean 'nuclear_grade'?") != std::string::npos);
+        CHECK(fault(R"({"sex": 7})").find("one of age, nuclear_grade, pupil_mm, side, tetrahedra, note") !=
+              std::string::npos);
         CHECK(fault(R"({"side": 3})").find(": side is not a text") == 0);
         CHECK(fault(R"({"tetrahedra": 3000.5})").find(": tetrahedra is not a whole number") == 0);
         CHECK(fault(R"({"tetrahedra": 1e99})").find(": tetrahedra is not a whole number") == 0);
         CHECK(fault(R"({"tetrahedra": -99999999999999})").find(": tetrahedra is not a whole number") == 0);
-        CHECK(fault(std::string(3 << 20, ' ')).find(": is too long") == 0);
+        CHECK(fault(std::string(3 << 20, ' ')).find(": has 3145728 bytes (at most 1048576)") == 0);
         CHECK(fault(std::string(200000, '[')).find(":1: is not JSON") == 0);
-        CHECK(read_patient("no/such/file.json").error().text() == "no/such/file.json: cannot be read");
+        CHECK(read_patient("no/such/file.json").error().text() == "no/such/file.json: does not exist");
         CHECK(!read_patient("tests").ok());
     }
 }
