@@ -18,10 +18,8 @@ ZonuleLoad zonule_load(const BagModel& model, const BagState& state) {
     Vec3 sum = Vec3::Zero();
     ZonuleLoad result;
     for (const ZonuleSpring& spring : model.zonules) {
-        const Vec3 rest = spring.on_bag - spring.on_ciliary;
-        const Vec3 now = state.pose.to_world(spring.on_bag) - spring.on_ciliary;
-        sum += spring.stiffness * (now - rest);
-        result.strain = std::max(result.strain, (now.norm() - rest.norm()) / std::max(rest.norm(), 1e-9));
+        sum += zonule_force(spring, state.pose);
+        result.strain = std::max(result.strain, zonule_strain(spring, state.pose));
     }
     result.load = sum.norm();
     return result;
