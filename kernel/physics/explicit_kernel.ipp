@@ -12,10 +12,12 @@ constexpr int width = RHEXIS_WIDTH;
 typedef float Lanes __attribute__((vector_size(4 * width), aligned(4 * width)));
 typedef int Mask __attribute__((vector_size(4 * width)));
 typedef double Node __attribute__((vector_size(32), aligned(32)));
+typedef int ShortMask __attribute__((vector_size(16)));
 typedef float ShortNode __attribute__((vector_size(16), aligned(16)));
 
-/// Newton's step on f over f below which the next step is below rounding.
-constexpr float small_step = 3e-4F;
+/// Last steps on f over f below which what is left of the error is below rounding.
+constexpr float halley_step = 3e-3F;
+constexpr float newton_step = 2e-4F;
 
 struct Vector {
     Lanes x, y, z;
@@ -43,6 +45,9 @@ inline void add_rows(float* to, const std::uint32_t* offset, Lanes value) {
     add_row(to + offset[8], _mm512_extractf32x4_ps(v, 2));
     add_row(to + offset[12], _mm512_extractf32x4_ps(v, 3));
 }
+#define RHEXIS_PICK(a, b, i, j, k, l) \
+    reinterpret_cast<Lanes>(          \
+        _mm512_shuffle_ps(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), _MM_SHUFFLE(l, k, j, i)))
 #define RHEXIS_LOW(a, b) \
     reinterpret_cast<Lanes>(_mm512_unpacklo_ps(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b)))
 #define RHEXIS_HIGH(a, b) \
@@ -64,6 +69,9 @@ inline void add_rows(float* to, const std::uint32_t* offset, Lanes value) {
     add_row(to + offset[0], _mm256_castps256_ps128(v));
     add_row(to + offset[4], _mm256_extractf128_ps(v, 1));
 }
+#define RHEXIS_PICK(a, b, i, j, k, l) \
+    reinterpret_cast<Lanes>(          \
+        _mm256_shuffle_ps(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b), _MM_SHUFFLE(l, k, j, i)))
 #define RHEXIS_LOW(a, b) \
     reinterpret_cast<Lanes>(_mm256_unpacklo_ps(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b)))
 #define RHEXIS_HIGH(a, b) \
@@ -82,6 +90,9 @@ inline void add_rows(float* to, const std::uint32_t* offset, Lanes value) {
     float* const place = to + offset[0];
     _mm_store_ps(place, _mm_add_ps(_mm_load_ps(place), reinterpret_cast<__m128>(value)));
 }
+#define RHEXIS_PICK(a, b, i, j, k, l) \
+    reinterpret_cast<Lanes>(          \
+        _mm_shuffle_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b), _MM_SHUFFLE(l, k, j, i)))
 #define RHEXIS_LOW(a, b) \
     reinterpret_cast<Lanes>(_mm_unpacklo_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b)))
 #define RHEXIS_HIGH(a, b) \
@@ -105,14 +116,12 @@ struct Rows {
     Lanes row[4];
 };
 
-/// The opposite of turn.
+/// The opposite of turn; the fourth value of a row is anything.
 inline Rows turn_back(const Vector& v) {
     const Lanes xy01 = RHEXIS_LOW(v.x, v.y);
     const Lanes xy23 = RHEXIS_HIGH(v.x, v.y);
-    const Lanes z01 = RHEXIS_LOW(v.z, Lanes{});
-    const Lanes z23 = RHEXIS_HIGH(v.z, Lanes{});
-    return {{RHEXIS_PAIR_LOW(xy01, z01), RHEXIS_PAIR_HIGH(xy01, z01), RHEXIS_PAIR_LOW(xy23, z23),
-             RHEXIS_PAIR_HIGH(xy23, z23)}};
+    return {{RHEXIS_PICK(xy01, v.z, 0, 1, 0, 0), RHEXIS_PICK(xy01, v.z, 2, 3, 1, 1), RHEXIS_PICK(xy23, v.z, 0, 1, 2, 2),
+             RHEXIS_PICK(xy23, v.z, 2, 3, 3, 3)}};
 }
 
 inline Lanes dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -132,8 +141,9 @@ struct Strain {
     Vector f0, f1, f2;                   ///< columns of F
     Vector q0, q1, q2;                   ///< columns of cof F
     Lanes c00, c11, c22, c01, c02, c12;  ///< F^T F
-    Lanes i1, e2, j, least;
-    Lanes f;  ///< tr S
+    Lanes i1, e2, j2, least;             ///< I, e2, 2 J, smallest slope
+    Lanes f;                             ///< tr S
+    Lanes k2, kf, a;                     ///< -2 k, -2 k f and a of the stress
 };
 
 inline void compute_strain(const Group& group, int lane, const float* probe, Strain& s) {
@@ -153,59 +163,65 @@ inline void compute_strain(const Group& group, int lane, const float* probe, Str
     s.q0 = cross(s.f1, s.f2);
     s.q1 = cross(s.f2, s.f0);
     s.q2 = cross(s.f0, s.f1);
-    s.i1 = s.c00 + s.c11 + s.c22;
+    s.i1 = (s.c00 + s.c11 + s.c22) + 1e-10F;  // a point has no strain, but neither has it 0/0
     s.e2 = (s.c00 * s.c11 - s.c01 * s.c01) + (s.c00 * s.c22 - s.c02 * s.c02) + (s.c11 * s.c22 - s.c12 * s.c12);
-    s.j = dot(s.f0, s.q0);
+    const Lanes j = dot(s.f0, s.q0);
+    s.j2 = j + j;
 }
 
-/// One Newton step down the quartic, with u = f^2 - I: (u^2/4 - 2 J f - e2) / (u f - 2 J).
+/// One Newton step down the quartic: (u^2/4 - 2 J f - e2) / (u f - 2 J).
 inline Lanes trace_step(const Strain& s, Lanes f) {
     const Lanes u = f * f - s.i1;
-    const Lanes j2 = s.j + s.j;
-    return (0.25F * (u * u) - j2 * f - s.e2) / larger(u * f - j2, s.least);
+    return (0.25F * (u * u) - s.j2 * f - s.e2) / larger(u * f - s.j2, s.least);
 }
 
-/// Largest root of the quartic for every element of a batch, from the upper bound sqrt(3 I) down. A lane goes on until
-/// its step is so small that the next is below rounding (Newton doubles the digits); what other lanes do never changes
-/// it. The batch is there because each step waits for a division.
+/// Largest root of the quartic for every element of a batch, from the upper bound sqrt(3 I) down: one Halley step
+/// (error (f0 - f)^3; there u = 2 I and the second derivative is 8 I), which is enough for strains below 8 %, then
+/// Newton. A lane goes on until its next step would be below rounding; what other lanes do never changes it. The batch
+/// is there because every step waits for a division.
 template <int batch>
 inline void find_traces(Strain* s) {
-    for (int b = 0; b < batch; ++b) {
-        s[b].f = root(3.0F * s[b].i1);
-        // near the singular set the slope goes to 0: bounded from below, the force stays finite
-        s[b].least = 2e-3F * (s[b].i1 * s[b].f) + 1e-24F;
-    }
-    for (int b = 0; b < batch; ++b) {
-        s[b].f -= trace_step(s[b], s[b].f);
-    }
     Mask open[batch];
     Mask any_open{};
     for (int b = 0; b < batch; ++b) {
-        const Lanes change = trace_step(s[b], s[b].f);
-        s[b].f -= change;
-        open[b] = change > small_step * s[b].f;
+        const Lanes i1 = s[b].i1;
+        const Lanes start = root(3.0F * i1);
+        const Lanes cube = i1 * start;
+        // near the singular set the slope goes to 0: bounded from below, the force stays finite
+        s[b].least = 2e-3F * cube;
+        const Lanes value = i1 * i1 - s[b].j2 * start - s[b].e2;
+        const Lanes slope = (cube + cube) - s[b].j2;
+        const Lanes change = (value * slope) / (slope * slope - 4.0F * (value * i1));
+        s[b].f = start - change;
+        open[b] = change > halley_step * start;
         any_open |= open[b];
     }
-    for (int k = 0; k < 10 && any(any_open); ++k) {
+    for (int k = 0; k < 12 && any(any_open); ++k) {
         any_open = Mask{};
         for (int b = 0; b < batch; ++b) {
             const Lanes change = trace_step(s[b], s[b].f);
             s[b].f = open[b] ? s[b].f - change : s[b].f;
-            open[b] &= change > small_step * s[b].f;
+            open[b] &= change > newton_step * s[b].f;
             any_open |= open[b];
         }
     }
 }
 
-/// P b_a, with the volume in the moduli and their sign turned: forces as they are added.
-inline void add_force(const Group& group, int lane, const Strain& s, float* force) {
-    const Lanes u = s.f * s.f - s.i1;
+/// The factors of the stress, in a pass of their own for the sake of its division. Volume is in the moduli, and their
+/// sign is turned: forces come out as they are added.
+inline void compute_factors(const Group& group, int lane, Strain& s) {
+    const Lanes f2 = s.f * s.f;
     const Lanes twice_mu = load(group.twice_mu + lane);
-    // minus k of the formulas above, k = 2 (lambda (f - 3) - 2 mu) / (u f - 2 J)
-    const Lanes k = (twice_mu - load(group.lambda + lane) * (s.f - 3.0F)) / larger(u * s.f - (s.j + s.j), s.least);
-    const Lanes k2 = k + k;
-    const Lanes a = twice_mu - k * (u + (s.i1 + s.i1));
-    const Lanes kf = k2 * s.f;
+    const Lanes slope = larger((f2 - s.i1) * s.f - s.j2, s.least);
+    const Lanes k = (twice_mu - load(group.lambda + lane) * (s.f - 3.0F)) / slope;
+    s.a = twice_mu - k * (f2 + s.i1);
+    s.k2 = k + k;
+    s.kf = s.k2 * s.f;
+}
+
+/// P b_a, added.
+inline void add_force(const Group& group, int lane, const Strain& s, float* force) {
+    const Lanes k2 = s.k2, kf = s.kf, a = s.a;
     const Lanes m01 = k2 * s.c01, m02 = k2 * s.c02, m12 = k2 * s.c12;
     const Lanes m00 = a + k2 * s.c00, m11 = a + k2 * s.c11, m22 = a + k2 * s.c22;
     const auto column = [&](Lanes x, Lanes y, Lanes z, const Vector& q) {
@@ -238,6 +254,10 @@ inline void add_batch(const Group* groups, int first, const float* probe, float*
     find_traces<batch>(strain);
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
+        compute_factors(groups[element / lanes], element % lanes, strain[b]);
+    }
+    for (int b = 0; b < batch; ++b) {
+        const int element = first + b * width;
         add_force(groups[element / lanes], element % lanes, strain[b], force);
     }
 }
@@ -256,9 +276,11 @@ void add_forces(const Group* groups, int count, const float* probe, float* force
 void accelerate(const Nodes& nodes, double dt, const double* gravity, double decay) {
     Node* const velocity = reinterpret_cast<Node*>(nodes.velocity);
     ShortNode* const force = reinterpret_cast<ShortNode*>(nodes.force);
+    const ShortMask xyz = {-1, -1, -1, 0};
     const Node pull = {gravity[0] * dt, gravity[1] * dt, gravity[2] * dt, 0.0};
     for (int i = 0; i < nodes.count; ++i) {
-        const Node f = __builtin_convertvector(force[i], Node);
+        const ShortNode kept = reinterpret_cast<ShortNode>(reinterpret_cast<ShortMask>(force[i]) & xyz);
+        const Node f = __builtin_convertvector(kept, Node);
         const double rate = dt * nodes.inverse_mass[i];
         velocity[i] = (velocity[i] + f * rate + pull * nodes.weight_share[i]) * decay;
         force[i] = ShortNode{};

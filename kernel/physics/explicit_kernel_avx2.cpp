@@ -4,7 +4,7 @@
 #include "physics/explicit_kernel.hpp"
 
 #define RHEXIS_WIDTH 8
-#define RHEXIS_BATCH 4
+#define RHEXIS_BATCH 8
 namespace rhexis::explicit_kernel {
 namespace {
 #include "physics/explicit_kernel.ipp"

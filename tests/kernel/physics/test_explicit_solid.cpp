@@ -289,7 +289,11 @@ TEST_SUITE("physics") {
         for (int k = 0; k < 100; ++k) {
             expected = (expected + dt * Vec3(50.0, 0, -0.75 * 9810.0)) / (1.0 + 3.0 * dt);
         }
-        CHECK((solid.velocity(0) - expected).norm() < 1e-4 * expected.norm());
+        Vec3 mean = Vec3::Zero();
+        for (int i = 0; i < static_cast<int>(push.size()); ++i) {
+            mean += solid.mass(i) / mass * solid.velocity(i);
+        }
+        CHECK((mean - expected).norm() < 1e-7 * expected.norm());
     }
 
     TEST_CASE("an unknown instruction set, a flat element and edge-smoothed elements are refused with one line") {
