@@ -38,7 +38,8 @@ Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
     const json identity = {{"id", files.value().id},
                            {"title", exercise.value().title()},
                            {"version", exercise.value().version()},
-                           {"sha256", files.value().sha256}};
+                           {"sha256", files.value().sha256},
+                           {"time_limit_s", exercise.value().time_limit_s()}};
     return ExerciseHost(std::make_unique<Parts>(Parts{std::move(exercise).value(), std::move(surgeon), identity}));
 }
 

@@ -35,7 +35,7 @@ public:
     ExerciseHost(ExerciseHost&&) noexcept;
 
     [[nodiscard]] const SceneDescription& scene() const;
-    [[nodiscard]] const nlohmann::json& identity() const;  ///< {"id","title","version","sha256"}
+    [[nodiscard]] const nlohmann::json& identity() const;  ///< {"id","title","version","sha256","time_limit_s"}
 
     /// Once, before the first step.
     Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);

@@ -172,6 +172,7 @@ Status ExerciseScript::read_scene() {
     title_ = given.at("title");
     version_ = given.at("version");
     plan_ = given.at("surgeon");
+    time_limit_s_ = given.at("time_limit_s");
     for (const auto& [name, value] : scene_.settings) {
         const Status allowed = check_setting(name, value);
         if (!allowed) {

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] const SceneDescription& scene() const { return scene_; }
     [[nodiscard]] const std::string& title() const { return title_; }
     [[nodiscard]] const nlohmann::json& version() const { return version_; }
+    [[nodiscard]] double time_limit_s() const { return time_limit_s_; }
     /// File beside the curriculum, without .lua, that says what a virtual surgeon does.
     [[nodiscard]] const std::string& plan() const { return plan_; }
 
@@ -50,6 +51,7 @@ private:
     std::string title_;
     std::string plan_;
     nlohmann::json version_;
+    double time_limit_s_ = 0.0;
     bool finished_ = false;
 };
 

@@ -43,12 +43,11 @@ return exercise {
             title = "Leave the eye",
             hint = "Back to pedal 1, lift the tip over the lens and draw it out through the incision.",
             done = "not phaco.present",
-            time_limit_s = 20,
         },
     },
 
     errors = {
-        error_event "groove too deep" {
+        error_event "Groove too deep" {
             when = "phaco.tip_posterior_mm < 0.3 and (phaco.aspirating or phaco.ultrasound)",
             recovered = "phaco.tip_posterior_mm > 0.6",
             deadline_s = 2,
@@ -59,7 +58,7 @@ return exercise {
             items = { "T9", "G4" },
             evidence = { "groove.depth_share", "phaco.power", "reflex.tip" },
         },
-        error_event "iris touched" {
+        error_event "Iris touched" {
             when = "iris.touch",
             recovered = "iris.gap_mm > 0.1",
             deadline_s = 1,
@@ -70,7 +69,7 @@ return exercise {
             items = { "G5", "G4" },
             evidence = { "iris.gap_mm", "phaco.pedal" },
         },
-        error_event "pushing the lens" {
+        error_event "Pushing the lens" {
             when = "lens.displacement_mm > 0.5",
             recovered = "lens.displacement_mm < 0.25",
             deadline_s = 5,

@@ -2,16 +2,20 @@
 -- How a virtual surgeon sculpts a groove. All groups follow this plan; what they make of it depends on their hands,
 -- eyes and attention (scripts/surgeons/groups.lua). The plan sees the picture only: no measure, no event, no score.
 --
--- y is the direction away from the surgeon, z the one towards the microscope. [mm]
+-- The groove must be wider than the tip, so that the sleeve behind it can follow: each layer is two strokes side by
+-- side. y is the direction away from the surgeon, z the one towards the microscope. [mm]
 
 local lens_thickness = 4.5    -- of an old lens, as biometry says before the operation
 local front_radius = 10.0     -- of the front surface
-local layer = 0.30            -- taken by one stroke, of a tip about 0.9 wide
+local layer = 0.40            -- taken by one pair of strokes, of a tip 0.9 wide
+local half_width = 0.40       -- of the groove, without the tip's own width
 local stroke_speed = 3.5      -- with ultrasound [mm/s]
 local return_speed = 7.0
 local free_speed = 6.0        -- in front of the lens
 local deep_enough = 0.82      -- share of the thickness at which to stop
-local keep_off_iris = 0.85    -- from the axis of the shaft to the middle of the iris's plane
+local bright_enough = 0.55    -- share of the reflex without a lens, at the tip, at which to stop
+local keep_off_iris = 1.1     -- from the axis of the sleeve to the middle of the iris's plane
+local pushed = 0.4            -- shift of the lens that makes a surgeon stop
 
 -- What is known of the eye after the first look.
 local function look_around(me)
@@ -30,13 +34,14 @@ local function surface(eye, y) return eye.front[3] - y * y / (2 * front_radius) 
 local function lowest(eye, y)
     local edge = eye.pupil[2] - eye.pupil_radius
     local room = eye.wound[3] - eye.pupil[3] - keep_off_iris
-    return eye.wound[3] - room * (y - eye.wound[2]) / (edge - eye.wound[2])
+    local way = math.max(0.1, edge - eye.wound[2])
+    return eye.wound[3] - math.max(0.1, room) * (y - eye.wound[2]) / way
 end
 
 -- Where the groove begins, is deepest and ends.
 local function plan_groove(eye)
-    return { near = eye.pupil[2] - 0.30 * eye.pupil_radius, deepest = eye.pupil[2] + 0.55 * eye.pupil_radius,
-        far = eye.pupil[2] + 0.80 * eye.pupil_radius, x = eye.pupil[1] }
+    return { near = eye.pupil[2] - 0.35 * eye.pupil_radius, deepest = eye.pupil[2] + 0.35 * eye.pupil_radius,
+        far = eye.pupil[2] + 0.75 * eye.pupil_radius, x = eye.pupil[1] }
 end
 
 -- Depth of the floor at y when it is `depth` at its deepest place: a ramp down, then up again as the capsule curves.
@@ -47,18 +52,19 @@ local function floor_depth(groove, depth, y)
     return depth * (1 - 0.6 * (y - groove.deepest) / (groove.far - groove.deepest))
 end
 
--- The way of the tip along the groove at a depth; lift raises it.
-local function along(eye, groove, depth, from, to, lift)
+-- The way of the tip along the groove at a depth, beside its middle; lift raises it.
+local function along(eye, groove, depth, beside, from, to, lift)
     return function(share)
         local y = from + (to - from) * share
         local z = math.max(surface(eye, y) - floor_depth(groove, depth, y), lowest(eye, y))
-        return { groove.x, y, z + lift }
+        return { groove.x + beside, y, z + lift }
     end
 end
 
+local function outside(eye) return { eye.wound[1], eye.wound[2] - 2.0, eye.wound[3] + 1.0 } end
+
 local function enter(me, eye, groove)
-    local outside = { eye.wound[1], eye.wound[2] - 2.0, eye.wound[3] + 1.0 }
-    me.take_up(outside, eye.wound)
+    me.take_up(outside(eye))
     me.pedal(1)
     me.wait(0.5)
     me.go(eye.wound, free_speed)
@@ -70,21 +76,25 @@ local function leave(me, eye)
     me.pedal(1)
     me.go({ tip[1], tip[2], surface(eye, tip[2]) + 0.9 }, free_speed)
     me.go(eye.wound, free_speed)
-    me.go({ eye.wound[1], eye.wound[2] - 2.0, eye.wound[3] + 1.0 }, free_speed)
+    me.go(outside(eye), free_speed)
     me.put_down()
     me.pedal(0)
     me.wait(0.5)
 end
 
+-- How far the lens seems to have been pushed across the line of sight.
+local function push_of(eye, seen)
+    local front = seen.landmarks.lens_front
+    if not front then return 0 end
+    local dx, dy = front.position[1] - eye.front[1], front.position[2] - eye.front[2]
+    return math.sqrt(dx * dx + dy * dy)
+end
+
 -- What stops a stroke: the lens runs away from the tip, or the reflex at the tip says that little is left under it.
-local function danger(eye, state)
+local function danger(eye)
     return function(seen)
-        local front = seen.landmarks.lens_front
-        if front then
-            local dx, dy = front.position[1] - eye.front[1], front.position[2] - eye.front[2]
-            if math.sqrt(dx * dx + dy * dy) > 0.45 then return "pushing" end
-        end
-        if seen.tip_brightness > state.bright then return "bright" end
+        if push_of(eye, seen) > pushed then return "pushing" end
+        if seen.tip_brightness > bright_enough then return "bright" end
         return nil
     end
 end
@@ -96,37 +106,41 @@ local function seen_share(me, eye)
     return (surface(eye, floor.position[2]) - floor.position[3]) / lens_thickness
 end
 
--- One stroke away from the surgeon with ultrasound, and the way back without.
-local function stroke(me, eye, groove, state)
-    me.go(along(eye, groove, state.depth, groove.near, groove.far, 0)(0), free_speed)
-    me.pedal(3)
-    local reason = me.follow(along(eye, groove, state.depth, groove.near, groove.far, 0),
-        me.about(stroke_speed) * state.pace, danger(eye, state))
+-- Pedal up, tip back and up, and wait until the lens has come back.
+local function recover(me, eye)
+    local tip = me.tip()
     me.pedal(1)
-    if reason then
-        local tip = me.tip()
-        me.go({ tip[1], tip[2] - 0.3, tip[3] + 0.8 }, return_speed)
-        me.wait(0.5)
-    end
-    local y = me.tip()[2]
-    me.follow(along(eye, groove, state.depth, y, groove.near, 0.5), return_speed)
+    me.go({ tip[1], tip[2] - 0.3, tip[3] + 0.8 }, return_speed)
+    me.wait_until(function(seen) return push_of(eye, seen) < 0.5 * pushed end, 2)
+end
+
+-- One stroke away from the surgeon with ultrasound, and the way back without.
+local function stroke(me, eye, groove, state, beside)
+    local way = along(eye, groove, state.depth, beside, groove.near, groove.far, 0)
+    me.go(way(0), free_speed)
+    me.pedal(3)
+    local reason = me.follow(way, me.about(stroke_speed) * state.pace, danger(eye))
+    me.pedal(1)
+    if reason then recover(me, eye) end
+    me.follow(along(eye, groove, state.depth, beside, me.tip()[2], groove.near, 0.5), return_speed)
     return reason
 end
 
 return function(me)
     local eye = look_around(me)
     local groove = plan_groove(eye)
-    local state = { depth = 0, pace = 1, bright = 0.75 }
+    local state = { depth = 0, pace = 1 }
     enter(me, eye, groove)
-    for _ = 1, 40 do
-        state.depth = state.depth + me.about(layer)
-        local reason = stroke(me, eye, groove, state)
+    local reason
+    for number = 1, 60 do
+        if number % 2 == 1 then state.depth = state.depth + me.about(layer) end
+        reason = stroke(me, eye, groove, state, number % 2 == 1 and -half_width or half_width)
         if reason == "pushing" then
-            state.pace = math.max(0.3, state.pace * 0.7)
+            state.pace = math.max(0.3, 0.7 * state.pace)
             state.depth = state.depth - 0.5 * layer
         end
         if reason == "bright" or seen_share(me, eye) >= deep_enough then break end
-        if state.depth > lens_thickness then break end
+        if state.depth > lens_thickness or me.time_s() > 200 then break end
     end
     leave(me, eye)
 end

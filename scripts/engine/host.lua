@@ -38,7 +38,8 @@ function host.scene()
     local exercise = host.exercise
     return { title = exercise.title, version = exercise.version, surgeon = exercise.surgeon,
         patient = words.as_object(exercise.patient), tissues = exercise.tissues, instruments = exercise.instruments,
-        settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance }
+        settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance,
+        time_limit_s = exercise.time_limit_s }
 end
 
 --- schema: list of { name, unit, meaning }. The row that observe reads is returned: the host overwrites it.

@@ -66,8 +66,8 @@ local function make_me(self)
     end
 
     --- The instrument appears with its tip at a place outside the wound; its shaft turns about the wound from then on.
-    function me.take_up(place, wound)
-        self.present, self.wound = true, wound
+    function me.take_up(place)
+        self.present = true
         self.hand:put(place)
     end
 
@@ -151,6 +151,8 @@ function Operator:done() return coroutine.status(self.thread) == "dead" end
 --- jaw, pedal }.
 function Operator:operate(percept)
     self.time_s = percept.time_s
+    local incision = percept.landmarks.incision
+    self.wound = incision and incision.position  -- it holds the shaft, wherever one believes it to be
     local seen = self.look(percept)
     if not self.inattentive() then
         self.seen = seen

@@ -188,7 +188,7 @@ TEST_CASE("a virtual surgeon moves its instrument, the same way for the same see
     const Folder folder(simple);
     folder.write("surgeon.lua", R"(return function(me)
         me.wait_until(function(seen) return seen end)
-        me.take_up({ 0, -6, 3 }, { 0, -4, 2.5 })
+        me.take_up({ 0, -6, 3 })
         me.pedal(3)
         me.go(me.see().landmarks.lens_front.position, 4)
     end)");

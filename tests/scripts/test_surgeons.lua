@@ -16,7 +16,8 @@ local dt = 0.01
 local function percept(t, x, brightness)
     return { time_s = t, tip_brightness = brightness or 0.2, reflex_brightness = 0.3, pedal = 0, power = 0,
         tools = { phaco = { present = true, position = { x, 0, 0 }, orientation = { 1, 0, 0, 0 } } },
-        landmarks = { pupil = { position = { 0, 0, 1.5 }, size = 3.75 } } }
+        landmarks = { pupil = { position = { 0, 0, 1.5 }, size = 3.75 },
+            incision = { position = { 0, -4.3, 2.7 }, size = 1.2 } } }
 end
 
 case("chance is the same for the same seed and purpose, and another for others", function()
@@ -149,7 +150,7 @@ end
 
 local function to_and_fro(me)
     me.wait_until(function(seen) return seen end)
-    me.take_up({ 0, -6, 3 }, { 0, -4, 2.5 })
+    me.take_up({ 0, -6, 3 })
     for _ = 1, 3 do
         me.pedal(3)
         me.go({ 0, 2, 1 }, me.about(4))
@@ -190,7 +191,7 @@ end)
 case("the shaft passes the wound once the tip is inside, and an orientation is a unit quaternion", function()
     local person
     person = operator.start(function(me)
-        me.take_up({ 0, -6.5, 3.7 }, { 0, -4.3, 2.7 })
+        me.take_up({ 0, -6.5, 3.7 })
         me.go({ 0.5, 2, 0 }, 20)
     end, "d", 4, dt)
     for i = 0, 400 do

@@ -1,0 +1,214 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- report.html of an attempt: everything in one file, for the screen and for paper.
+
+local chart = require "report.chart"
+local charts = require "report.charts"
+local markup = require "report.markup"
+local scores = require "report.scores"
+local style = require "report.style"
+
+local report_page = {}
+
+local e, number, time = markup.escape, markup.number, markup.time
+
+local function title_of(report)
+    return report.title or (report.curriculum and (report.curriculum.title or report.curriculum.id)) or "Exercise"
+end
+
+local function who(report)
+    local names = { a = "virtual surgeon of group A (fewer than 50 operations)", b = "virtual surgeon of group B",
+        c = "virtual surgeon of group C", d = "virtual surgeon of group D (over 500 operations)",
+        novice = "virtual novice (fewer than 50 operations)", expert = "virtual expert (over 500 operations)",
+        none = "trainee" }
+    return names[report.surgeon] or report.surgeon or "trainee"
+end
+
+local function patient_text(patient)
+    if not patient then return nil end
+    local parts = {}
+    if patient.age then parts[#parts + 1] = number(patient.age, 0) .. " years" end
+    if patient.nuclear_grade then parts[#parts + 1] = "nuclear cataract NO" .. number(patient.nuclear_grade, 1) end
+    if patient.pupil_mm then parts[#parts + 1] = "pupil " .. number(patient.pupil_mm, 1) .. " mm" end
+    if patient.side then parts[#parts + 1] = patient.side .. " eye" end
+    return table.concat(parts, ", ")
+end
+
+local function header(w, report)
+    w('<header><div class="head"><div><p class="soft small">rhexis: report of an exercise</p><h1>', e(title_of(report)),
+        "</h1>")
+    if report.summary then w("<p>", e(report.summary), "</p>") end
+    w('<ul class="facts">')
+    local function fact(name, value)
+        if value then w("<li>", name, " <b>", e(value), "</b></li>") end
+    end
+    fact("By", who(report))
+    fact("Patient", patient_text(report.patient))
+    fact("Time", time(report.duration_s))
+    w("</ul></div>", scores.badge(report.osacss), "</div></header>")
+end
+
+local function plural(n, word) return n == 1 and "one " .. word or n .. " " .. word .. "s" end
+
+-- What happened, in a few sentences.
+local function story(report)
+    local steps, events = report.steps or {}, report.events or {}
+    local done, undone = 0, {}
+    for _, step in ipairs(steps) do
+        if step.completed then done = done + 1 else undone[#undone + 1] = "“" .. (step.title or step.id) .. "”" end
+    end
+    local text = {}
+    if report.completed then
+        text[1] = ("All %d steps were completed."):format(#steps)
+    else
+        text[1] = ("%d of %d steps were completed%s."):format(done, #steps,
+            #undone > 0 and "; not completed: " .. table.concat(undone, ", ") or "")
+    end
+    local right = 0
+    for _, event in ipairs(events) do right = right + (event.recovered and 1 or 0) end
+    if #events == 0 then
+        text[2] = "No error was made."
+    elseif right == #events then
+        text[2] = plural(#events, "error"):gsub("^%l", string.upper) .. (#events == 1 and " was made, and put right."
+            or " were made, and all put right.")
+    else
+        text[2] = plural(#events, "error"):gsub("^%l", string.upper) .. (" happened; %d put right."):format(right)
+    end
+    return table.concat(text, " ")
+end
+
+local function summary(w, report)
+    w("<section><h2>In short</h2><p>", e(story(report)), "</p>")
+    if report.error then
+        w('<p class="tb"><b>The exercise was stopped by a mistake in its script:</b> ', e(report.error), "</p>")
+    end
+    local advice = report.advice or {}
+    if #advice > 0 then
+        w("<p><b>Next time:</b></p><ol class=\"advice\">")
+        for _, line in ipairs(advice) do w("<li>", e(line), "</li>") end
+        w("</ol>")
+    end
+    w("</section>")
+end
+
+local outcomes = { recovered = { "put right", "good" }, near_miss = { "near miss", "good" },
+    not_recovered = { "not put right in time", "bad" }, open = { "not put right", "bad" } }
+
+local function evidence_text(evidence)
+    local names, parts = {}, {}
+    for name in pairs(evidence or {}) do names[#names + 1] = name end
+    table.sort(names)
+    for _, name in ipairs(names) do
+        local value = evidence[name]
+        if type(value) == "boolean" then value = value and "yes" or "no" else value = number(value, 3) end
+        parts[#parts + 1] = name .. " " .. value
+    end
+    return table.concat(parts, " · ")
+end
+
+local function event_card(w, event)
+    local outcome = outcomes[event.outcome] or outcomes[event.recovered and "recovered" or "not_recovered"]
+    w('<div class="event ', event.severity == "minor" and "minor" or "", '"><h3>', e(event.title or event.id),
+        ' <span class="soft">at ', time(event.time_s), '</span> <span class="tag ', outcome[2], '">', outcome[1],
+        event.recovery_s and " after " .. time(event.recovery_s) or "", "</span></h3>")
+    if event.cue then w("<p><b>What shows it:</b> ", e(event.cue), "</p>") end
+    if event.advice then w("<p><b>What to do:</b> ", e(event.advice), "</p>") end
+    local evidence = evidence_text(event.evidence)
+    if evidence ~= "" then w('<p class="soft small">Measured then: ', e(evidence), "</p>") end
+    w("</div>")
+end
+
+local function time_line(w, report)
+    local steps, events = report.steps or {}, report.events or {}
+    w("<section><h2>What happened when</h2>")
+    if #steps > 0 and (report.duration_s or 0) > 0 then
+        w(chart.time_line(steps, events, report.duration_s))
+        w('<p class="soft small">Green: step completed. Grey: not completed.</p>')
+    end
+    for _, event in ipairs(events) do event_card(w, event) end
+    w("</section>")
+end
+
+local function pictures(w, report, images)
+    local shown = {}
+    for _, picture in ipairs(report.pictures or {}) do
+        local bytes = images[picture.file]
+        if bytes and bytes:find("^[%w+/=\r\n]+$") then shown[#shown + 1] = { picture, bytes } end
+    end
+    if #shown == 0 then return end
+    w('<section><h2>Pictures</h2><div class="pictures">')
+    for _, entry in ipairs(shown) do
+        local caption = entry[1].caption or entry[1].name or ""
+        w('<figure><img alt="', e(caption), '" src="data:image/png;base64,', entry[2], '"><figcaption>',
+            e(caption), ' <span class="soft">', time(entry[1].time_s), "</span></figcaption></figure>")
+    end
+    w("</div></section>")
+end
+
+local function chart_section(w, report, series)
+    local html = charts.html(report, series)
+    if html == "" then return end
+    w('<section><h2>Over time</h2><p class="soft small">Dashed lines: errors (red: critical, brown: minor). ',
+        'Red ground: danger. Grey ground: every second step.</p><div class="charts">', html, "</div></section>")
+end
+
+local function rows(w, pairs_of)
+    w("<table>")
+    for _, row in ipairs(pairs_of) do
+        if row[2] and row[2] ~= "" then w("<tr><th>", e(row[1]), "</th><td>", e(row[2]), "</td></tr>") end
+    end
+    w("</table>")
+end
+
+local function goals_text(goals)
+    local parts, names = {}, {}
+    for name in pairs(goals or {}) do names[#names + 1] = name end
+    table.sort(names)
+    for _, name in ipairs(names) do parts[#parts + 1] = name .. " " .. number(goals[name], 3) end
+    return table.concat(parts, ", ")
+end
+
+local function background(w, report)
+    local p, c = report.performance or {}, report.curriculum or {}
+    w("<section><h2>Patient, machine and simulation</h2>")
+    rows(w, {
+        { "Patient", patient_text(report.patient) },
+        { "Goals of the exercise", goals_text(report.goals) },
+        { "Machine", goals_text(report.settings) },
+        { "Exercise", (c.id or "") .. (c.version and ", version " .. number(c.version, 2) or "") },
+        { "Chance", report.seed and "seed " .. tostring(report.seed) },
+        { "Steps of time", p.steps and ("%s, %s ms each on average, %s ms for all but 1 %%, %s repeated"):format(
+            number(p.steps, 0), number(p.mean_step_ms, 2), number(p.p99_step_ms, 2), number(p.rollbacks or 0, 0)) },
+        { "Computing time", p.cpu_s_per_s and number(p.cpu_s_per_s, 3) .. " s per simulated second" },
+    })
+    local parts = report.simulated or {}
+    if #parts > 0 then
+        w("<h3>What was simulated</h3><table><tr><th>Part</th><th>Elements</th><th>Computing time</th></tr>")
+        for _, part in ipairs(parts) do
+            w("<tr><td>", e(part.part), "</td><td>", number(part.elements, 0), "</td><td>", number(part.cpu_s, 2),
+                " s</td></tr>")
+        end
+        w("</table>")
+    end
+    w("</section>")
+    if c.sha256 then w("<footer>Curriculum ", e(c.id), ": <code>", e(c.sha256), "</code></footer>") end
+end
+
+--- report: of report.json; series: of series.json; images: file name in report.pictures to base64 text of a PNG.
+--- Returns the whole page.
+function report_page.html(report, series, images)
+    local w = markup.writer()
+    w('<!doctype html><html lang="en"><head><meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1"><title>', e(title_of(report)),
+        " – rhexis</title><style>", style, "</style></head><body><main>")
+    header(w, report)
+    summary(w, report)
+    scores.section(w, report.osacss)
+    time_line(w, report)
+    pictures(w, report, images or {})
+    chart_section(w, report, series)
+    background(w, report)
+    w("</main></body></html>\n")
+    return w:text()
+end
+
+return report_page

@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The score of a report: the badge on top and the table of items with evidence and reasons.
+
+local markup = require "report.markup"
+
+local scores = {}
+
+local e, number = markup.escape, markup.number
+
+-- Colour of a share of the points, 0 to 1.
+local function class_of(share)
+    if share >= 0.725 then return "good" end
+    if share >= 0.2625 then return "fair" end
+    return "bad"
+end
+
+--- Score and band, for the head of the page.
+function scores.badge(osacss)
+    if not osacss or not osacss.scaled then return '<div class="score"><b>–</b>not scored</div>' end
+    local w = markup.writer()
+    w('<div class="score"><span class="soft small">', e(osacss.rubric or "OSACSS"), "</span><b>",
+        number(osacss.total, 1), '</b><span class="soft">of ', number(osacss.max, 0), "</span><br>")
+    w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or number(100 * osacss.scaled, 0) .. " %"),
+        "</span></div>")
+    return w:text()
+end
+
+local function measures_table(w, measures)
+    if #measures == 0 then return end
+    w('<table class="measures"><tr><th>Measure</th><th>Value</th><th>Points</th>',
+        "<th>Ground for the thresholds</th></tr>")
+    for _, measure in ipairs(measures) do
+        w("<tr><td>", e(measure.name or measure.id), "</td><td>", number(measure.value, 2), " ",
+            e(measure.unit == "1" and "" or measure.unit), "</td><td>", number(measure.score, 1), "</td><td>",
+            e(measure.threshold_source), "</td></tr>")
+    end
+    w("</table>")
+end
+
+local function item_row(w, item)
+    w('<tr><td class="id">', e(item.id), '</td><td><b>', e(item.name), "</b><ul>")
+    for _, reason in ipairs(item.reasons or {}) do w("<li>", e(reason), "</li>") end
+    w("</ul>")
+    measures_table(w, item.measures or {})
+    w('</td><td class="points">')
+    if item.score then
+        local share = (item.score - 1) / 4
+        w("<b>", number(item.score, 1), '</b> <span class="soft">of 5</span><div class="bar"><i class="',
+            class_of(share), '" style="width:', number(20 * item.score, 1), '%"></i></div>')
+    else
+        w('<span class="soft">not scored</span>')
+    end
+    w("</td></tr>")
+end
+
+--- The table of items.
+function scores.section(w, osacss)
+    if not osacss or not osacss.items then return end
+    w("<section><h2>Score, item by item</h2><table><thead><tr><th>Item</th><th>Why</th><th>Points</th></tr></thead>",
+        "<tbody>")
+    for _, item in ipairs(osacss.items) do item_row(w, item) end
+    w("</tbody></table>")
+    if osacss.band then
+        w('<p class="small">Band: <b>', e(osacss.band), "</b>", osacss.band_meaning and ", " .. e(osacss.band_meaning)
+            or "", ". The cuts are where the groups of Saleh et al. 2007 part.</p>")
+    end
+    w('<p class="soft small">Each item has 1 to 5 points. These scores have not been validated clinically; thresholds ',
+        'marked “proposal” have no published ground.</p></section>')
+end
+
+return scores

@@ -1,0 +1,61 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- How a report looks, on screen and on paper.
+
+return [[
+:root { --ink:#1d2630; --soft:#52606d; --line:#d6dde4; --paper:#fff; --back:#f2f5f8; --accent:#1f5f8b;
+  --good:#1e7d4f; --fair:#a86500; --bad:#b3261e; }
+* { box-sizing:border-box; }
+html { font:16px/1.5 system-ui,"Segoe UI","Liberation Sans",Arial,sans-serif; color:var(--ink);
+  background:var(--back); }
+body { margin:0 auto; max-width:66rem; padding:1.5rem; }
+header,section { background:var(--paper); border:1px solid var(--line); border-radius:10px; padding:1.25rem 1.5rem;
+  margin-bottom:1.25rem; }
+h1 { font-size:1.7rem; line-height:1.2; margin:0 0 .25rem; }
+h2 { font-size:1.2rem; margin:0 0 .75rem; }
+h3 { font-size:1rem; margin:0; }
+p { margin:.35rem 0; max-width:46rem; }
+.soft { color:var(--soft); }
+.small { font-size:.86rem; }
+.head { display:grid; grid-template-columns:1fr auto; gap:1.5rem; align-items:center; }
+.score { text-align:center; min-width:11rem; }
+.score b { display:block; font-size:2.6rem; line-height:1.1; font-variant-numeric:tabular-nums; }
+.band { display:inline-block; padding:.15rem .7rem; border-radius:99px; color:#fff; font-weight:600; font-size:.9rem; }
+.good { background:var(--good); } .fair { background:var(--fair); } .bad { background:var(--bad); }
+.none { background:var(--soft); }
+.tg { color:var(--good); } .tf { color:var(--fair); } .tb { color:var(--bad); }
+.facts { display:flex; flex-wrap:wrap; gap:.3rem 1.5rem; margin:.75rem 0 0; padding:0; list-style:none; }
+.facts b { font-weight:600; }
+ol.advice { margin:.5rem 0 0; padding-left:1.3rem; } ol.advice li { margin:.3rem 0; max-width:46rem; }
+table { border-collapse:collapse; width:100%; font-variant-numeric:tabular-nums; }
+th,td { text-align:left; vertical-align:top; padding:.5rem .6rem; border-bottom:1px solid var(--line); }
+th { font-size:.82rem; color:var(--soft); font-weight:600; }
+tr:last-child td { border-bottom:0; }
+td.id { white-space:nowrap; font-weight:600; }
+td.points { white-space:nowrap; width:8.5rem; }
+.bar { height:.5rem; border-radius:9px; background:#e4e9ee; overflow:hidden; margin-top:.3rem; }
+.bar i { display:block; height:100%; }
+td ul { margin:0; padding-left:1.1rem; } td li { margin:.15rem 0; }
+.measures { margin-top:.5rem; font-size:.82rem; color:var(--soft); }
+.measures { table-layout:fixed; } .measures td,.measures th { padding:.15rem .5rem .15rem 0; border:0; }
+.measures th:nth-child(2) { width:6.5rem; } .measures th:nth-child(3) { width:3.5rem; }
+.measures th:nth-child(4) { width:34%; }
+.event { border-left:5px solid var(--bad); padding:.2rem 0 .2rem 1rem; margin:.9rem 0; }
+.event.minor { border-color:var(--fair); }
+.tag { font-size:.8rem; font-weight:600; padding:.05rem .5rem; border-radius:6px; color:#fff; vertical-align:.1em; }
+figure { margin:0; break-inside:avoid; }
+figure img { width:100%; border-radius:8px; display:block; background:#000; }
+figcaption { font-size:.86rem; margin-top:.35rem; }
+.pictures { display:grid; grid-template-columns:repeat(auto-fill,minmax(17rem,1fr)); gap:1.1rem; }
+.charts { display:grid; grid-template-columns:repeat(auto-fit,minmax(26rem,1fr)); gap:1.25rem; }
+svg { width:100%; height:auto; display:block; }
+svg text { font:12px system-ui,"Liberation Sans",Arial,sans-serif; fill:var(--ink); }
+svg .soft { fill:var(--soft); }
+footer { color:var(--soft); font-size:.82rem; padding:0 .5rem 1rem; }
+code { font-family:ui-monospace,"Liberation Mono",monospace; font-size:.8rem; overflow-wrap:anywhere; }
+@media (max-width:40rem) { .head { grid-template-columns:1fr; } .charts { grid-template-columns:1fr; }
+  body { padding:.6rem; } th,td { padding:.4rem .3rem; } }
+@media print { html { background:#fff; font-size:11pt; } body { max-width:none; padding:0; }
+  header,section { border:0; padding:.4rem 0; } tr,.event,figure { break-inside:avoid; }
+  * { -webkit-print-color-adjust:exact; print-color-adjust:exact; }
+  .charts { grid-template-columns:1fr 1fr; } .pictures { grid-template-columns:repeat(3,1fr); } }
+]]

@@ -1,0 +1,104 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The page made of a report: complete, escaped, well formed, and possible with little.
+local markup = require "report.markup"
+local report = require "report"
+local support = require "support"
+
+local case, equal = support.case, support.equal
+
+local empty_elements = { meta = true, br = true, img = true, rect = true, circle = true, line = true, path = true }
+
+-- Every element that opens is closed in order.
+local function check_balance(html)
+    local open = {}
+    for slash, name, rest in html:gsub("<style>.-</style>", ""):gmatch("<(/?)([%a%d]+)([^>]*)>") do
+        if slash == "/" then
+            local last = table.remove(open)
+            if last ~= name then error(("</%s> closes <%s>"):format(name, tostring(last)), 2) end
+        elseif rest:sub(-1) ~= "/" and not (empty_elements[name] and name ~= "line" and name ~= "rect"
+                and name ~= "circle") then
+            open[#open + 1] = name
+        end
+    end
+    if #open > 0 then error("not closed: " .. table.concat(open, ", "), 2) end
+end
+
+local function holds(html, text)
+    if not html:find(text, 1, true) then error("the page lacks \"" .. text .. "\"", 2) end
+end
+
+local function full()
+    return {
+        schema = 1, title = "Groove <b>", summary = "Dig & be gentle.", surgeon = "novice", seed = 7,
+        curriculum = { id = "groove", version = 1, sha256 = "abc" },
+        patient = { age = 68, nuclear_grade = 3, pupil_mm = 7.5, side = "right" },
+        completed = false, duration_s = 12, goals = { length_mm = 4 },
+        steps = { { id = "a", title = "Go \"in\"", completed = true, start_s = 0, end_s = 5 },
+            { id = "b", title = "Out", completed = false, start_s = 5, end_s = 12 }, { id = "c", completed = false } },
+        events = { { id = "deep", title = "Too <deep>", time_s = 6, severity = "critical", outcome = "recovered",
+            recovered = true, recovery_s = 0.8, advice = "Up & away.", cue = "Glow.", items = { "T9" },
+            evidence = { ["tip.x_mm"] = 0.25, ["tip.touch"] = true } },
+            { id = "iris", title = "Iris", time_s = 8, severity = "minor", outcome = "not_recovered", recovered = false,
+            advice = "Careful.", items = {}, evidence = {} } },
+        advice = { "Do <less>." },
+        osacss = { rubric = "OSACSS", total = 7.5, max = 10, scaled = 0.69, band = "supervised", items = {
+            { id = "T9", name = "Nucleus", score = 3, reasons = { "Too deep: at most 3 points." }, capped_by = {},
+                measures = { { id = "T9.m", name = "Depth", value = 55, unit = "%", score = 2.5,
+                    threshold_source = "proposal" } } },
+            { id = "T1", name = "Draping", reasons = { "Not scored." }, measures = {}, capped_by = {} } } },
+        pictures = { { file = "frames/001.png", caption = "After <it>", time_s = 3 }, { file = "gone.png" } },
+        simulated = { { part = "lens", elements = 3000, cpu_s = 1.5 } },
+        performance = { steps = 1200, cpu_s_per_s = 0.3, mean_step_ms = 3, p99_step_ms = 4, rollbacks = 0 },
+    }
+end
+
+local function series()
+    local times, depth, x, y, on = {}, {}, {}, {}, {}
+    for i = 1, 50 do
+        times[i] = 0.2 * i
+        if i % 10 ~= 0 then depth[i], x[i], y[i] = 0.01 * i, 0.1, 0.1 * i end
+        on[i] = i % 5 == 0 and 1 or 0
+    end
+    return { time_s = times, measures = { ["groove.depth_share"] = { unit = "1", values = depth },
+        ["phaco.tip_x_mm"] = { unit = "mm", values = x }, ["phaco.tip_y_mm"] = { unit = "mm", values = y },
+        ["phaco.ultrasound"] = { unit = "bool", values = on } } }
+end
+
+case("a full report holds score, reasons, errors, pictures and charts, all escaped", function()
+    local html = report.html(full(), series(), { ["frames/001.png"] = "aGVsbG8=" })
+    check_balance(html)
+    for _, text in ipairs({ "Groove &lt;b&gt;", "Dig &amp; be gentle.", "7.5", "supervised", "Too deep: at most 3 points.",
+        "Too &lt;deep&gt;", "Up &amp; away.", "put right after 0.8 s", "not put right in time", "Do &lt;less&gt;.",
+        "data:image/png;base64,aGVsbG8=", "After &lt;it&gt;", "not been validated clinically", "<svg", "tip.x_mm 0.25",
+        "1 of 3 steps", "3000", "seed 7", "NO3" }) do
+        holds(html, text)
+    end
+    equal(html:find("<deep>", 1, true), nil)
+    equal(html:find("<script", 1, true), nil)
+    equal(html:find("https?://", 1), nil, "reaches for the network")
+end)
+
+case("a report of an attempt that was stopped early still makes a page", function()
+    local html = report.html({ schema = 1, error = "groove/curriculum.lua:3: oh <no>", completed = false, steps = {},
+        events = {}, measures = {}, pictures = {} }, { time_s = {}, measures = {} }, {})
+    check_balance(html)
+    holds(html, "groove/curriculum.lua:3: oh &lt;no&gt;")
+    holds(html, "not scored")
+    check_balance(report.html({}, nil, nil))
+end)
+
+case("a picture that is no base64 text is left out", function()
+    local html = report.html(full(), series(), { ["frames/001.png"] = '"><script>alert(1)</script>' })
+    equal(html:find("alert", 1, true), nil)
+end)
+
+case("numbers and times are written as people do", function()
+    equal(markup.number(3.10, 2), "3.1")
+    equal(markup.number(-0.001, 2), "0")
+    equal(markup.number(100, 2), "100")
+    equal(markup.number(-1.25, 2), "−1.25")
+    equal(markup.number(nil, 2), "–")
+    equal(markup.time(12.34), "12.3 s")
+    equal(markup.time(125), "2 min 05 s")
+    equal(markup.escape([[<a href="x">'&]]), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;")
+end)
