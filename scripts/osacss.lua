@@ -50,7 +50,8 @@ return scoring.rubric {
                 take = "share", during = "phaco.ultrasound", five = 98, three = 90, one = 75, weight = 1,
                 source = "proposal", better = "Let go of pedal position 3 before the tip leaves the lens's middle." },
             { id = "T8.idle_ultrasound", name = "Ultrasound given while the tip touched no lens", unit = "%",
-                digits = 0, of = "not phaco.in_contact", take = "share", during = "phaco.ultrasound",
+                digits = 0, of = "not phaco.in_contact and lens.removal_rate_mm3_s <= 0", take = "share",
+                during = "phaco.ultrasound",
                 five = 10, three = 25, one = 50, weight = 1, source = "proposal",
                 better = "Give ultrasound only on the forward stroke and only in contact: it heats the wound and harms "
                     .. "the endothelium." },
@@ -107,10 +108,12 @@ return scoring.rubric {
         } },
 
         { id = "G4", name = "Intraocular spatial awareness", measures = {
-            { id = "G4.contacts", name = "Unintended touches of iris and capsule per minute", unit = "per minute",
-                digits = 1, of = "60 * (iris.touches + phaco.capsule_touches) / max(time_s, 60)", take = "last",
-                five = 0, three = 1, one = 3, weight = 1, source = "proposal",
-                better = "Look at the shaft and at the pupil's edge as well as at the tip." },
+            { id = "G4.iris_touches", name = "Touches of the iris per minute", unit = "per minute", digits = 1,
+                of = "60 * iris.touches / max(time_s, 60)", take = "last", five = 0, three = 1, one = 3, weight = 0.5,
+                source = "proposal", better = "Look at the shaft and at the pupil's edge as well as at the tip." },
+            { id = "G4.capsule_touches", name = "Touches of the posterior capsule with the tip", unit = "1",
+                digits = 0, of = "phaco.tip_posterior_mm < 0.1", take = "count", five = 0, three = 1, one = 3,
+                weight = 1, source = "proposal", better = "Stop deepening while there is still a plate of lens." },
             { id = "G4.safe_time", name = "Time with the tip in safe distance of iris and posterior capsule",
                 unit = "%", digits = 0, of = "phaco.tip_posterior_mm > 0.5 and iris.gap_mm > 0.1", take = "share",
                 during = "phaco.aspirating", five = 98, three = 90, one = 75, weight = 1, source = "proposal",

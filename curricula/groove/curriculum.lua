@@ -28,8 +28,8 @@ return exercise {
             title = "Enter the eye and come to the lens",
             hint = "Go in through the incision with irrigation on (pedal 1), and bring the tip to the front of the "
                 .. "lens, on your own side of its centre.",
-            done = "phaco.inside_lens or phaco.in_contact",
-            time_limit_s = 30,
+            done = "phaco.tip_depth_mm > -0.5",
+            time_limit_s = 60,
         },
         step "sculpt" {
             title = "Sculpt the groove",
@@ -51,7 +51,7 @@ return exercise {
             when = "phaco.tip_posterior_mm < 0.3 and (phaco.aspirating or phaco.ultrasound)",
             recovered = "phaco.tip_posterior_mm > 0.6",
             deadline_s = 2,
-            harm = "phaco.capsule_touch",
+            harm = "phaco.tip_posterior_mm < 0.1",
             severity = "critical",
             cue = "The reflex in the groove is bright, and the plate at its floor feels soft.",
             advice = "Too deep: let go to pedal 1 and lift the tip straight up. Go on elsewhere, not here.",
@@ -83,7 +83,7 @@ return exercise {
     },
 
     -- The attempt is over when the instrument has left the eye after work, whatever was reached.
-    over = { "phaco.inside_lens or phaco.in_contact", "not phaco.present" },
+    over = { "phaco.tip_depth_mm > -0.5", "not phaco.present" },
     time_limit_s = 240,
 
     scoring = osacss { "T8", "T9", "G3", "G4", "G5", "G6" },

@@ -13,7 +13,8 @@ local stroke_speed = 3.5      -- with ultrasound [mm/s]
 local return_speed = 7.0
 local free_speed = 6.0        -- in front of the lens
 local deep_enough = 0.82      -- share of the thickness at which to stop
-local bright_enough = 0.55    -- share of the reflex without a lens, at the tip, at which to stop
+local surely_deep = 0.65      -- the same, once the reflex says that little is left
+local thin = 0.06             -- share of the lens that seems left under the tip, by its brightness, at which to lift
 local keep_off_iris = 1.1     -- from the axis of the sleeve to the middle of the iris's plane
 local pushed = 0.4            -- shift of the lens that makes a surgeon stop
 
@@ -24,7 +25,7 @@ local function look_around(me)
     end, 5)
     local marks = me.see().landmarks
     return { wound = marks.incision.position, pupil = marks.pupil.position, pupil_radius = marks.pupil.size,
-        front = marks.lens_front.position }
+        front = marks.lens_front.position, reflex = me.see().reflex_brightness }
 end
 
 -- Front of the lens at y, as it was before sculpting.
@@ -90,11 +91,18 @@ local function push_of(eye, seen)
     return math.sqrt(dx * dx + dy * dy)
 end
 
+-- Share of the lens that seems left under the tip. Light passes the lens twice: on its way in through the whole pupil,
+-- on its way out here; so the reflex at the start is exp(-2 tau), and what is left here is -log(here) / tau - 1.
+local function share_left(eye, seen)
+    local tau = -0.5 * math.log(math.min(0.98, eye.reflex))
+    return -math.log(math.max(1e-6, seen.tip_brightness)) / tau - 1
+end
+
 -- What stops a stroke: the lens runs away from the tip, or the reflex at the tip says that little is left under it.
-local function danger(eye)
+local function danger(eye, state)
     return function(seen)
         if push_of(eye, seen) > pushed then return "pushing" end
-        if seen.tip_brightness > bright_enough then return "bright" end
+        if share_left(eye, seen) < state.thin then return "bright" end
         return nil
     end
 end
@@ -119,28 +127,35 @@ local function stroke(me, eye, groove, state, beside)
     local way = along(eye, groove, state.depth, beside, groove.near, groove.far, 0)
     me.go(way(0), free_speed)
     me.pedal(3)
-    local reason = me.follow(way, me.about(stroke_speed) * state.pace, danger(eye))
+    local reason = me.follow(way, me.about(stroke_speed) * state.pace, danger(eye, state))
     me.pedal(1)
     if reason then recover(me, eye) end
     me.follow(along(eye, groove, state.depth, beside, me.tip()[2], groove.near, 0.5), return_speed)
     return reason
 end
 
+-- Whether to stop after a stroke that ended for a reason (nil: at its end). A bright reflex in a shallow groove is a
+-- misjudgement, and is trusted less the next time.
+local function enough(me, eye, state, reason)
+    local share = seen_share(me, eye)
+    if reason == "bright" and share < surely_deep then state.thin = state.thin - 0.1 end
+    return share >= deep_enough or (reason == "bright" and share >= surely_deep)
+        or state.depth > lens_thickness or me.time_s() > 180
+end
+
 return function(me)
     local eye = look_around(me)
     local groove = plan_groove(eye)
-    local state = { depth = 0, pace = 1 }
+    local state = { depth = 0, pace = 1, thin = thin }
     enter(me, eye, groove)
-    local reason
-    for number = 1, 60 do
+    for number = 1, 80 do
         if number % 2 == 1 then state.depth = state.depth + me.about(layer) end
-        reason = stroke(me, eye, groove, state, number % 2 == 1 and -half_width or half_width)
+        local reason = stroke(me, eye, groove, state, number % 2 == 1 and -half_width or half_width)
         if reason == "pushing" then
             state.pace = math.max(0.3, 0.7 * state.pace)
             state.depth = state.depth - 0.5 * layer
         end
-        if reason == "bright" or seen_share(me, eye) >= deep_enough then break end
-        if state.depth > lens_thickness or me.time_s() > 200 then break end
+        if enough(me, eye, state, reason) then break end
     end
     leave(me, eye)
 end
