@@ -15,33 +15,49 @@ local free_speed = 6.0        -- in front of the lens
 local deep_enough = 0.82      -- share of the thickness at which to stop
 local surely_deep = 0.65      -- the same, once the reflex says that little is left
 local thin = 0.06             -- share of the lens that seems left under the tip, by its brightness, at which to lift
-local keep_off_iris = 1.1     -- from the axis of the sleeve to the middle of the iris's plane
+local steepest = 0.78         -- slope of the shaft at which its sleeve still clears the iris
+local heed = 0.15             -- how much a new look counts against those before
 local pushed = 0.4            -- shift of the lens that makes a surgeon stop
 
--- What is known of the eye after the first look.
+-- A place as it is believed to be after another look.
+local function blend(believed, seen)
+    for axis = 1, 3 do believed[axis] = believed[axis] + heed * (seen[axis] - believed[axis]) end
+end
+
+-- What is known of the eye after looking for a while.
 local function look_around(me)
     me.wait_until(function(seen)
         return seen and seen.landmarks.incision and seen.landmarks.pupil and seen.landmarks.lens_front
     end, 5)
     local marks = me.see().landmarks
-    return { wound = marks.incision.position, pupil = marks.pupil.position, pupil_radius = marks.pupil.size,
+    local eye = { wound = marks.incision.position, pupil = marks.pupil.position, pupil_radius = marks.pupil.size,
         front = marks.lens_front.position, reflex = me.see().reflex_brightness }
+    for _ = 1, 12 do
+        me.wait(0.25)
+        marks = me.see().landmarks
+        blend(eye.wound, marks.incision.position)
+        blend(eye.pupil, marks.pupil.position)
+        blend(eye.front, marks.lens_front.position)
+        eye.reflex = eye.reflex + heed * (me.see().reflex_brightness - eye.reflex)
+    end
+    return eye
+end
+
+-- How high the lens is, looked at again and again.
+local function look_at_height(me, eye)
+    local front = me.see().landmarks.lens_front
+    if front then eye.front[3] = eye.front[3] + heed * (front.position[3] - eye.front[3]) end
 end
 
 -- Front of the lens at y, as it was before sculpting.
 local function surface(eye, y) return eye.front[3] - y * y / (2 * front_radius) end
 
 -- Least height of the tip at y at which the shaft, which turns about the wound, still clears the near edge of the iris.
-local function lowest(eye, y)
-    local edge = eye.pupil[2] - eye.pupil_radius
-    local room = eye.wound[3] - eye.pupil[3] - keep_off_iris
-    local way = math.max(0.1, edge - eye.wound[2])
-    return eye.wound[3] - math.max(0.1, room) * (y - eye.wound[2]) / way
-end
+local function lowest(eye, y) return eye.wound[3] - steepest * (y - eye.wound[2]) end
 
 -- Where the groove begins, is deepest and ends.
 local function plan_groove(eye)
-    return { near = eye.pupil[2] - 0.35 * eye.pupil_radius, deepest = eye.pupil[2] + 0.35 * eye.pupil_radius,
+    return { near = eye.pupil[2] - 0.35 * eye.pupil_radius, deepest = eye.pupil[2] + 0.50 * eye.pupil_radius,
         far = eye.pupil[2] + 0.75 * eye.pupil_radius, x = eye.pupil[1] }
 end
 
@@ -129,6 +145,7 @@ local function stroke(me, eye, groove, state, beside)
     me.pedal(3)
     local reason = me.follow(way, me.about(stroke_speed) * state.pace, danger(eye, state))
     me.pedal(1)
+    look_at_height(me, eye)
     if reason then recover(me, eye) end
     me.follow(along(eye, groove, state.depth, beside, me.tip()[2], groove.near, 0.5), return_speed)
     return reason
