@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/bag_motion.hpp"
+
+#include "math/rotation.hpp"
+
+namespace rhexis {
+
+double bag_radius_squared(const BagModel& bag) {
+    const double depth = 0.5 * (bag.shape.anterior + bag.shape.posterior);
+    return (2.0 * bag.shape.radius * bag.shape.radius + depth * depth) / 3.0;
+}
+
+double bag_inertia(const BagModel& bag) { return 2.0 / 3.0 * bag.mass * bag_radius_squared(bag); }
+
+Vec6 zonule_wrench(const BagModel& bag, const Pose& pose) {
+    Vec6 wrench = Vec6::Zero();
+    for (const ZonuleSpring& spring : bag.zonules) {
+        const Vec3 force = zonule_force(spring, pose);
+        wrench.head<3>() += force;
+        wrench.tail<3>() += (pose.orientation * spring.on_bag).cross(force);
+    }
+    return wrench;
+}
+
+RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, double dt) {
+    const double turning_drag = bag.damping * bag_radius_squared(bag);
+    RigidTerm term;
+    term.mass.setZero();
+    term.mass.diagonal() << Vec3::Constant(bag.mass), Vec3::Constant(bag_inertia(bag));
+    term.force = zonule_wrench(bag, pose);
+    term.force.head<3>() -= bag.damping * velocity.head<3>();
+    term.force.tail<3>() -= turning_drag * velocity.tail<3>();
+    for (const ZonuleSpring& spring : bag.zonules) {
+        const Mat3 stiffness = zonule_stiffness(spring, pose);
+        const Mat3 arm = cross_matrix(pose.orientation * spring.on_bag);  // point moves by d - arm theta
+        term.stiffness.topLeftCorner<3, 3>() += stiffness;
+        term.stiffness.topRightCorner<3, 3>() -= stiffness * arm;
+        term.stiffness.bottomLeftCorner<3, 3>() += arm * stiffness;
+        term.stiffness.bottomRightCorner<3, 3>() -= arm * stiffness * arm;
+    }
+    for (int i = 0; i < 3; ++i) {
+        term.stiffness(i, i) += bag.damping / dt;
+        term.stiffness(3 + i, 3 + i) += turning_drag / dt;
+    }
+    return term;
+}
+
+void accelerate_bag(const BagModel& bag, double dt, BagState& state) {
+    const Vec6 wrench = zonule_wrench(bag, state.pose);
+    const double inertia = bag_inertia(bag);
+    // drag taken at the end of the step, which is stable for any dt
+    state.velocity = (state.velocity + dt / bag.mass * wrench.head<3>()) / (1.0 + dt * bag.damping / bag.mass);
+    const double turning_drag = bag.damping * bag_radius_squared(bag);
+    state.angular_velocity =
+        (state.angular_velocity + dt / inertia * wrench.tail<3>()) / (1.0 + dt * turning_drag / inertia);
+}
+
+Quat turned(const Quat& orientation, const Vec3& angle) {
+    return (Quat(1.0, 0.5 * angle.x(), 0.5 * angle.y(), 0.5 * angle.z()) * orientation).normalized();
+}
+
+void move_bag(double dt, BagState& state) {
+    state.pose.position += dt * state.velocity;
+    state.pose.orientation = turned(state.pose.orientation, dt * state.angular_velocity);
+}
+
+}  // namespace rhexis

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: the bag as a rigid body on its zonules. Its inertia is that of a thin shell and its drag that of a
+// ball of the same mean radius, both without direction; its weight is carried by the fluid around it.
+#pragma once
+
+#include "flow/bag.hpp"
+#include "physics/implicit_solid.hpp"
+
+namespace rhexis {
+
+/// Mean square distance of the wall from the centre [mm^2].
+double bag_radius_squared(const BagModel& bag);
+
+/// Moment of inertia about any axis through the centre [g mm^2].
+double bag_inertia(const BagModel& bag);
+
+/// Force and torque of the zonules about the centre [uN, uN mm].
+Vec6 zonule_wrench(const BagModel& bag, const Pose& pose);
+
+/// Springs, drag and inertia at the end of an implicit step of dt [s] that moved the bag from start to pose.
+RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, double dt);
+
+/// Explicit: velocity after zonules and drag have acted for dt [s].
+void accelerate_bag(const BagModel& bag, double dt, BagState& state);
+
+/// Explicit: pose after dt [s] at the present velocity.
+void move_bag(double dt, BagState& state);
+
+/// Orientation turned by the vector `angle` [rad], without trigonometry (Cayley map).
+Quat turned(const Quat& orientation, const Vec3& angle);
+
+}  // namespace rhexis

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: the points of a solid that can touch something, kept up to date while tetrahedra vanish.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "flow/solid.hpp"
+
+namespace rhexis {
+
+/// A vertex of the fine mesh: a coarse node, or the middle of two. Without a fine mesh, a coarse node.
+struct SurfaceVertex {
+    int vertex = 0;                   ///< fine (or coarse) node
+    std::array<int, 2> nodes{0, -1};  ///< coarse nodes; the second -1: the vertex is the first
+    double weight = 1.0;              ///< of each of the nodes: 1 or 1/2
+    double stiffness = 0.0;           ///< what the tissue around it offers to a push: Young's modulus x size [uN/mm]
+    double size = 0.0;                ///< edge length of the tetrahedra around it [mm]
+};
+
+Vec3 point_of(const SurfaceVertex& vertex, const std::vector<Vec3>& nodes);
+
+class ContactSurface {
+public:
+    explicit ContactSurface(const SolidModel& model);
+
+    /// Finds the boundary of what is present, if that changed since the last call.
+    void update(const SolidModel& model, const SolidState& state);
+
+    /// Vertices on the current boundary, ascending.
+    [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const { return vertices_; }
+
+private:
+    void rebuild(const SolidModel& model);
+
+    std::vector<SurfaceVertex> all_;  ///< every vertex of the mesh, on the boundary or not
+    std::vector<std::array<int, 4>> coarse_neighbours_;
+    std::vector<std::uint8_t> alive_;  ///< per (fine) tetrahedron, at the last update
+    std::vector<std::uint8_t> outer_;  ///< scratch: per vertex
+    std::vector<SurfaceVertex> vertices_;
+    bool built_ = false;
+};
+
+}  // namespace rhexis

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: the one contact law of both resolvers. The normal force is unilateral; the tangential one lies in the
+// disc of radius mu times it (Coulomb, no pyramid) and sticks to an anchor on the partner, so that it does not creep.
+#pragma once
+
+#include "math/types.hpp"
+
+namespace rhexis {
+
+/// A contact as a spring. It turns on smoothly within `softness` of touching.
+struct ContactSpring {
+    double stiffness = 0.0;  ///< normal and tangential [uN/mm]
+    double softness = 0.0;   ///< [mm]
+    double friction = 0.0;   ///< Coulomb coefficient
+};
+
+struct SpringResponse {
+    Vec3 force = Vec3::Zero();      ///< on the solid [uN]
+    Mat3 stiffness = Mat3::Zero();  ///< -d force / d point, symmetric part, positive semidefinite [uN/mm]
+    double normal_force = 0.0;      ///< [uN]
+    double stretch = 0.0;           ///< tangential offset that the anchor may keep [mm]
+    bool sliding = false;
+};
+
+/// gap [mm]; normal: unit, into the solid; offset: point less anchor [mm].
+SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset);
+
+/// The nearest point of the disc of that radius.
+Vec3 project_on_disc(const Vec3& tangential, double radius);
+
+}  // namespace rhexis

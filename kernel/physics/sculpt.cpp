@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/sculpt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/tool_shape.hpp"
+
+namespace rhexis {
+
+namespace {
+
+constexpr double reach = 0.20;           ///< of the zone from the tip's surface [mm]
+constexpr double blur = 0.10;            ///< over which its border fades, so that tissue enters gradually [mm]
+constexpr double behind_mouth = 0.20;    ///< the zone goes on this far behind the plane of the mouth [mm]
+constexpr double least_fraction = 0.01;  ///< less than this drifts away and counts as removed
+constexpr int max_passes = 4;            ///< to hand on energy that vanished tetrahedra left over
+
+/// A fine tetrahedron that the zone reaches.
+struct Touched {
+    int fine = 0;
+    double weight = 0.0;   ///< share of it in the zone
+    double volume = 0.0;   ///< at rest [mm^3]
+    double energy = 0.0;   ///< to emulsify it [mJ/mm^3]
+    double density = 0.0;  ///< [g/mm^3]
+};
+
+double fade(double depth) { return std::clamp(0.5 + depth / blur, 0.0, 1.0); }
+
+/// Four points that integrate a tetrahedron to second order.
+double tet_weight(const ToolModel& tool, const SculptZone& zone, const Pose& pose, const std::array<Vec3, 4>& corners) {
+    constexpr double near = 0.58541020;
+    constexpr double far = 0.13819660;
+    const Vec3 sum = corners[0] + corners[1] + corners[2] + corners[3];
+    double weight = 0.0;
+    for (const Vec3& corner : corners) {
+        weight += 0.25 * zone_weight(tool, zone, pose.to_body(far * sum + (near - far) * corner));
+    }
+    return weight;
+}
+
+/// Bounding ball of a coarse tetrahedron against the tip: skips nearly all of the body.
+bool out_of_reach(const RoundedCone& end, const Pose& pose, const std::vector<Vec3>& x, const std::array<int, 4>& tet) {
+    const Vec3 centre = 0.25 * (x[tet[0]] + x[tet[1]] + x[tet[2]] + x[tet[3]]);
+    double radius = 0.0;
+    for (int node : tet) {
+        radius = std::max(radius, (x[node] - centre).squaredNorm());
+    }
+    return cone_distance(end, pose.to_body(centre)).distance > reach + blur + std::sqrt(radius);
+}
+
+Vec3 fine_point(const SolidModel& model, const std::vector<Vec3>& x, int fine_node) {
+    const int coarse_nodes = static_cast<int>(x.size());
+    if (fine_node < coarse_nodes) {
+        return x[fine_node];
+    }
+    const std::array<int, 2>& edge = model.fine.edges[fine_node - coarse_nodes];
+    return 0.5 * (x[edge[0]] + x[edge[1]]);
+}
+
+double rest_volume(const TetMesh& mesh, const std::array<int, 4>& tet) {
+    return tet_volume(mesh.nodes[tet[0]], mesh.nodes[tet[1]], mesh.nodes[tet[2]], mesh.nodes[tet[3]]);
+}
+
+std::vector<Touched> find_touched(const SolidModel& model, const SolidState& state, const ToolModel& tool,
+                                  const SculptZone& zone, const Pose& pose) {
+    std::vector<Touched> touched;
+    const std::vector<Vec3>& x = state.position;
+    for (std::size_t t = 0; t < model.coarse.tets.size(); ++t) {
+        if (state.present[t] == 0 || out_of_reach(tool.parts.front(), pose, x, model.coarse.tets[t])) {
+            continue;
+        }
+        const Material& material = model.materials[model.coarse.region[t]];
+        const double volume = rest_volume(model.coarse, model.coarse.tets[t]) / 8.0;
+        for (std::size_t f = 8 * t; f < 8 * t + 8; ++f) {
+            if (!(state.fraction[f] > 0.0)) {
+                continue;
+            }
+            std::array<Vec3, 4> corners;
+            for (std::size_t k = 0; k < 4; ++k) {
+                corners[k] = fine_point(model, x, model.fine.tets[f][k]);
+            }
+            const double weight = tet_weight(tool, zone, pose, corners);
+            if (weight > 0.0) {
+                touched.push_back({static_cast<int>(f), weight, volume, material.ablation_energy, material.density});
+            }
+        }
+    }
+    return touched;
+}
+
+/// Spends up to `energy` [mJ] on what is touched; returns what could not be used.
+double spend(double energy, const std::vector<Touched>& touched, SolidState& solid, WorldState& state) {
+    double total = 0.0;
+    for (const Touched& tet : touched) {
+        total += solid.fraction[tet.fine] > 0.0 ? tet.weight * tet.volume : 0.0;
+    }
+    double left = 0.0;
+    for (const Touched& tet : touched) {
+        double& fraction = solid.fraction[tet.fine];
+        if (!(fraction > 0.0)) {
+            continue;
+        }
+        const double share = energy * tet.weight * tet.volume / total;
+        if (!(tet.energy > 0.0)) {
+            continue;  // takes up its share and stays
+        }
+        double lost = std::min(fraction, share / (tet.energy * tet.volume));
+        left += share - lost * tet.energy * tet.volume;
+        if (fraction - lost < least_fraction) {
+            lost = fraction;
+        }
+        fraction = lost == fraction ? 0.0 : fraction - lost;
+        state.removed_mass += lost * tet.volume * tet.density;
+        state.ablation_energy += lost * tet.volume * tet.energy;
+    }
+    return total > 0.0 ? left : 0.0;
+}
+
+}  // namespace
+
+namespace {
+
+/// By its power series: the library's may differ in its last bit between processors. angle in [0, 1.2].
+double tangent_of(double angle) {
+    double sine = 0.0;
+    double cosine = 0.0;
+    double term = 1.0;
+    for (int n = 0; n < 24; ++n) {
+        (n % 2 == 0 ? cosine : sine) += (n / 2) % 2 == 0 ? term : -term;
+        term *= angle / (n + 1);
+    }
+    return sine / cosine;
+}
+
+}  // namespace
+
+SculptZone sculpt_zone(const ToolModel& tool) {
+    SculptZone zone;
+    if (tool.kind != ToolKind::phaco || tool.parts.empty() || !(tool.max_power > 0.0)) {
+        return zone;
+    }
+    const RoundedCone& end = tool.parts.front();
+    const double tangent = tangent_of(tool.bevel);
+    zone.facing = Vec3(0.0, tangent, -1.0).normalized();
+    zone.mouth = end.a + Vec3(0.0, 0.0, end.radius_a * (tangent - 1.0));
+    // Volume by summing a grid, inside the tip left out
+    constexpr double cell = 0.02;
+    const int half = static_cast<int>(std::ceil((end.radius_a + reach + blur) / cell));
+    for (int i = -half; i <= half; ++i) {
+        for (int j = -half; j <= half; ++j) {
+            for (int k = -half; k <= 2 * half; ++k) {
+                const Vec3 point = end.a + cell * Vec3(i, j, k);
+                if (cone_distance(end, point).distance >= 0.0) {
+                    zone.volume += cell * cell * cell * zone_weight(tool, zone, point);
+                }
+            }
+        }
+    }
+    return zone;
+}
+
+double zone_weight(const ToolModel& tool, const SculptZone& zone, const Vec3& point) {
+    const double off = reach - cone_distance(tool.parts.front(), point).distance;
+    if (off < -blur) {
+        return 0.0;
+    }
+    return std::min(fade(off), fade(zone.facing.dot(point - zone.mouth) + behind_mouth));
+}
+
+void sculpt(const WorldModel& model, int tool, const ToolState& tool_state, const SculptZone& zone, double dt,
+            WorldState& state) {
+    if (!tool_state.present || !(tool_state.power > 0.0) || !(zone.volume > 0.0)) {
+        return;
+    }
+    const ToolModel& tool_model = model.tools[tool];
+    for (std::size_t s = 0; s < model.solids.size(); ++s) {
+        SolidState& solid = state.solids[s];
+        if (solid.fraction.empty()) {
+            continue;
+        }
+        const std::vector<Touched> touched = find_touched(model.solids[s], solid, tool_model, zone, tool_state.pose);
+        double volume = 0.0;
+        for (const Touched& tet : touched) {
+            volume += tet.weight * tet.volume;
+        }
+        const double coverage = std::min(1.0, volume / zone.volume);
+        double energy = tool_state.power * tool_model.max_power * dt * coverage;
+        // What vanished tetrahedra leave over is used by the others only where energy is what limits.
+        for (int pass = 0; pass < (coverage < 1.0 ? 1 : max_passes) && energy > 0.0; ++pass) {
+            energy = spend(energy, touched, solid, state);
+        }
+    }
+}
+
+}  // namespace rhexis

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: one step of one solid and of the bag that holds it, by either way.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "base/profile.hpp"
+#include "base/threads.hpp"
+#include "flow/step_outcome.hpp"
+#include "physics/contact_candidates.hpp"
+#include "physics/explicit_contact.hpp"
+#include "physics/explicit_solid.hpp"
+#include "physics/implicit_solid.hpp"
+#include "physics/physics.hpp"
+#include "physics/solid_energy.hpp"
+
+namespace rhexis {
+
+/// What a step starts from; all of it outlives the step.
+struct StepTask {
+    const WorldModel& model;
+    const WorldState& state;
+    std::span<const ToolState> tools;
+    double dt = 0.0;  ///< [s]
+};
+
+/// What one try gave.
+struct StepTry {
+    SolidState solid;
+    std::vector<BagState> bags;
+    ContactCandidates candidates;
+    SolidStepReport report;
+    StepFailure failure = StepFailure::none;
+};
+
+class SolidStepper {
+public:
+    static Result<SolidStepper> create(const WorldModel& model, int solid, const PhysicsSettings& settings,
+                                       ThreadPool& pool);
+
+    /// One try of the whole step. divisions: 1, 2, 4, ... times as many substeps as usual.
+    void run(const StepTask& task, bool explicit_way, int divisions, StepTry& result);
+
+    /// The cheaper way for steps of dt, or the one that the model asks for.
+    [[nodiscard]] bool prefers_explicit(double dt) const;
+
+    [[nodiscard]] const ContactSurface& surface() const { return surface_; }
+    void drop_caches();
+
+private:
+    SolidStepper(const WorldModel& model, int solid, const PhysicsSettings& settings, ThreadPool& pool);
+    Status make_explicit();
+    Status make_implicit();
+    void run_explicit(const StepTask& task, int divisions, StepTry& result);
+    void run_implicit(const StepTask& task, int divisions, StepTry& result);
+    void judge(const StepTask& task, StepTry& result);
+
+    const WorldModel* model_;
+    const SolidModel* solid_model_;
+    int solid_;
+    PhysicsSettings settings_;
+    ThreadPool* pool_;
+    ContactSurface surface_;
+    SolidEnergy energy_;
+    std::optional<ExplicitSolid> explicit_;
+    std::optional<ImplicitSolid> implicit_;
+    ExplicitContact explicit_contact_;
+    double rest_step_ = 0.0;  ///< explicit stability limit at rest [s]
+};
+
+}  // namespace rhexis

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/tool_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rhexis {
+
+ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
+    const Vec3 axis = cone.b - cone.a;
+    const Vec3 from_a = point - cone.a;
+    const double length = axis.norm();
+    const double taper = cone.radius_a - cone.radius_b;
+    double s = 0.0;  // along the axis, in lengths
+    if (length > std::abs(taper)) {
+        const double along = from_a.dot(axis) / length;
+        const double across = std::sqrt(std::max(0.0, from_a.squaredNorm() - along * along));
+        const double tangent = taper / std::sqrt(length * length - taper * taper);
+        s = std::clamp((along - across * tangent) / length, 0.0, 1.0);
+    } else if (taper < 0.0) {
+        s = 1.0;  // one end swallows the other
+    }
+    const Vec3 from_centre = from_a - s * axis;
+    const double distance = from_centre.norm();
+    ShapeDistance result;
+    result.distance = distance - (cone.radius_a - s * taper);
+    result.normal = distance > 0.0 ? Vec3(from_centre / distance) : Vec3::UnitZ();
+    return result;
+}
+
+ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point) {
+    ShapeDistance nearest;
+    nearest.distance = HUGE_VAL;
+    for (const RoundedCone& part : tool.parts) {
+        const ShapeDistance distance = cone_distance(part, point);
+        if (distance.distance < nearest.distance) {
+            nearest = distance;
+        }
+    }
+    return nearest;
+}
+
+Pose pose_within(const ToolState& tool, double s) {
+    if (s >= 1.0) {
+        return tool.pose;
+    }
+    const Quat& from = tool.previous_pose.orientation;
+    const Quat& to = tool.pose.orientation;
+    const double sign = from.dot(to) < 0.0 ? -1.0 : 1.0;
+    Pose pose;
+    pose.position = (1.0 - s) * tool.previous_pose.position + s * tool.pose.position;
+    pose.orientation.coeffs() = (1.0 - s) * from.coeffs() + sign * s * to.coeffs();
+    pose.orientation.normalize();
+    return pose;
+}
+
+void Box::add(const Vec3& point, double radius) {
+    low = low.cwiseMin(point - Vec3::Constant(radius));
+    high = high.cwiseMax(point + Vec3::Constant(radius));
+}
+
+double travel(const ToolModel& model, const ToolState& tool) {
+    double farthest = 0.0;
+    for (const RoundedCone& part : model.parts) {
+        for (const Vec3& end : {part.a, part.b}) {
+            farthest = std::max(farthest, (tool.pose.to_world(end) - tool.previous_pose.to_world(end)).norm());
+        }
+    }
+    return farthest;
+}
+
+Box swept_box(const ToolModel& model, const ToolState& tool) {
+    Box box;
+    for (const RoundedCone& part : model.parts) {
+        for (const Pose& pose : {tool.previous_pose, tool.pose}) {
+            // The end of a turning part leaves its chord by at most a fifth of it for turns up to a right angle.
+            const double slack = 0.21 * travel(model, tool);
+            box.add(pose.to_world(part.a), part.radius_a + slack);
+            box.add(pose.to_world(part.b), part.radius_b + slack);
+        }
+    }
+    return box;
+}
+
+double thinnest(const ToolModel& model) {
+    double radius = HUGE_VAL;
+    for (const RoundedCone& part : model.parts) {
+        radius = std::min({radius, part.radius_a, part.radius_b});
+    }
+    return radius;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: the solid shape of an instrument and where it is within a step.
+#pragma once
+
+#include "flow/tool.hpp"
+
+namespace rhexis {
+
+/// Signed distance to a rigid surface (negative inside it) and its outward unit normal there.
+struct ShapeDistance {
+    double distance = 0.0;  ///< [mm]
+    Vec3 normal = Vec3::UnitZ();
+};
+
+/// Exact distance to a rounded cone: the smallest of |p - c(s)| - r(s) over the balls along its axis.
+ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point);
+
+/// To the nearest part of a tool, for a point in the tool's frame. A tool without parts is infinitely far.
+ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point);
+
+/// Pose at share s of a step, 0: previous_pose, 1: pose. Normalised linear interpolation of the orientation, the short
+/// way round: no trigonometry, so the same bits on every machine.
+Pose pose_within(const ToolState& tool, double s);
+
+/// An axis-aligned box [mm].
+struct Box {
+    Vec3 low = Vec3::Constant(1e300);
+    Vec3 high = Vec3::Constant(-1e300);
+
+    void add(const Vec3& point, double radius);
+    [[nodiscard]] bool holds(const Vec3& point) const {
+        return (point.array() >= low.array()).all() && (point.array() <= high.array()).all();
+    }
+};
+
+/// Box around everything that a tool passes through in a step.
+Box swept_box(const ToolModel& model, const ToolState& tool);
+
+/// Farthest that any point of a tool's parts travels in a step [mm].
+double travel(const ToolModel& model, const ToolState& tool);
+
+/// Radius of a tool's thinnest end [mm].
+double thinnest(const ToolModel& model);
+
+}  // namespace rhexis

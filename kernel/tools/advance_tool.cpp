@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/advance_tool.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace rhexis {
+
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+/// Why a sample cannot be used; empty if it can.
+std::string fault(const ToolState& previous, const DeviceSample& sample, double dt, const ToolSettings& settings) {
+    const Vec3& position = sample.pose.position;
+    const Quat& orientation = sample.pose.orientation;
+    if (!position.allFinite() || !orientation.coeffs().allFinite() || !std::isfinite(sample.jaw) ||
+        !std::isfinite(sample.pedal)) {
+        return "a number is not finite";
+    }
+    if (!(position.norm() <= settings.max_distance)) {
+        return "tip " + number(position.norm()) + " mm from the eye, allowed " + number(settings.max_distance) + " mm";
+    }
+    if (!(std::abs(orientation.norm() - 1.0) < 1e-2)) {
+        return "orientation of length " + number(orientation.norm()) + ", allowed 1";
+    }
+    const double speed = previous.present ? (position - previous.pose.position).norm() / dt : 0.0;
+    if (!(speed <= settings.max_speed)) {
+        return "jump at " + number(speed) + " mm/s, allowed " + number(settings.max_speed) + " mm/s";
+    }
+    return {};
+}
+
+/// Twice the vector part of the turn between two orientations: the angle to third order in it [rad].
+Vec3 turn_between(const Quat& from, const Quat& to) {
+    const Quat turn = to * from.conjugate();
+    return (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec();
+}
+
+void apply_pedal(const ToolModel& model, double pedal, const ToolSettings& settings, ToolState& state) {
+    state.pedal = std::clamp(pedal, 0.0, 3.0);
+    if (model.kind != ToolKind::phaco) {
+        return;
+    }
+    state.irrigation = state.pedal >= 1.0;
+    state.aspiration = std::clamp(state.pedal - 1.0, 0.0, 1.0);
+    state.power = std::clamp(settings.power_limit, 0.0, 1.0) * std::clamp(state.pedal - 2.0, 0.0, 1.0);
+}
+
+}  // namespace
+
+ToolState hold_tool(const ToolState& previous) {
+    ToolState state = previous;
+    state.previous_pose = previous.pose;
+    state.velocity.setZero();
+    state.angular_velocity.setZero();
+    return state;
+}
+
+ToolStep next_tool(const ToolModel& model, const ToolState& previous, const DeviceSample& sample, double dt,
+                   const ToolSettings& settings) {
+    if (!sample.present) {
+        return {ToolState{}, {}};
+    }
+    if (std::string reason = fault(previous, sample, dt, settings); !reason.empty()) {
+        return {hold_tool(previous), std::move(reason)};
+    }
+    ToolState state;
+    state.present = true;
+    state.pose = sample.pose;
+    state.pose.orientation.normalize();
+    state.previous_pose = previous.present ? previous.pose : state.pose;
+    state.velocity = (state.pose.position - state.previous_pose.position) / dt;
+    state.angular_velocity = turn_between(state.previous_pose.orientation, state.pose.orientation) / dt;
+    state.jaw = std::clamp(sample.jaw, 0.0, 1.0);
+    apply_pedal(model, sample.pedal, settings, state);
+    return {state, {}};
+}
+
+}  // namespace rhexis

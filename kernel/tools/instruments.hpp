@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Instruments by name.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "flow/tool.hpp"
+
+namespace rhexis {
+
+/// "phaco" or "probe" (a rod of 0.5 mm diameter and 30 mm length). The error suggests the nearest name.
+Result<ToolModel> make_tool(std::string_view name);
+
+/// All names, in alphabetical order.
+std::vector<std::string> tool_names();
+
+}  // namespace rhexis
