@@ -45,14 +45,15 @@ RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, 
     return term;
 }
 
+BagInertia bag_response(const BagModel& bag, double dt) {
+    return {bag.mass + dt * bag.damping, bag_inertia(bag) + dt * bag.damping * bag_radius_squared(bag)};
+}
+
 void accelerate_bag(const BagModel& bag, double dt, BagState& state) {
     const Vec6 wrench = zonule_wrench(bag, state.pose);
-    const double inertia = bag_inertia(bag);
-    // drag taken at the end of the step, which is stable for any dt
-    state.velocity = (state.velocity + dt / bag.mass * wrench.head<3>()) / (1.0 + dt * bag.damping / bag.mass);
-    const double turning_drag = bag.damping * bag_radius_squared(bag);
-    state.angular_velocity =
-        (state.angular_velocity + dt / inertia * wrench.tail<3>()) / (1.0 + dt * turning_drag / inertia);
+    const BagInertia response = bag_response(bag, dt);
+    state.velocity = (bag.mass * state.velocity + dt * wrench.head<3>()) / response.mass;
+    state.angular_velocity = (bag_inertia(bag) * state.angular_velocity + dt * wrench.tail<3>()) / response.turning;
 }
 
 Quat turned(const Quat& orientation, const Vec3& angle) {

@@ -20,6 +20,14 @@ Vec6 zonule_wrench(const BagModel& bag, const Pose& pose);
 /// Springs, drag and inertia at the end of an implicit step of dt [s] that moved the bag from start to pose.
 RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, double dt);
 
+/// Explicit: mass and moment of inertia with which the bag answers an impulse within a substep of dt [s]. Drag is taken
+/// at the end of the substep, stable for any dt, and resists impulses as well.
+struct BagInertia {
+    double mass = 0.0;     ///< [g]
+    double turning = 0.0;  ///< [g mm^2]
+};
+BagInertia bag_response(const BagModel& bag, double dt);
+
 /// Explicit: velocity after zonules and drag have acted for dt [s].
 void accelerate_bag(const BagModel& bag, double dt, BagState& state);
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "physics/bag_motion.hpp"
-
 namespace rhexis {
 
 namespace {
@@ -43,22 +41,22 @@ int ExplicitContact::local_node(int node, const ExplicitSolid& solid) {
     return local_of_[node];
 }
 
-void ExplicitContact::set_masses(const std::vector<BagState>& bags, Active& active) const {
+void ExplicitContact::set_masses(Active& active) const {
     double response = active.weight * (active.share[0] + active.share[1]);
     double turning = 0.0;
     double all_turning = 0.0;
-    if (active.bag >= 0 && !bags.empty()) {
-        const BagModel& bag = model_->bags[active.bag];
+    if (active.bag >= 0) {
+        const BagInertia& bag = bag_response_[active.bag];
         response += 1.0 / bag.mass;
-        turning = active.arm.cross(active.normal).squaredNorm() / bag_inertia(bag);
-        all_turning = active.arm.squaredNorm() / bag_inertia(bag);
+        turning = active.arm.cross(active.normal).squaredNorm() / bag.turning;
+        all_turning = active.arm.squaredNorm() / bag.turning;
     }
     active.normal_mass = response > 0.0 ? 1.0 / (response + turning) : 0.0;
     active.tangent_mass = response > 0.0 ? 1.0 / (response + all_turning) : 0.0;
 }
 
 void ExplicitContact::collect(double dt, const PartnerPoses& before, const PartnerPoses& after,
-                              const ExplicitSolid& solid, const std::vector<BagState>& bags) {
+                              const ExplicitSolid& solid) {
     active_.clear();
     nodes_.clear();
     velocity_.clear();
@@ -107,7 +105,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
             active.bag = candidate.index;
             active.arm = point - pose.position;
         }
-        set_masses(bags, active);
+        set_masses(active);
         if (candidate.touching) {
             const double push = std::max(0.0, candidate.force.dot(active.normal));
             active.normal_impulse = dt * push;
@@ -136,9 +134,9 @@ void ExplicitContact::apply(const Active& active, const Vec3& impulse, std::vect
         }
     }
     if (active.bag >= 0) {
-        const BagModel& bag = model_->bags[active.bag];
+        const BagInertia& bag = bag_response_[active.bag];
         bags[active.bag].velocity -= impulse / bag.mass;
-        bags[active.bag].angular_velocity -= active.arm.cross(impulse) / bag_inertia(bag);
+        bags[active.bag].angular_velocity -= active.arm.cross(impulse) / bag.turning;
     }
 }
 
@@ -195,7 +193,11 @@ void ExplicitContact::finish(double dt, const PartnerPoses& after, ExplicitSolid
 
 void ExplicitContact::resolve(double dt, const PartnerPoses& before, const PartnerPoses& after, ExplicitSolid& solid,
                               std::vector<BagState>& bags) {
-    collect(dt, before, after, solid, bags);
+    bag_response_.clear();
+    for (const BagModel& bag : model_->bags) {
+        bag_response_.push_back(bag_response(bag, dt));
+    }
+    collect(dt, before, after, solid);
     if (active_.empty()) {
         return;
     }

@@ -6,6 +6,7 @@
 // back to its anchor, cut to the friction disc. Vertices that share nodes or a bag take a few sweeps, warm-started.
 #pragma once
 
+#include "physics/bag_motion.hpp"
 #include "physics/contact_candidates.hpp"
 #include "physics/explicit_solid.hpp"
 
@@ -41,9 +42,8 @@ private:
         bool sliding = false;
     };
 
-    void collect(double dt, const PartnerPoses& before, const PartnerPoses& after, const ExplicitSolid& solid,
-                 const std::vector<BagState>& bags);
-    void set_masses(const std::vector<BagState>& bags, Active& active) const;
+    void collect(double dt, const PartnerPoses& before, const PartnerPoses& after, const ExplicitSolid& solid);
+    void set_masses(Active& active) const;
     int local_node(int node, const ExplicitSolid& solid);
     [[nodiscard]] Vec3 relative_velocity(const Active& active, const std::vector<BagState>& bags) const;
     void apply(const Active& active, const Vec3& impulse, std::vector<BagState>& bags);
@@ -54,6 +54,7 @@ private:
     const ContactSurface* surface_ = nullptr;
     ContactCandidates* candidates_ = nullptr;
     std::vector<double> mass_;  ///< per candidate and node, two each
+    std::vector<BagInertia> bag_response_;
     std::vector<Active> active_;
     std::vector<int> local_of_;  ///< per coarse node: index into nodes_, or -1
     std::vector<int> nodes_;
