@@ -140,7 +140,8 @@ void invert(const float* triangle, int leading, int columns, float* inverse) {
         for (int c = 0; c < length; c += width) {
             Lanes sum = {};
             for (int k = c; k < i; ++k) {
-                sum -= load<Lanes>(inverse + std::ptrdiff_t{length} * k + c) * triangle[std::ptrdiff_t{leading} * k + i];
+                sum -=
+                    load<Lanes>(inverse + std::ptrdiff_t{length} * k + c) * triangle[std::ptrdiff_t{leading} * k + i];
             }
             store(own + c, sum * scale);
         }

@@ -32,15 +32,17 @@ struct Task {
     const Group* groups = nullptr;
     int count = 0;
     Mode mode = Mode::warped;
-    double scale = 1.0;              ///< on the stiffness
+    double scale = 1.0;                ///< on the stiffness
     const double* position = nullptr;  ///< 3 per row, one number of padding at the end
-    double* force = nullptr;         ///< 3 per row, added to
-    double* stiffness = nullptr;     ///< blocks by columns, added to
-    double* buffer = nullptr;        ///< 8 * buffer_length(most nodes of a group)
+    double* force = nullptr;           ///< 3 per row, added to
+    double* stiffness = nullptr;       ///< blocks by columns, added to
+    double* buffer = nullptr;          ///< 8 * buffer_length(most nodes of a group)
     SingularRotation singular = nullptr;
 };
 
-constexpr int buffer_length(int nodes) { return (3 * nodes + 9 * (nodes * (nodes + 1) / 2) + lanes - 1) / lanes * lanes; }
+constexpr int buffer_length(int nodes) {
+    return (3 * nodes + 9 * (nodes * (nodes + 1) / 2) + lanes - 1) / lanes * lanes;
+}
 
 struct Kernel {
     const char* name;

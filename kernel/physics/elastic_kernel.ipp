@@ -16,21 +16,18 @@ inline Lanes all(double value) { return Lanes{} + value; }
 inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Lanes absolute(Lanes a) { return a < 0.0 ? -a : a; }
 
-inline Lanes root(Lanes a) {
-    Lanes result;
-    for (int l = 0; l < width; ++l) {
-        result[l] = __builtin_sqrt(a[l]);
-    }
-    return result;
+#if RHEXIS_WIDTH == 8
+inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(a))); }
+inline bool any(Mask m) {
+    return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(m), reinterpret_cast<__m512i>(m)) != 0;
 }
-
-inline bool any(Mask mask) {
-    long long found = 0;
-    for (int l = 0; l < width; ++l) {
-        found |= mask[l];
-    }
-    return found != 0;
-}
+#elif RHEXIS_WIDTH == 4
+inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a))); }
+inline bool any(Mask m) { return _mm256_movemask_pd(reinterpret_cast<__m256d>(m)) != 0; }
+#else
+inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a))); }
+inline bool any(Mask m) { return _mm_movemask_pd(reinterpret_cast<__m128d>(m)) != 0; }
+#endif
 
 struct Vector {
     Lanes x, y, z;
@@ -209,46 +206,44 @@ inline Symmetric turned_stretch(const Matrix& f, const Matrix& r, Lanes trace) {
 inline void transpose(Lanes* v) {
 #if RHEXIS_WIDTH == 8
     for (int i = 0; i < 8; i += 2) {
-        const Lanes low = __builtin_shuffle(v[i], v[i + 1], (Mask){0, 8, 2, 10, 4, 12, 6, 14});
-        v[i + 1] = __builtin_shuffle(v[i], v[i + 1], (Mask){1, 9, 3, 11, 5, 13, 7, 15});
+        const Lanes low = __builtin_shuffle(v[i], v[i + 1], Mask{0, 8, 2, 10, 4, 12, 6, 14});
+        v[i + 1] = __builtin_shuffle(v[i], v[i + 1], Mask{1, 9, 3, 11, 5, 13, 7, 15});
         v[i] = low;
     }
     for (int i = 0; i < 8; i += 4) {
         for (int k = i; k < i + 2; ++k) {
-            const Lanes low = __builtin_shuffle(v[k], v[k + 2], (Mask){0, 1, 8, 9, 4, 5, 12, 13});
-            v[k + 2] = __builtin_shuffle(v[k], v[k + 2], (Mask){2, 3, 10, 11, 6, 7, 14, 15});
+            const Lanes low = __builtin_shuffle(v[k], v[k + 2], Mask{0, 1, 8, 9, 4, 5, 12, 13});
+            v[k + 2] = __builtin_shuffle(v[k], v[k + 2], Mask{2, 3, 10, 11, 6, 7, 14, 15});
             v[k] = low;
         }
     }
     for (int k = 0; k < 4; ++k) {
-        const Lanes low = __builtin_shuffle(v[k], v[k + 4], (Mask){0, 1, 2, 3, 8, 9, 10, 11});
-        v[k + 4] = __builtin_shuffle(v[k], v[k + 4], (Mask){4, 5, 6, 7, 12, 13, 14, 15});
+        const Lanes low = __builtin_shuffle(v[k], v[k + 4], Mask{0, 1, 2, 3, 8, 9, 10, 11});
+        v[k + 4] = __builtin_shuffle(v[k], v[k + 4], Mask{4, 5, 6, 7, 12, 13, 14, 15});
         v[k] = low;
     }
 #elif RHEXIS_WIDTH == 4
     for (int i = 0; i < 4; i += 2) {
-        const Lanes low = __builtin_shuffle(v[i], v[i + 1], (Mask){0, 4, 2, 6});
-        v[i + 1] = __builtin_shuffle(v[i], v[i + 1], (Mask){1, 5, 3, 7});
+        const Lanes low = __builtin_shuffle(v[i], v[i + 1], Mask{0, 4, 2, 6});
+        v[i + 1] = __builtin_shuffle(v[i], v[i + 1], Mask{1, 5, 3, 7});
         v[i] = low;
     }
     for (int k = 0; k < 2; ++k) {
-        const Lanes low = __builtin_shuffle(v[k], v[k + 2], (Mask){0, 1, 4, 5});
-        v[k + 2] = __builtin_shuffle(v[k], v[k + 2], (Mask){2, 3, 6, 7});
+        const Lanes low = __builtin_shuffle(v[k], v[k + 2], Mask{0, 1, 4, 5});
+        v[k + 2] = __builtin_shuffle(v[k], v[k + 2], Mask{2, 3, 6, 7});
         v[k] = low;
     }
 #else
-    const Lanes low = __builtin_shuffle(v[0], v[1], (Mask){0, 2});
-    v[1] = __builtin_shuffle(v[0], v[1], (Mask){1, 3});
+    const Lanes low = __builtin_shuffle(v[0], v[1], Mask{0, 2});
+    v[1] = __builtin_shuffle(v[0], v[1], Mask{1, 3});
     v[0] = low;
 #endif
 }
 
 /// Collects numbers of all lanes and writes each lane's in a row.
-struct Writer {
-    double* to;
-    int length;
-    int filled = 0;
-    Lanes waiting[width];
+class Writer {
+public:
+    Writer(double* start, int row_length) : to(start), length(row_length) {}
 
     void put(Lanes value) {
         waiting[filled++] = value;
@@ -277,6 +272,12 @@ struct Writer {
             flush();
         }
     }
+
+private:
+    double* to;
+    int length;
+    int filled = 0;
+    Lanes waiting[width];
 };
 
 struct Element {
@@ -369,7 +370,7 @@ void compute(const Task& task, const Group& group, int lane, int length) {
     deformation<N>(group, lane, task.position, task.singular, e);
     const double* const data = group.data + lane;
     Vector g[N > 0 ? N : most_nodes];
-    Writer out{task.buffer + static_cast<long>(length) * lane, length};
+    Writer out(task.buffer + static_cast<long>(length) * lane, length);
     // -P R' g with g = R b: the force on a node is -V P b
     const Lanes pressure = e.lambda * (e.trace - 3.0) - e.twice_mu;
     for (int a = 0; a < nodes; ++a) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <immintrin.h>
+
 #include "physics/elastic_kernel.hpp"
 
 #define RHEXIS_WIDTH 2
