@@ -8,23 +8,23 @@ uniform vec3 view_axis;
 uniform vec3 view_plane;
 uniform vec4 view_centre;
 
-// Direction of this pixel in air.
-vec3 outside_direction() {
-    vec2 ndc = 2.0 * gl_FragCoord.xy / view_size - 1.0;
+// Direction in air of a place in pixels from the bottom left.
+vec3 outside_direction(vec2 pixel) {
+    vec2 ndc = 2.0 * pixel / view_size - 1.0;
     return view_forward + ndc.x * view_right + ndc.y * view_up;
 }
 
-// Where this pixel's line meets the plane of depth 0.
-vec3 at_plane() {
-    vec3 outside = outside_direction();
+// Where its line meets the plane of depth 0.
+vec3 at_plane(vec2 pixel) {
+    vec3 outside = outside_direction(pixel);
     return view_eye + dot(view_plane - view_eye, view_axis) / dot(outside, view_axis) * outside;
 }
 
-// Direction of this pixel's line in its own medium, away from the camera.
+// Direction of a line in its own medium, from where it meets that plane, away from the camera.
 vec3 inside_direction(vec3 place) {
     vec3 direction = view_centre.w * place - view_centre.xyz;
     return normalize(dot(direction, view_axis) < 0.0 ? -direction : direction);
 }
 
-// Distance along this pixel's line per depth.
-float stretch() { return 1.0 / dot(inside_direction(at_plane()), view_axis); }
+// Distance along a line per depth.
+float stretch(vec2 pixel) { return 1.0 / dot(inside_direction(at_plane(pixel)), view_axis); }

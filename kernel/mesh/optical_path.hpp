@@ -12,10 +12,11 @@ namespace rhexis {
 
 /// A body that absorbs. Borrowed; the caller keeps all of it alive.
 struct AbsorbingBody {
-    const TetMesh& coarse;            ///< connectivity; its rest positions are not used
-    const FineMesh& fine;             ///< may be empty
-    std::span<const Vec3> nodes;      ///< coarse node positions now [mm]
-    std::span<const double> density;  ///< share left of each fine tetrahedron (each coarse one if there is no fine mesh)
+    const TetMesh& coarse;        ///< connectivity; its rest positions are not used
+    const FineMesh& fine;         ///< may be empty
+    std::span<const Vec3> nodes;  ///< coarse node positions now [mm]
+    std::span<const double>
+        density;  ///< share left of each fine tetrahedron (each coarse one if there is no fine mesh)
     std::span<const Vec3> extinction;  ///< of each coarse tetrahedron while whole, red, green, blue [1/mm]
 };
 

@@ -23,13 +23,7 @@ Vec3 middle_of(const Frame& frame) {
 std::vector<float> triangles_of(const ToolMesh& mesh) {
     std::vector<float> stream;
     for (const ToolMesh::Part& part : mesh.parts) {
-        for (const ToolMesh::Vertex& corner : part.corners) {
-            for (const Vec3* triple : {&corner.place, &corner.normal}) {
-                for (int i = 0; i < 3; ++i) {
-                    stream.push_back(static_cast<float>((*triple)[i]));
-                }
-            }
-        }
+        append_triangles(part, stream);
     }
     return stream;
 }
@@ -56,11 +50,11 @@ void set_view(const Program& program, const View& view) {
 }
 
 Result<DepthPass> DepthPass::create(int width, int height) {
-    Result<Program> faces = Program::build({"body.vert"}, {"view.glsl", "signed_faces.frag"});
+    Result<Program> faces = Program::build({"body.vert"}, {"signed_faces.frag"});
     if (!faces.ok()) {
         return faces.error();
     }
-    Result<Program> distance = Program::build({"body.vert"}, {"view.glsl", "distance.frag"});
+    Result<Program> distance = Program::build({"body.vert"}, {"stop.frag"});
     if (!distance.ok()) {
         return distance.error();
     }
@@ -69,12 +63,8 @@ Result<DepthPass> DepthPass::create(int width, int height) {
 
 DepthPass::DepthPass(Program faces, Program distance, int width, int height)
     : faces_(std::move(faces)), distance_(std::move(distance)), vertices_({3, 3}) {
-    std::vector<Texture> sum;
-    sum.push_back(make_texture(width, height, GL_RGBA32F, GL_NEAREST));
-    sum_ = make_target(std::move(sum), false);
-    std::vector<Texture> stop;
-    stop.push_back(make_texture(width, height, GL_R32F, GL_NEAREST));
-    stop_ = make_target(std::move(stop), true);
+    sum_ = make_single_target(width, height, GL_RGBA32F, GL_NEAREST);
+    stop_ = make_single_target(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE, true);
 }
 
 void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view) {

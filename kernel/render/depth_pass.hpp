@@ -13,7 +13,7 @@ namespace rhexis {
 /// Sets the parameters of view.glsl.
 void set_view(const Program& program, const View& view);
 
-/// Distances beyond any scene: no instrument on this line.
+/// A depth beyond any scene: no instrument on this line.
 inline constexpr float no_stop = 1e4F;
 
 class DepthPass {
@@ -23,8 +23,8 @@ public:
     /// tools: one mesh per frame.model->tools.
     void draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view);
 
-    [[nodiscard]] const Target& optical_depth() const { return sum_; }  ///< RGBA32F
-    /// R32F: distance from the plane through reference() to the first instrument, or no_stop.
+    [[nodiscard]] const Target& optical_depth() const { return sum_; }  ///< RGBA32F; times the stretch of a ray
+    /// R32F: depth of the first instrument behind the plane through reference(), or no_stop.
     [[nodiscard]] const Texture& stop() const { return stop_.colours[0]; }
     [[nodiscard]] const Vec3& reference() const { return reference_; }
 

@@ -84,6 +84,18 @@ Target make_target(std::vector<Texture> colours, bool with_depth) {
     return target;
 }
 
+Target make_single_target(int width, int height, GLenum format, GLenum filter, GLenum wrap, bool with_depth) {
+    std::vector<Texture> colours;
+    colours.push_back(make_texture(width, height, format, filter, wrap));
+    return make_target(std::move(colours), with_depth);
+}
+
+void cover_target() {
+    const GlName<release_vertex_array> no_vertices(new_name(glGenVertexArrays));
+    glBindVertexArray(*no_vertices);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 Target make_multisampled_target(int width, int height, GLenum format) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
@@ -111,8 +123,7 @@ void resolve(const Target& from, const Target& to) {
     glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-Result<Program> Program::build(std::initializer_list<const char*> vertex,
-                               std::initializer_list<const char*> fragment) {
+Result<Program> Program::build(std::initializer_list<const char*> vertex, std::initializer_list<const char*> fragment) {
     const Result<GlName<release_shader>> first = compile(GL_VERTEX_SHADER, vertex);
     if (!first.ok()) {
         return first.error();
@@ -132,8 +143,8 @@ Result<Program> Program::build(std::initializer_list<const char*> vertex,
         std::string log(1024, '\0');
         GLsizei length = 0;
         glGetProgramInfoLog(*program.name_, static_cast<GLsizei>(log.size()), &length, log.data());
-        return Error{"shaders do not link: " + log.substr(0, static_cast<std::size_t>(length)),
-                     *(fragment.end() - 1), "OpenGL 3.3"};
+        return Error{"shaders do not link: " + log.substr(0, static_cast<std::size_t>(length)), *(fragment.end() - 1),
+                     "OpenGL 3.3"};
     }
     return program;
 }

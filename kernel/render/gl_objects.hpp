@@ -68,6 +68,11 @@ struct Target {
 
 Target make_target(std::vector<Texture> colours, bool with_depth);
 Target make_multisampled_target(int width, int height, GLenum format);
+/// One texture, drawn into.
+Target make_single_target(int width, int height, GLenum format, GLenum filter, GLenum wrap = GL_CLAMP_TO_EDGE,
+                          bool with_depth = false);
+/// Runs the program in use once for every pixel of the bound target (fullscreen.vert).
+void cover_target();
 /// All samples of a pixel into one.
 void resolve(const Target& from, const Target& to);
 
@@ -75,7 +80,8 @@ void resolve(const Target& from, const Target& to);
 class Program {
 public:
     /// Names of files in assets/shaders, joined in order.
-    static Result<Program> build(std::initializer_list<const char*> vertex, std::initializer_list<const char*> fragment);
+    static Result<Program> build(std::initializer_list<const char*> vertex,
+                                 std::initializer_list<const char*> fragment);
 
     void use() const { glUseProgram(*name_); }
     /// Each sets the parameter of this name of the program in use; names that the shader does not use are ignored.

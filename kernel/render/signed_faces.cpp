@@ -56,8 +56,8 @@ void append_changes(const SolidModel& model, const SolidState& state, const Leve
             if (share == share_beyond && tissue == tissue_beyond) {
                 continue;
             }
-            const Vec3 change = share * model.materials[tissue].extinction -
-                                share_beyond * model.materials[tissue_beyond].extinction;
+            const Vec3 change =
+                share * model.materials[tissue].extinction - share_beyond * model.materials[tissue_beyond].extinction;
             if (!change.isZero(0.0)) {
                 append_face(level, t, k, change, stream);
             }

@@ -15,8 +15,7 @@ namespace rhexis {
 using FaceStream = std::vector<float>;
 
 /// Appends the faces of one solid across which its extinction changes. `fine` is scratch.
-void append_signed_faces(const SolidModel& model, const SolidState& state, std::vector<Vec3>& fine,
-                         FaceStream& stream);
+void append_signed_faces(const SolidModel& model, const SolidState& state, std::vector<Vec3>& fine, FaceStream& stream);
 
 /// Extinction of each coarse tetrahedron of a solid while whole [1/mm].
 std::vector<Vec3> coarse_extinction(const SolidModel& model);

@@ -112,7 +112,9 @@ void add_needle(const ToolModel& tool, const RoundedCone& cone, std::vector<Part
     const Frame3 frame = frame_of(cone);
     const double outer = cone.radius_a;
     const double bore = std::min(tool.bore_radius, 0.95 * outer);
-    const double length = (cone.b - cone.a).norm() + cone.radius_b;
+    // The needle runs on within its sleeve.
+    const Vec3 end = tool.parts.size() > 1 ? tool.parts[1].b : cone.b;
+    const double length = std::max((end - cone.a).dot(frame.axis), cone.radius_b);
     const double start = -outer;
     const double slope = std::tan(std::clamp(tool.bevel, 0.0, 1.2));
     Part wall;
@@ -145,6 +147,17 @@ ToolFinish finish_of(const ToolModel& tool, std::size_t part) {
 }
 
 }  // namespace
+
+void append_triangles(const ToolMesh::Part& part, std::vector<float>& stream) {
+    stream.reserve(stream.size() + 6 * part.corners.size());
+    for (const Vertex& corner : part.corners) {
+        for (const Vec3* triple : {&corner.place, &corner.normal}) {
+            for (int i = 0; i < 3; ++i) {
+                stream.push_back(static_cast<float>((*triple)[i]));
+            }
+        }
+    }
+}
 
 ToolMesh tool_mesh(const ToolModel& tool) {
     ToolMesh mesh;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <numeric>
@@ -158,8 +158,8 @@ const std::string& VideoFile::codec() const { return parts_->codec; }
 Status VideoFile::add(const Image& image) {
     if (image.width != parts_->width || image.height != parts_->height) {
         return Error{"a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
-                     parts_->path, "the video's size, " + std::to_string(parts_->width) + " x " +
-                                       std::to_string(parts_->height)};
+                     parts_->path,
+                     "the video's size, " + std::to_string(parts_->width) + " x " + std::to_string(parts_->height)};
     }
     RHEXIS_ASSERT(parts_->writer.isOpened());
     const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<unsigned char*>(image.rgb.data()));
@@ -177,9 +177,9 @@ Status VideoFile::finish() {
     const QuietOpenCv quiet;
     const int readable = readable_frames(parts_->part);
     if (readable != parts_->frames) {
-        return cannot_write("only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) +
-                                " pictures can be read back",
-                            parts_->path);
+        return cannot_write(
+            "only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) + " pictures can be read back",
+            parts_->path);
     }
     if (std::rename(parts_->part.c_str(), parts_->path.c_str()) != 0) {
         return cannot_write(std::strerror(errno), parts_->path);

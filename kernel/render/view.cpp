@@ -109,6 +109,10 @@ Ray pixel_ray(const View& view, int x, int y) {
     return ray;
 }
 
+double pixel_mm(const View& view, const Vec3& point) {
+    return 2.0 * view.up.norm() * (point - view.eye).dot(view.forward) / view.height;
+}
+
 Vec2 pixel_of(const View& view, const Vec3& point) {
     const Vec4 clip = view.clip_from_world * point.homogeneous();
     return {0.5 * (1.0 + clip.x() / clip.w()) * view.width, 0.5 * (1.0 - clip.y() / clip.w()) * view.height};

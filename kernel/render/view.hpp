@@ -40,13 +40,16 @@ View view_through_cornea(const Camera& camera, int width, int height, const EyeA
 
 /// A line of sight. Between two points of it, distance = difference in depth * stretch.
 struct Ray {
-    Vec3 at_plane = Vec3::Zero();   ///< where depth is 0 [mm]
+    Vec3 at_plane = Vec3::Zero();    ///< where depth is 0 [mm]
     Vec3 direction = Vec3::UnitZ();  ///< unit, away from the camera
     double stretch = 1.0;
 };
 
 /// Ray through the centre of a pixel; x from the left, y from the top.
 Ray pixel_ray(const View& view, int x, int y);
+
+/// Height of a pixel in air, at the distance of a point [mm].
+double pixel_mm(const View& view, const Vec3& point);
 
 /// Where a point of this medium shows, in pixels from the top left corner (centres at half-integers).
 Vec2 pixel_of(const View& view, const Vec3& point);

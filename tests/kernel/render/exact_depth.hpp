@@ -192,7 +192,7 @@ struct DepthError {
     double largest = 0.0;
     double largest_anywhere = 0.0;  ///< silhouettes included
     double largest_tau = 0.0;
-    int compared = 0;     ///< pixels that see the body
+    int compared = 0;    ///< pixels that see the body
     int silhouette = 0;  ///< pixels left out
 };
 

@@ -137,8 +137,9 @@ TEST_CASE("A video that is never finished leaves no file") {
 TEST_CASE("A video that cannot be written is one clear error") {
     const Folder folder;
     for (const auto& video :
-         {VideoFile::create(folder / "missing/film.mp4", 64, 48, 25.0), VideoFile::create(folder / "film.avi", 64, 48, 25.0),
-          VideoFile::create(folder / "film.mp4", 63, 48, 25.0), VideoFile::create(folder / "film.mp4", 64, 48, 0.0)}) {
+         {VideoFile::create(folder / "missing/film.mp4", 64, 48, 25.0),
+          VideoFile::create(folder / "film.avi", 64, 48, 25.0), VideoFile::create(folder / "film.mp4", 63, 48, 25.0),
+          VideoFile::create(folder / "film.mp4", 64, 48, 0.0)}) {
         REQUIRE_FALSE(video.ok());
         CHECK(video.error().text().find("film.") != std::string::npos);
     }

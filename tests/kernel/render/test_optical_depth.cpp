@@ -29,15 +29,16 @@ DepthError error_of(const Frame& frame, const Camera& camera) {
     Result<Renderer> renderer = Renderer::create(width, height);
     REQUIRE(renderer.ok());
     const OpticalDepth picture = renderer.value().optical_depth(frame, camera);
-    const View view = frame.eye ? view_through_cornea(camera, width, height, *frame.eye)
-                                : view_in_air(camera, width, height);
+    const View view =
+        frame.eye ? view_through_cornea(camera, width, height, *frame.eye) : view_in_air(camera, width, height);
     const ExactDepth exact = exact_depth(frame, view);
     return compare(picture, exact, Silhouette(frame, view, exact));
 }
 
 void check_gates(const DepthError& error) {
     INFO("rms " << error.rms << ", largest " << error.largest << ", compared " << error.compared << ", silhouette "
-                << error.silhouette << ", largest anywhere " << error.largest_anywhere << ", largest depth " << error.largest_tau);
+                << error.silhouette << ", largest anywhere " << error.largest_anywhere << ", largest depth "
+                << error.largest_tau);
     CHECK(error.compared > 9000);
     CHECK(error.largest_tau > 0.3);
     CHECK(error.rms < 1e-5);
