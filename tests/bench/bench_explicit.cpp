@@ -4,17 +4,11 @@
 #include "base/rng.hpp"
 #include "bench/methods/matrix_free_product.hpp"
 #include "bench/timing.hpp"
-#include "eye/make_eye.hpp"
 #include "physics/explicit_solid.hpp"
+#include "scenes/bodies.hpp"
 
 namespace rhexis::bench {
 namespace {
-
-SolidModel patient_lens(int tetrahedra) {
-    Patient patient;
-    patient.tetrahedra = tetrahedra;
-    return make_eye(patient).value().lens;
-}
 
 nlohmann::json product_row(const std::string& name, const SolidModel& model, const Timing& timing) {
     return {{"name", name},
@@ -54,7 +48,7 @@ nlohmann::json run_product(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     const std::vector<int> sizes = options.quick ? std::vector<int>{1000} : std::vector<int>{1000, 3000, 12000, 24000};
     for (const int size : sizes) {
-        const SolidModel model = patient_lens(size);
+        const SolidModel model = scenes::default_eye(size).lens;
         const MatrixFreeProduct product(model, rest_state(model));
         const std::vector<Vec3>& x = model.coarse.nodes;
         std::vector<Vec3> y;
@@ -69,7 +63,7 @@ nlohmann::json run_step(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     const std::vector<int> sizes = options.quick ? std::vector<int>{1000} : std::vector<int>{1000, 3000, 12000, 24000};
     for (const int size : sizes) {
-        const SolidModel model = patient_lens(size);
+        const SolidModel model = scenes::default_eye(size).lens;
         const SolidState state = stirred(model);
         const MatrixFreeProduct product(model, state);
         std::vector<Vec3> y;

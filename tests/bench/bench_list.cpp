@@ -2,6 +2,7 @@
 #include "bench/bench.hpp"
 #include "bench/bench_calculix.hpp"
 #include "bench/bench_explicit.hpp"
+#include "bench/bench_stability.hpp"
 
 namespace rhexis::bench {
 
@@ -12,6 +13,7 @@ std::vector<BenchCase> bench_cases() {
     };
     add(explicit_cases());
     add(calculix_cases());
+    add(stability_cases());
     return cases;
 }
 
