@@ -56,14 +56,33 @@ BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const
     return pattern;
 }
 
-BlockValues zero_values(const BlockPattern& pattern) {
-    return BlockValues(9 * static_cast<std::size_t>(pattern.blocks()) + 1, 0.0);
-}
+BlockValues zero_values(const BlockPattern& pattern) { return BlockValues(9 * at(pattern.blocks() + 1) + 1, 0.0); }
 
 Mat3 block_of(const BlockValues& values, int slot) { return Eigen::Map<const Mat3>(values.data() + 9 * at(slot)); }
 
 void add_block(BlockValues& values, int slot, const Mat3& block) {
     Eigen::Map<Mat3>(values.data() + 9 * at(slot)) += block;
+}
+
+void clear_upper(const BlockPattern& pattern, BlockValues& values) {
+    for (int i = 0; i < pattern.rows(); ++i) {
+        std::fill(values.begin() + 9 * pattern.diagonal[at(i)], values.begin() + 9 * pattern.first[at(i) + 1], 0.0);
+    }
+    std::fill(values.end() - 10, values.end(), 0.0);
+}
+
+void mirror_upper(const BlockPattern& pattern, BlockValues& values) {
+    for (int i = 0; i < pattern.rows(); ++i) {
+        for (int slot = pattern.diagonal[at(i)] + 1; slot < pattern.first[at(i) + 1]; ++slot) {
+            const double* const from = values.data() + 9 * at(slot);
+            double* const to = values.data() + 9 * at(pattern.mirror[at(slot)]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                for (std::size_t r = 0; r < 3; ++r) {
+                    to[3 * c + r] = from[3 * r + c];
+                }
+            }
+        }
+    }
 }
 
 void multiply(const BlockPattern& pattern, const BlockValues& values, std::span<const double> x, std::span<double> y) {

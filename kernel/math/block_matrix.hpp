@@ -27,13 +27,19 @@ struct BlockPattern {
 /// The diagonal and, for every group of nodes, all pairs in it. groups: compressed rows as in `first`, `node`.
 BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const int> node);
 
-/// Values of a pattern: 9 per slot, each block by columns. One value of padding at the end lets kernels read four.
+/// Values of a pattern: 9 per slot, each block by columns; then a block that belongs to no slot, for what is to be
+/// dropped, and one number of padding, so that kernels may read four at a time.
 using BlockValues = std::vector<double>;
 BlockValues zero_values(const BlockPattern& pattern);
 
 /// The block of a slot.
 Mat3 block_of(const BlockValues& values, int slot);
 void add_block(BlockValues& values, int slot, const Mat3& block);
+
+/// Sets the diagonal and what is right of it to zero, in the order of slots, and the block to be dropped.
+void clear_upper(const BlockPattern& pattern, BlockValues& values);
+/// Copies what is right of the diagonal to the left of it.
+void mirror_upper(const BlockPattern& pattern, BlockValues& values);
 
 /// y = A x; x and y hold 3 numbers per row.
 void multiply(const BlockPattern& pattern, const BlockValues& values, std::span<const double> x, std::span<double> y);

@@ -30,17 +30,20 @@ struct PcgResult {
 /// Sum of products in a fixed order: eight running sums, then their sum.
 double dot(std::span<const double> a, std::span<const double> b);
 
-/// Solves A x = b from x = 0 until |b - A x| <= tolerance (absolute). multiply(in, out): out = A in, A symmetric
-/// positive definite; precondition(in, out): out ~ A^-1 in. Flexible form [Notay2000].
+/// Solves A x = b from the given x until |b - A x| <= tolerance (absolute); `started`: x is not zero. multiply(in,
+/// out): out = A in, A symmetric positive definite; precondition(in, out): out ~ A^-1 in. Flexible form [Notay2000].
 template <typename Multiply, typename Precondition>
 PcgResult pcg(std::span<const double> b, double tolerance, int max_iterations, const Multiply& multiply,
-              const Precondition& precondition, std::span<double> x, PcgWork& work) {
+              const Precondition& precondition, std::span<double> x, bool started, PcgWork& work) {
     const std::size_t n = b.size();
     work.resize(n);
     PcgResult result;
+    if (started) {
+        multiply(x, work.image);
+    }
     for (std::size_t i = 0; i < n; ++i) {
-        x[i] = 0.0;
-        work.residual[i] = b[i];
+        work.residual[i] = started ? b[i] - work.image[i] : b[i];
+        x[i] = started ? x[i] : 0.0;
     }
     result.residual = std::sqrt(dot(work.residual, work.residual));
     double old_curvature = 0.0;

@@ -22,8 +22,8 @@ Mat36 rigid_jacobian(const Vec3& arm) {
     return result;
 }
 
-CoupledMatrix::CoupledMatrix(const BlockPattern& pattern)
-    : pattern_(&pattern), nodes_(at(pattern.rows())), solid_(zero_values(pattern)) {}
+CoupledMatrix::CoupledMatrix(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
+    : pattern_(&pattern), kernel_(&kernel), nodes_(at(pattern.rows())), solid_(zero_values(pattern)) {}
 
 void CoupledMatrix::clear_coupling(int bodies) {
     rigid_ = MatX::Zero(6 * bodies, 6 * bodies);
@@ -81,7 +81,8 @@ void CoupledMatrix::add(const ContactTerm& contact, double scale, std::span<cons
 }
 
 void CoupledMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-    rhexis::multiply(*pattern_, solid_, x, y);
+    kernel_->multiply({pattern_->rows(), pattern_->first.data(), pattern_->column.data(), solid_.data()}, x.data(),
+                      y.data());
     for (const Link& link : links_) {
         Eigen::Map<Vec3>(y.data() + 3 * at(link.a)) += link.block * Eigen::Map<const Vec3>(x.data() + 3 * at(link.b));
     }

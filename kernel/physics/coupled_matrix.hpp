@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "math/block_matrix.hpp"
-#include "math/cholesky.hpp"
+#include "math/linear_kernel.hpp"
 #include "physics/contact_term.hpp"
 
 namespace rhexis {
@@ -22,9 +22,9 @@ Mat36 rigid_jacobian(const Vec3& arm);
 class CoupledMatrix {
 public:
     /// The pattern must outlive this.
-    explicit CoupledMatrix(const BlockPattern& pattern);
+    CoupledMatrix(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
 
-    /// Numbers in a vector: three per node, then six per body.
+    /// Numbers in a vector: three per row, then six per body.
     [[nodiscard]] std::size_t size() const { return 3 * nodes_ + static_cast<std::size_t>(rigid_.rows()); }
     [[nodiscard]] std::size_t solid_size() const { return 3 * nodes_; }
     [[nodiscard]] const BlockPattern& pattern() const { return *pattern_; }
@@ -37,12 +37,13 @@ public:
 
     /// Forgets contacts and sets the number of bodies; the solid's values stay.
     void clear_coupling(int bodies);
-    /// Adds scale times the stiffness of a contact. Nodes with moves[i] == 0 are held.
+    /// Adds scale times the stiffness of a contact, whose nodes are rows here. Rows with moves[i] == 0 are held.
     void add(const ContactTerm& contact, double scale, std::span<const std::uint8_t> moves);
 
     void multiply(std::span<const double> x, std::span<double> y) const;
     /// A with every link between nodes that share no element moved to the diagonal: no less than A, and in its pattern.
     [[nodiscard]] BlockValues solid_within_pattern() const;
+    [[nodiscard]] bool has_links() const { return !links_.empty(); }
     /// The columns of C, dense.
     [[nodiscard]] MatX coupling() const;
 
@@ -61,6 +62,7 @@ private:
     void add_tie(int node, int body, const Mat36& block);
 
     const BlockPattern* pattern_;
+    const linear_kernel::Kernel* kernel_;
     std::size_t nodes_;
     BlockValues solid_;
     MatX rigid_;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside physics: mass, elastic forces and stiffness of one solid, assembled by nodes.
+// Inside physics: mass, elastic forces and stiffness of one solid, by rows: the nodes in the order of elimination.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "energy/corotational.hpp"
+#include "base/result.hpp"
 #include "flow/solid.hpp"
 #include "math/block_matrix.hpp"
+#include "physics/elastic_kernel.hpp"
 #include "physics/solid_share.hpp"
 
 namespace rhexis {
@@ -15,37 +17,50 @@ namespace rhexis {
 /// What the implicit solver keeps of a model, and of the elements that are left in a state.
 class ElasticAssembly {
 public:
-    /// The model must outlive this.
-    explicit ElasticAssembly(const SolidModel& model);
+    /// The model must outlive this. Fails on elements of more nodes than the kernel takes.
+    static Result<ElasticAssembly> create(const SolidModel& model, const elastic_kernel::Kernel& kernel);
 
     /// Takes over which elements are there and how much of each is left. True if anything changed since the last call.
     bool load(const SolidState& state);
 
-    [[nodiscard]] int nodes() const { return static_cast<int>(moves_.size()); }
-    [[nodiscard]] const BlockPattern& pattern() const { return pattern_; }
-    /// 1, or 0 for nodes that are fixed or have lost their elements.
+    [[nodiscard]] int rows() const { return static_cast<int>(node_of_.size()); }
+    [[nodiscard]] const BlockPattern& pattern() const { return *pattern_; }
+    [[nodiscard]] const std::vector<int>& node_of() const { return node_of_; }  ///< per row
+    [[nodiscard]] const std::vector<int>& row_of() const { return row_of_; }    ///< per node
+    /// Per row 1, or 0 for nodes that are fixed or have lost their elements.
     [[nodiscard]] const std::vector<std::uint8_t>& moves() const { return moves_; }
-    [[nodiscard]] const NodeMass& mass() const { return mass_; }
+    [[nodiscard]] const NodeMass& mass() const { return mass_; }  ///< per row
 
-    /// Elastic forces on the nodes [uN].
-    void forces(const std::vector<Vec3>& position, std::vector<Vec3>& force) const;
-    /// Forces, and their negative derivative [uN/mm]; rows and columns of nodes that do not move are zero.
-    void forces_and_stiffness(const std::vector<Vec3>& position, Tangent kind, std::vector<Vec3>& force,
-                              BlockValues& stiffness) const;
+    /// Elastic forces [uN] at positions [mm]; both 3 per row and one number of padding.
+    void forces(const std::vector<double>& position, std::vector<double>& force);
+    /// Forces, and `scale` times their negative derivative [uN/mm]: the upper triangle only (mirror_upper), zero in the
+    /// rows and columns of nodes that do not move. mode: not forces.
+    void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
+                              std::vector<double>& force, BlockValues& stiffness);
 
 private:
-    [[nodiscard]] CorotationalPoint point(int element, const std::vector<Vec3>& position) const;
-    void add_forces(int element, const CorotationalPoint& point, std::vector<Vec3>& force) const;
-    void add_stiffness(int element, const CorotationalPoint& point, Tangent kind, BlockValues& stiffness) const;
+    ElasticAssembly(const SolidModel& model, const elastic_kernel::Kernel& kernel);
+    void number_rows();
+    void pack_groups();
+    void fill_data();
+    void fill_places();
+    void set_mass(const NodeMass& by_node);
+    void run(elastic_kernel::Task task, const std::vector<double>& position, std::vector<double>& force);
 
     const SolidModel* model_;
+    const elastic_kernel::Kernel* kernel_;
     ElementDomains domains_;
     GradientElements elements_;
-    BlockPattern pattern_;
-    std::vector<int> slot_;  ///< per element, its pairs of nodes by rows
-    std::vector<int> first_slot_;
+    std::unique_ptr<BlockPattern> pattern_;
+    std::vector<int> node_of_, row_of_;
+    std::vector<int> order_;  ///< elements as they are packed into lanes
+    std::vector<elastic_kernel::Group> groups_;
+    std::vector<double> data_;
+    std::vector<int> index_;
+    std::vector<double> buffer_;
     std::vector<std::uint8_t> moves_;
     NodeMass mass_;
+    std::vector<TetStiffness> stiffness_;
     std::vector<std::uint8_t> present_;  ///< of the state loaded last
     std::vector<double> fraction_;
 };

@@ -13,20 +13,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "base/assert.hpp"
-#include "math/pcg.hpp"
 #include "physics/elastic_assembly.hpp"
-#include "physics/factor_preconditioner.hpp"
+#include "physics/kept_solver.hpp"
 
 namespace rhexis {
 namespace {
+
+using elastic_kernel::Mode;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int max_halvings = 10;
 constexpr double descent_left = 0.5;      // share of the slope that may be left, with the other sign, after a step
-constexpr int stale_iterations = 12;      // a kept factor that needs more than these is made anew
 constexpr double near = 1e-2;             // relative residual below which the unprojected tangent is tried first
 constexpr double rounding_floor = 1e-13;  // of the momentum that the forces of a step carry
 
@@ -39,11 +40,15 @@ Quat turned(const Quat& orientation, const Vec3& angle) {
 
 }  // namespace
 
+// Vectors hold three numbers per row (nodes in the order of elimination), then six per body.
 struct ImplicitSolid::Parts {
-    explicit Parts(const SolidModel& solid)
-        : model(&solid), elastic(solid), matrix(elastic.pattern()), preconditioner(elastic.pattern()) {}
+    Parts(const SolidModel& solid, ElasticAssembly assembly, const linear_kernel::Kernel& kernel)
+        : model(&solid),
+          elastic(std::move(assembly)),
+          matrix(elastic.pattern(), kernel),
+          solver(elastic.pattern(), kernel) {}
 
-    // What a step is asked to do
+    /// What a step is asked to do.
     struct Task {
         const SolidState& state;
         const Vec3& gravity;
@@ -58,47 +63,53 @@ struct ImplicitSolid::Parts {
     void set_velocity(const Task& task, const std::vector<double>& v);
     void evaluate_coupling(const Task& task);
     void add_applied_forces(const Task& task, std::vector<double>& r) const;
-    void inertia_times(const std::vector<double>& v, double scale, std::vector<double>& r) const;
-    void build_matrix(const Task& task, double tangent_scale, double damping_scale);
+    void add_contact_forces(const Task& task, std::vector<double>& r) const;
+    void add_inertia(const std::vector<double>& v, double factor, std::vector<double>& r) const;
+    void hold(std::vector<double>& r) const;
+    void complete_matrix(const Task& task);
     void linearised_residual(const Task& task);
     void full_residual(const Task& task);
+    void build_tangent(const Task& task, Mode mode);
     bool solve(const Task& task, ImplicitReport& report);
-    PcgResult run_pcg(const Task& task, double target);
-    void build_tangent(const Task& task, Tangent kind);
     void search(const Task& task);
     void iterate(const Task& task, ImplicitReport& report);
+    void newton(const Task& task, ImplicitReport& report);
     void finish(const Task& task, SolidState& next) const;
 
     const SolidModel* model;
     ElasticAssembly elastic;
     CoupledMatrix matrix;
-    FactorPreconditioner preconditioner;
-    int last_iterations = 0;
-    double factored_dt = 0.0;
+    KeptSolver solver;
+    double last_dt = 0.0;
 
-    // Scratch of a step
-    BlockValues start_stiffness, stiffness;
-    std::vector<Vec3> position, force;
+    // scratch of a step
+    BlockValues damping;  ///< dt * damping_stiffness * K0; only if Newton's method needs it
+    std::vector<double> x, force;
+    std::vector<Vec3> position;  ///< by nodes, for the coupling
     std::vector<RigidUnknown> bodies;
     std::vector<ContactTerm> contacts;
     std::vector<RigidTerm> rigid;
-    std::vector<double> velocity0, velocity, residual, change, trial, image;
-    double scale = 0.0;      // momentum that the forces carry, for what counts as zero
-    double reference = 0.0;  // |r| at the start of the step
-    PcgWork work;
+    std::vector<double> velocity0, velocity, residual, change, image;
+    double scale = 0.0;      ///< momentum that the forces carry, for what counts as zero
+    double reference = 0.0;  ///< |r| at the start of the step
 };
 
 void ImplicitSolid::Parts::begin(const Task& task) {
-    if (elastic.load(task.state)) {
-        last_iterations = stale_iterations + 1;
+    elastic.load(task.state);
+    if (last_dt != task.dt) {
+        solver.expect_change();
+        last_dt = task.dt;
     }
-    const std::size_t n = at(elastic.nodes());
+    const std::size_t n = at(elastic.rows());
     bodies = task.start;
     position = task.state.position;
     velocity0.assign(3 * n + 6 * bodies.size(), 0.0);
+    x.assign(3 * n + 1, 0.0);
     for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t node = at(elastic.node_of()[i]);
+        Eigen::Map<Vec3>(x.data() + 3 * i) = task.state.position[node];
         if (elastic.moves()[i] != 0) {
-            Eigen::Map<Vec3>(velocity0.data() + 3 * i) = task.state.velocity[i];
+            Eigen::Map<Vec3>(velocity0.data() + 3 * i) = task.state.velocity[node];
         }
     }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -110,10 +121,13 @@ void ImplicitSolid::Parts::begin(const Task& task) {
     image.resize(velocity0.size());
 }
 
+/// Positions and poses at the end of a step of velocities v.
 void ImplicitSolid::Parts::set_velocity(const Task& task, const std::vector<double>& v) {
-    const std::size_t n = at(elastic.nodes());
+    const std::size_t n = at(elastic.rows());
     for (std::size_t i = 0; i < n; ++i) {
-        position[i] = task.state.position[i] + task.dt * Eigen::Map<const Vec3>(v.data() + 3 * i);
+        const std::size_t node = at(elastic.node_of()[i]);
+        position[node] = task.state.position[node] + task.dt * Eigen::Map<const Vec3>(v.data() + 3 * i);
+        Eigen::Map<Vec3>(x.data() + 3 * i) = position[node];
     }
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Eigen::Map<const Vec6> own(v.data() + 3 * n + 6 * b);
@@ -130,21 +144,15 @@ void ImplicitSolid::Parts::evaluate_coupling(const Task& task) {
         task.coupling(position, bodies, contacts, rigid);
     }
     RHEXIS_ASSERT(rigid.size() == bodies.size());
+    for (ContactTerm& contact : contacts) {
+        for (int& node : contact.nodes) {
+            node = node >= 0 ? elastic.row_of()[at(node)] : node;
+        }
+    }
 }
 
-/// r += dt (elastic + gravity + external + contact and rigid forces), zero on nodes that do not move.
-void ImplicitSolid::Parts::add_applied_forces(const Task& task, std::vector<double>& r) const {
-    const std::size_t n = at(elastic.nodes());
-    for (std::size_t i = 0; i < n; ++i) {
-        Vec3 sum = force[i] + elastic.mass().weight[i] * task.gravity;
-        if (!task.external.empty()) {
-            sum += task.external[i];
-        }
-        Eigen::Map<Vec3>(r.data() + 3 * i) += task.dt * sum;
-    }
-    for (std::size_t b = 0; b < rigid.size(); ++b) {
-        Eigen::Map<Vec6>(r.data() + 3 * n + 6 * b) += task.dt * rigid[b].force;
-    }
+void ImplicitSolid::Parts::add_contact_forces(const Task& task, std::vector<double>& r) const {
+    const std::size_t solid = matrix.solid_size();
     for (const ContactTerm& contact : contacts) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (contact.nodes[k] >= 0) {
@@ -152,22 +160,34 @@ void ImplicitSolid::Parts::add_applied_forces(const Task& task, std::vector<doub
             }
         }
         if (contact.body >= 0) {
-            Eigen::Map<Vec6>(r.data() + 3 * n + 6 * at(contact.body)) -=
+            Eigen::Map<Vec6>(r.data() + solid + 6 * at(contact.body)) -=
                 task.dt * rigid_jacobian(contact.arm).transpose() * contact.force;
-        }
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-        if (elastic.moves()[i] == 0) {
-            Eigen::Map<Vec3>(r.data() + 3 * i).setZero();
         }
     }
 }
 
-/// r += scale M v.
-void ImplicitSolid::Parts::inertia_times(const std::vector<double>& v, double factor, std::vector<double>& r) const {
-    const std::size_t n = at(elastic.nodes());
-    for (std::size_t i = 0; i < 3 * n; ++i) {
-        r[i] += factor * elastic.mass().inertia[i / 3] * v[i];
+/// r += dt (elastic + gravity + external + contact and rigid forces).
+void ImplicitSolid::Parts::add_applied_forces(const Task& task, std::vector<double>& r) const {
+    const std::size_t n = at(elastic.rows());
+    for (std::size_t i = 0; i < n; ++i) {
+        Vec3 sum = Eigen::Map<const Vec3>(force.data() + 3 * i) + elastic.mass().weight[i] * task.gravity;
+        if (!task.external.empty()) {
+            sum += task.external[at(elastic.node_of()[i])];
+        }
+        Eigen::Map<Vec3>(r.data() + 3 * i) += task.dt * sum;
+    }
+    for (std::size_t b = 0; b < rigid.size(); ++b) {
+        Eigen::Map<Vec6>(r.data() + 3 * n + 6 * b) += task.dt * rigid[b].force;
+    }
+    add_contact_forces(task, r);
+}
+
+/// r += factor M v.
+void ImplicitSolid::Parts::add_inertia(const std::vector<double>& v, double factor, std::vector<double>& r) const {
+    const std::size_t n = at(elastic.rows());
+    for (std::size_t i = 0; i < n; ++i) {
+        Eigen::Map<Vec3>(r.data() + 3 * i) +=
+            factor * elastic.mass().inertia[i] * Eigen::Map<const Vec3>(v.data() + 3 * i);
     }
     for (std::size_t b = 0; b < rigid.size(); ++b) {
         Eigen::Map<Vec6>(r.data() + 3 * n + 6 * b) +=
@@ -175,17 +195,23 @@ void ImplicitSolid::Parts::inertia_times(const std::vector<double>& v, double fa
     }
 }
 
-/// A from `stiffness` and `start_stiffness` at the current contacts.
-void ImplicitSolid::Parts::build_matrix(const Task& task, double tangent_scale, double damping_scale) {
-    BlockValues& a = matrix.solid();
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        a[i] = tangent_scale * stiffness[i] + damping_scale * start_stiffness[i];
+/// Nothing pulls at nodes that do not move.
+void ImplicitSolid::Parts::hold(std::vector<double>& r) const {
+    for (std::size_t i = 0; i < elastic.moves().size(); ++i) {
+        if (elastic.moves()[i] == 0) {
+            Eigen::Map<Vec3>(r.data() + 3 * i).setZero();
+        }
     }
+}
+
+/// Adds inertia, contacts and bodies to the stiffness in the upper triangle of the matrix.
+void ImplicitSolid::Parts::complete_matrix(const Task& task) {
     const double inertia = 1.0 + task.dt * model->damping_mass;
-    for (int i = 0; i < elastic.nodes(); ++i) {
+    for (int i = 0; i < elastic.rows(); ++i) {
         const double mass = elastic.moves()[at(i)] != 0 ? inertia * elastic.mass().inertia[at(i)] : 1.0;
-        add_block(a, elastic.pattern().diagonal[at(i)], mass * Mat3::Identity());
+        add_block(matrix.solid(), elastic.pattern().diagonal[at(i)], mass * Mat3::Identity());
     }
+    mirror_upper(elastic.pattern(), matrix.solid());
     matrix.clear_coupling(static_cast<int>(bodies.size()));
     for (std::size_t b = 0; b < rigid.size(); ++b) {
         const Eigen::Index row = static_cast<Eigen::Index>(6 * b);
@@ -196,150 +222,109 @@ void ImplicitSolid::Parts::build_matrix(const Task& task, double tangent_scale, 
     }
 }
 
-void ImplicitSolid::Parts::build_tangent(const Task& task, Tangent kind) {
-    stiffness.resize(start_stiffness.size());
-    elastic.forces_and_stiffness(position, kind, force, stiffness);
-    build_matrix(task, task.dt * task.dt, task.dt * model->damping_stiffness);
-}
-
 /// r of the system linearised about the start of the step, at v0: dt f + M v0 - A v0 (mass damping is in A).
 void ImplicitSolid::Parts::linearised_residual(const Task& task) {
-    start_stiffness.resize(zero_values(elastic.pattern()).size());
-    elastic.forces_and_stiffness(position, Tangent::warped, force, start_stiffness);
-    stiffness = start_stiffness;
+    const double damped = task.dt * model->damping_stiffness;
+    const double weight = task.dt * task.dt + damped;
+    elastic.forces_and_stiffness(x, Mode::warped, weight, force, matrix.solid());
+    if (task.settings.max_newton > 1 && damped > 0.0) {
+        damping = matrix.solid();
+        for (double& value : damping) {
+            value *= damped / weight;
+        }
+        mirror_upper(elastic.pattern(), damping);
+    }
     evaluate_coupling(task);
-    build_matrix(task, task.dt * task.dt, task.dt * model->damping_stiffness);
+    complete_matrix(task);
     std::fill(residual.begin(), residual.end(), 0.0);
-    inertia_times(velocity0, 1.0, residual);
+    add_applied_forces(task, residual);
+    hold(residual);
     scale = norm(residual);
+    add_inertia(velocity0, 1.0, residual);
     matrix.multiply(velocity0, image);
     scale += norm(image);
     for (std::size_t i = 0; i < residual.size(); ++i) {
         residual[i] -= image[i];
     }
-    std::fill(image.begin(), image.end(), 0.0);
-    add_applied_forces(task, image);
-    for (std::size_t i = 0; i < residual.size(); ++i) {
-        residual[i] += image[i];
-    }
-    for (std::size_t i = 0; i < force.size(); ++i) {
-        const Vec3 weight = elastic.mass().weight[i] * task.gravity;
-        image[3 * i] = task.dt * (force[i].norm() + weight.norm());
-        image[3 * i + 1] = image[3 * i + 2] = 0.0;
-    }
-    scale += norm(image);
+    scale += task.dt * norm(force);
     reference = std::max(norm(residual), rounding_floor * scale);
 }
 
-/// r at the current position and velocity, with the coupling of there.
+/// r at x and the bodies' poses, which belong to `velocity`, with the coupling of there.
 void ImplicitSolid::Parts::full_residual(const Task& task) {
-    elastic.forces(position, force);
+    elastic.forces(x, force);
     evaluate_coupling(task);
     std::fill(residual.begin(), residual.end(), 0.0);
     add_applied_forces(task, residual);
-    inertia_times(velocity0, 1.0, residual);
-    const std::size_t solid = matrix.solid_size();
-    for (std::size_t i = 0; i < solid; ++i) {
-        residual[i] -= (1.0 + task.dt * model->damping_mass) * elastic.mass().inertia[i / 3] * trial[i];
-    }
-    for (std::size_t b = 0; b < rigid.size(); ++b) {
-        Eigen::Map<Vec6>(residual.data() + solid + 6 * b) -=
-            rigid[b].mass * Eigen::Map<const Vec6>(trial.data() + solid + 6 * b);
+    add_inertia(velocity0, 1.0, residual);
+    add_inertia(velocity, -1.0, residual);
+    for (std::size_t i = 0; i < matrix.solid_size(); ++i) {
+        residual[i] -= task.dt * model->damping_mass * elastic.mass().inertia[i / 3] * velocity[i];
     }
     if (model->damping_stiffness > 0.0) {
-        multiply(elastic.pattern(), start_stiffness, trial, image);
-        for (std::size_t i = 0; i < solid; ++i) {
-            residual[i] -= task.dt * model->damping_stiffness * image[i];
+        multiply(elastic.pattern(), damping, velocity, image);
+        for (std::size_t i = 0; i < matrix.solid_size(); ++i) {
+            residual[i] -= image[i];
         }
     }
-    for (std::size_t i = 0; i < solid; ++i) {
-        if (elastic.moves()[i / 3] == 0) {
-            residual[i] = 0.0;
-        }
-    }
+    hold(residual);
 }
 
-PcgResult ImplicitSolid::Parts::run_pcg(const Task& task, double target) {
-    const auto multiply = [this](std::span<const double> x, std::span<double> y) { matrix.multiply(x, y); };
-    const auto precondition = [this](std::span<const double> r, std::span<double> z) { preconditioner.apply(r, z); };
-    return pcg(residual, target, task.settings.max_linear_iterations, multiply, precondition, change, work);
+void ImplicitSolid::Parts::build_tangent(const Task& task, Mode mode) {
+    elastic.forces_and_stiffness(x, mode, task.dt * task.dt, force, matrix.solid());
+    if (model->damping_stiffness > 0.0) {
+        for (std::size_t i = 0; i < damping.size(); ++i) {
+            matrix.solid()[i] += damping[i];
+        }
+    }
+    complete_matrix(task);
 }
 
 /// change = A^-1 residual. False if that was not reached.
 bool ImplicitSolid::Parts::solve(const Task& task, ImplicitReport& report) {
-    const double target = std::max(task.settings.tolerance * norm(residual), 0.1 * rounding_floor * scale);
-    if (!preconditioner.kept() || preconditioner.bodies() != static_cast<int>(bodies.size()) ||
-        factored_dt != task.dt || last_iterations > stale_iterations) {
-        report.factored = true;
-        factored_dt = task.dt;
-        if (!preconditioner.factor(matrix)) {
-            std::fill(change.begin(), change.end(), 0.0);
-            report.residual = HUGE_VAL;
-            return false;
-        }
-    }
-    const PcgResult result = run_pcg(task, target);
-    last_iterations = result.iterations;
-    report.linear_iterations += result.iterations;
-    report.residual = result.residual / std::max(norm(residual), rounding_floor * scale);
-    if (!result.converged) {
-        preconditioner.drop();
-    }
-    return result.converged;
+    const double size = norm(residual);
+    const double target = std::max(task.settings.tolerance * size, 0.1 * rounding_floor * scale);
+    const KeptSolver::Outcome outcome =
+        solver.solve(matrix, residual, target, task.settings.max_linear_iterations, change);
+    report.linear_iterations += outcome.iterations;
+    report.factored = report.factored || outcome.factored;
+    report.residual = outcome.residual / std::max(size, rounding_floor * scale);
+    return outcome.converged;
 }
 
-/// Goes along `change` from `velocity` until the residual's component along it has fallen; leaves `residual` there.
+/// Goes along `change` until the residual's component along it has fallen; leaves `velocity` and `residual` there.
 void ImplicitSolid::Parts::search(const Task& task) {
+    const std::vector<double> start = velocity;
     const double slope = dot(residual, change);
     double step = 1.0;
     for (int halving = 0;; ++halving) {
-        trial = velocity;
-        for (std::size_t i = 0; i < trial.size(); ++i) {
-            trial[i] += step * change[i];
+        for (std::size_t i = 0; i < velocity.size(); ++i) {
+            velocity[i] = start[i] + step * change[i];
         }
-        set_velocity(task, trial);
+        set_velocity(task, velocity);
         full_residual(task);
         const double left = dot(residual, change);
         if ((std::isfinite(left) && left >= -descent_left * slope) || halving == max_halvings) {
-            break;
+            return;
         }
         step *= 0.5;
     }
-    velocity = trial;
 }
 
-void ImplicitSolid::Parts::iterate(const Task& task, ImplicitReport& report) {
-    linearised_residual(task);
-    const bool newton = task.settings.max_newton > 1;
-    report.converged = reference == 0.0;
-    report.residual = reference == 0.0 || !std::isfinite(reference) ? reference : 1.0;
-    report.newton_residual = report.residual;
-    if (report.converged || !std::isfinite(reference)) {
-        set_velocity(task, velocity);
-        return;
-    }
-    for (int iteration = 0; iteration < std::max(1, task.settings.max_newton); ++iteration) {
+void ImplicitSolid::Parts::newton(const Task& task, ImplicitReport& report) {
+    for (int iteration = 0; iteration < task.settings.max_newton; ++iteration) {
         bool solved = false;
         if (iteration > 0 && report.newton_residual < near) {
-            build_tangent(task, Tangent::consistent);
+            build_tangent(task, Mode::consistent);
             solved = solve(task, report);
         }
         if (!solved) {
             if (iteration > 0) {
-                build_tangent(task, Tangent::projected);
+                build_tangent(task, Mode::projected);
             }
-            solved = solve(task, report);
+            solve(task, report);
         }
         ++report.newton_iterations;
-        if (!newton) {
-            for (std::size_t i = 0; i < velocity.size(); ++i) {
-                velocity[i] += change[i];
-            }
-            set_velocity(task, velocity);
-            report.newton_residual = report.residual;
-            report.converged = solved && std::isfinite(norm(velocity));
-            return;
-        }
         search(task);
         report.newton_residual = norm(residual) / reference;
         report.converged = report.newton_residual <= task.settings.newton_tolerance;
@@ -349,18 +334,52 @@ void ImplicitSolid::Parts::iterate(const Task& task, ImplicitReport& report) {
     }
 }
 
+void ImplicitSolid::Parts::iterate(const Task& task, ImplicitReport& report) {
+    linearised_residual(task);
+    report.converged = reference == 0.0;
+    report.residual = reference == 0.0 || !std::isfinite(reference) ? reference : 1.0;
+    report.newton_residual = report.residual;
+    if (report.converged || !std::isfinite(reference)) {
+        set_velocity(task, velocity);
+        return;
+    }
+    if (task.settings.max_newton > 1) {
+        newton(task, report);
+        return;
+    }
+    const bool solved = solve(task, report);
+    for (std::size_t i = 0; i < velocity.size(); ++i) {
+        velocity[i] += change[i];
+    }
+    set_velocity(task, velocity);
+    report.newton_iterations = 1;
+    report.newton_residual = report.residual;
+    report.converged = solved && std::isfinite(norm(velocity));
+}
+
 void ImplicitSolid::Parts::finish(const Task& task, SolidState& next) const {
     next.present = task.state.present;
     next.fraction = task.state.fraction;
     next.position = position;
     next.velocity.resize(position.size());
     for (std::size_t i = 0; i < position.size(); ++i) {
-        next.velocity[i] = Eigen::Map<const Vec3>(velocity.data() + 3 * i);
+        next.velocity[at(elastic.node_of()[i])] = Eigen::Map<const Vec3>(velocity.data() + 3 * i);
     }
 }
 
-Result<ImplicitSolid> ImplicitSolid::create(const SolidModel& model, ThreadPool&) {
-    return ImplicitSolid(std::make_unique<Parts>(model));
+Result<ImplicitSolid> ImplicitSolid::create(const SolidModel& model, ThreadPool& /*pool*/,
+                                            std::string_view instruction_set) {
+    const linear_kernel::Kernel* const linear = linear_kernel::choose(instruction_set);
+    const elastic_kernel::Kernel* const elastic = elastic_kernel::choose(instruction_set);
+    if (linear == nullptr || elastic == nullptr) {
+        return Error{"unknown or missing instruction set \"" + std::string(instruction_set) + "\"", "instruction_set",
+                     "\"\", \"baseline\", \"avx2\" or \"avx512\", as the machine has"};
+    }
+    Result<ElasticAssembly> assembly = ElasticAssembly::create(model, *elastic);
+    if (!assembly.ok()) {
+        return assembly.error();
+    }
+    return ImplicitSolid(std::make_unique<Parts>(model, std::move(assembly).value(), *linear));
 }
 
 ImplicitSolid::ImplicitSolid(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -380,6 +399,6 @@ ImplicitReport ImplicitSolid::step(const SolidState& state, const Vec3& gravity,
     return report;
 }
 
-void ImplicitSolid::drop_caches() { parts_->preconditioner.drop(); }
+void ImplicitSolid::drop_caches() { parts_->solver.drop(); }
 
 }  // namespace rhexis

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -52,7 +53,10 @@ struct ImplicitReport {
 
 class ImplicitSolid {
 public:
-    static Result<ImplicitSolid> create(const SolidModel& model, ThreadPool& pool);
+    /// model and pool must outlive this. instruction_set: "" for the best of this machine, or "baseline", "avx2",
+    /// "avx512": same bits, other speed. Fails on one that the machine lacks.
+    static Result<ImplicitSolid> create(const SolidModel& model, ThreadPool& pool,
+                                        std::string_view instruction_set = {});
     ~ImplicitSolid();
     ImplicitSolid(ImplicitSolid&&) noexcept;
 

@@ -1,0 +1,51 @@
+// Metal and silicone under the lamps of the microscope.
+in vec3 world;
+in vec3 normal;
+in vec3 body;
+uniform vec3 camera;
+uniform int finish;    // titanium, bore, sleeve, steel
+uniform int medium;    // 0: all of it, 1: only inside the eye, 2: only outside
+uniform vec4 cornea;   // centre and radius of the ball of the cornea
+uniform vec4 globe;    // and of the sclera
+uniform sampler2D detail_map;
+out vec4 colour;
+
+// What a mirror at the instrument sees: lamps above, a pale ceiling, blue drapes, a dark horizon.
+vec3 surroundings(vec3 way) {
+    float up = way.z;
+    vec3 light = mix(vec3(0.02, 0.03, 0.04), vec3(0.16, 0.22, 0.27), smoothstep(-0.6, 0.1, up));
+    light = mix(light, vec3(0.50, 0.52, 0.54), smoothstep(0.15, 0.75, up));
+    light += vec3(2.6, 2.5, 2.35) * smoothstep(0.945, 0.995, dot(way, normalize(vec3(0.06, 0.10, 1.0))));
+    light *= 0.85 + 0.3 * smoothstep(-0.3, 0.3, sin(5.0 * way.x + 1.3));
+    return light;
+}
+
+void main() {
+    bool inside = distance(world, cornea.xyz) < cornea.w || distance(world, globe.xyz) < globe.w;
+    if ((medium == 1 && !inside) || (medium == 2 && inside)) {
+        discard;
+    }
+    vec3 n = normalize(normal);
+    vec3 toward = normalize(camera - world);
+    float around = atan(body.y, body.x) / 6.2831853;
+    // Turned on a lathe: fine rings.
+    float rings = texture(detail_map, vec2(0.35 * around, 0.9 * body.z)).a - 0.5;
+    vec3 bumped = normalize(n + 0.06 * rings * vec3(0.3, 1.0, 0.2));
+    vec3 mirror = surroundings(reflect(-toward, bumped));
+    float facing = clamp(dot(n, toward), 0.0, 1.0);
+    float graze = pow(1.0 - facing, 4.0);
+    if (finish == 2) {
+        float wall = mix(0.40, 0.92, pow(1.0 - facing, 1.3));
+        vec3 silicone = vec3(0.24, 0.47, 0.78) * (0.25 + 0.75 * facing) + 0.03 * rings;
+        float ribs = 0.93 + 0.07 * sin(9.0 * body.z);
+        vec3 shine = 0.055 * mirror + 0.25 * graze * mirror;
+        colour = vec4(silicone * ribs * wall + shine, wall);
+        return;
+    }
+    vec3 metal = finish == 3 ? vec3(0.72, 0.73, 0.75) : vec3(0.66, 0.63, 0.60);
+    vec3 light = mix(metal, vec3(1.0), graze) * mirror * (0.92 + 0.16 * rings);
+    if (finish == 1) {
+        light *= 0.10;
+    }
+    colour = vec4(light, 1.0);
+}

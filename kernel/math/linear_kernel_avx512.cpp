@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstddef>
+
+#include "math/linear_kernel.hpp"
+
+#define RHEXIS_WIDTH 16
+#define RHEXIS_TILE 3
+namespace rhexis::linear_kernel {
+namespace {
+#include "math/linear_kernel.ipp"
+constexpr Kernel kernel{"avx512", eliminate, invert, extend, solve, multiply, dot};
+}  // namespace
+const Kernel* avx512() { return &kernel; }
+}  // namespace rhexis::linear_kernel

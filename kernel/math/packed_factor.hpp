@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sparse Cholesky factor in single precision, made and applied by our own fixed-order loops: fast enough to be made
+// every few steps, and the same bits on every machine, which a factor through BLAS is not. It preconditions; it is not
+// meant to solve.
+//
+// Multifrontal: each panel gathers its part of the matrix and what its children left into a dense front, eliminates its
+// own columns there and leaves the rest to its parent [Liu1992]. Panels keep the inverse of their triangle, so that
+// solving is products alone.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "math/block_matrix.hpp"
+#include "math/linear_kernel.hpp"
+#include "math/supernodes.hpp"
+
+namespace rhexis {
+
+class PackedFactor {
+public:
+    /// pattern: rows in a postordered order of elimination. It must outlive this.
+    PackedFactor(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
+
+    /// False if the matrix is not positive definite to single precision, or not finite. Entries must be within single
+    /// precision's range (1e-30 to 1e30).
+    bool factor(const BlockValues& values);
+    [[nodiscard]] bool factored() const { return factored_; }
+
+    /// x ~ A^-1 x in place; 4 numbers per row, the fourth 0.
+    void solve(std::span<float> x);
+
+    /// Multiply-adds of a factorisation and of a solve.
+    [[nodiscard]] double factor_work() const { return factor_work_; }
+    [[nodiscard]] double solve_work() const { return solve_work_; }
+
+private:
+    struct Child {
+        int panel;
+        std::vector<int> place;  ///< of its rows in the parent's front, by nodes
+    };
+    void lay_out();
+    std::size_t lay_out_panels(int s, std::size_t size);
+    void find_places();
+    [[nodiscard]] int front_nodes(int s) const { return tree_.width(s) + tree_.below(s); }
+    void gather(int s, const BlockValues& values);
+    void keep_panel(int s);
+    void keep_rest(int s);
+
+    const BlockPattern* pattern_;
+    const linear_kernel::Kernel* kernel_;
+    Supernodes tree_;
+    std::vector<linear_kernel::Panel> panels_;  ///< wide panels of the tree are cut into several
+    std::vector<int> first_panel_;              ///< of each panel of the tree
+    std::vector<int> nodes_;                    ///< block rows below each of panels_
+    std::vector<std::vector<Child>> children_;
+    std::vector<int> place_;  ///< of the entries of A right of the diagonal in the front of their column, by slots
+    std::vector<float> values_;
+    std::vector<float> front_;
+    int leading_ = 0;
+    std::vector<float> rest_;  ///< stack of what panels leave
+    std::vector<std::size_t> rest_of_;
+    std::size_t rest_top_ = 0;
+    std::vector<float> work_;
+    std::vector<float> triangle_;
+    double factor_work_ = 0.0;
+    double solve_work_ = 0.0;
+    bool factored_ = false;
+};
+
+}  // namespace rhexis

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface of a body as triangles with normals, smooth except across sharp edges.
+#pragma once
+
+#include <vector>
+
+#include "flow/solid.hpp"
+
+namespace rhexis {
+
+/// Vertices: position, normal, colour, distance from the three edges as barycentric coordinates (3 floats each).
+void append_surface(const SolidModel& model, const SolidState& state, int solid, std::vector<float>& stream);
+
+}  // namespace rhexis

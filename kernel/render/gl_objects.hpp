@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// OpenGL objects that free themselves. All of it needs a current context, destruction included.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.hpp"
+#include "math/types.hpp"
+
+namespace rhexis {
+
+/// Owns one name of a kind that is freed by `release`.
+template <void (*release)(GLuint)>
+class GlName {
+public:
+    GlName() = default;
+    explicit GlName(GLuint name) : name_(name) {}
+    GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlName& operator=(GlName&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~GlName() {
+        if (name_ != 0) {
+            release(name_);
+        }
+    }
+    [[nodiscard]] GLuint operator*() const { return name_; }
+
+private:
+    GLuint name_ = 0;
+};
+
+inline void release_texture(GLuint name) { glDeleteTextures(1, &name); }
+inline void release_buffer(GLuint name) { glDeleteBuffers(1, &name); }
+inline void release_vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
+inline void release_framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+inline void release_renderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
+inline void release_program(GLuint name) { glDeleteProgram(name); }
+inline void release_shader(GLuint name) { glDeleteShader(name); }
+
+struct Texture {
+    GlName<release_texture> name;
+    int width = 0;
+    int height = 0;
+};
+
+/// format: GL_RGBA8, GL_R32F, ...; filter: GL_NEAREST, GL_LINEAR or GL_LINEAR_MIPMAP_LINEAR; wrap: GL_REPEAT, ...
+Texture make_texture(int width, int height, GLenum format, GLenum filter, GLenum wrap = GL_CLAMP_TO_EDGE);
+
+/// Somewhere to draw into: textures, with or without depth, with or without 4 samples per pixel.
+struct Target {
+    GlName<release_framebuffer> name;
+    std::vector<Texture> colours;
+    GlName<release_renderbuffer> samples;  ///< instead of a texture, where there are several samples per pixel
+    GlName<release_renderbuffer> depth;
+    int width = 0;
+    int height = 0;
+
+    void bind() const;  ///< and sets the viewport
+};
+
+Target make_target(std::vector<Texture> colours, bool with_depth);
+Target make_multisampled_target(int width, int height, GLenum format);
+/// One texture, drawn into.
+Target make_single_target(int width, int height, GLenum format, GLenum filter, GLenum wrap = GL_CLAMP_TO_EDGE,
+                          bool with_depth = false);
+/// Runs the program in use once for every pixel of the bound target (fullscreen.vert).
+void cover_target();
+/// All samples of a pixel into one.
+void resolve(const Target& from, const Target& to);
+
+/// A vertex and a fragment shader with their parameters.
+class Program {
+public:
+    /// Names of files in assets/shaders, joined in order.
+    static Result<Program> build(std::initializer_list<const char*> vertex,
+                                 std::initializer_list<const char*> fragment);
+
+    void use() const { glUseProgram(*name_); }
+    /// Each sets the parameter of this name of the program in use; names that the shader does not use are ignored.
+    void set(const char* parameter, int value) const;
+    void set(const char* parameter, double value) const;
+    void set(const char* parameter, const Vec2& value) const;
+    void set(const char* parameter, const Vec3& value) const;
+    void set(const char* parameter, const Eigen::Vector4d& value) const;
+    void set(const char* parameter, const Eigen::Matrix4d& value) const;
+    void set(const char* parameter, const Mat3& value) const;
+    /// Binds a texture to unit `unit` under this name.
+    void set(const char* parameter, const Texture& texture, int unit) const;
+
+private:
+    [[nodiscard]] GLint place(const char* parameter) const { return glGetUniformLocation(*name_, parameter); }
+    GlName<release_program> name_;
+};
+
+/// Vertices that are sent anew for each picture: `layout` counts the floats of each attribute.
+class VertexStream {
+public:
+    explicit VertexStream(std::initializer_list<int> layout);
+    void send(std::span<const float> vertices);
+    void draw(GLenum mode = GL_TRIANGLES) const;
+    [[nodiscard]] int count() const { return count_; }
+
+private:
+    GlName<release_vertex_array> array_;
+    GlName<release_buffer> buffer_;
+    int stride_ = 0;
+    int count_ = 0;
+};
+
+}  // namespace rhexis

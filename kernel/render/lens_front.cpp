@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/lens_front.hpp"
+
+#include <array>
+
+#include "mesh/adjacency.hpp"
+#include "render/depth_pass.hpp"
+
+namespace rhexis {
+
+namespace {
+
+constexpr double still_there = 0.3;    ///< share of a fine tetrahedron below which it counts as gone
+constexpr double smoothing_mm = 0.09;  ///< about half of an edge of the fine mesh
+
+struct Level {
+    const std::vector<std::array<int, 4>>& tets;
+    const std::vector<std::array<int, 4>>& neighbours;
+    const std::vector<Vec3>& nodes;
+    const std::vector<Vec3>& rest;
+};
+
+void append(const Vec3& place, const Vec3& rest, std::vector<float>& stream) {
+    for (const Vec3* triple : {&place, &rest}) {
+        for (int i = 0; i < 3; ++i) {
+            stream.push_back(static_cast<float>((*triple)[i]));
+        }
+    }
+}
+
+template <typename IsThere>
+void append_border(const Level& level, const IsThere& is_there, std::vector<float>& stream) {
+    const int count = static_cast<int>(level.tets.size());
+    for (int t = 0; t < count; ++t) {
+        if (!is_there(t)) {
+            continue;
+        }
+        for (int k = 0; k < 4; ++k) {
+            const int other = level.neighbours[t][k];
+            if (other >= 0 && is_there(other)) {
+                continue;
+            }
+            for (int corner : tet_faces[k]) {
+                const int node = level.tets[t][corner];
+                append(level.nodes[node], level.rest[node], stream);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Result<LensFront> LensFront::create(int width, int height) {
+    Result<Program> front = Program::build({"body.vert"}, {"front.frag"});
+    if (!front.ok()) {
+        return front.error();
+    }
+    Result<Program> blur = Program::build({"fullscreen.vert"}, {"relief.frag"});
+    if (!blur.ok()) {
+        return blur.error();
+    }
+    return LensFront(std::move(front).value(), std::move(blur).value(), width, height);
+}
+
+LensFront::LensFront(Program front, Program blur, int width, int height)
+    : front_program_(std::move(front)),
+      blur_program_(std::move(blur)),
+      front_(make_single_target(width, height, GL_RGBA32F, GL_NEAREST, GL_CLAMP_TO_EDGE, true)),
+      half_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_R32F, GL_NEAREST)),
+      smooth_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_R32F, GL_LINEAR)),
+      vertices_({3, 3}) {}
+
+void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference) {
+    stream_.clear();
+    for (std::size_t i = 0; i < frame.solids.size(); ++i) {
+        const SolidModel& model = frame.model->solids[i];
+        const SolidState& state = frame.solids[i];
+        if (model.fine.tets.empty()) {
+            const std::vector<std::array<int, 4>> neighbours = face_neighbours(model.coarse.tets);
+            append_border(
+                {model.coarse.tets, neighbours, state.position, model.coarse.nodes},
+                [&](int t) { return state.present[t] != 0; }, stream_);
+            continue;
+        }
+        fine_positions(model.fine, state.position, fine_);
+        fine_positions(model.fine, model.coarse.nodes, rest_);
+        append_border(
+            {model.fine.tets, model.fine.neighbours, fine_, rest_},
+            [&](int t) { return state.fraction[t] > still_there; }, stream_);
+    }
+    front_.bind();
+    const std::array<GLfloat, 4> nothing{no_stop, 0.0F, 0.0F, 0.0F};
+    const GLfloat farthest = 1.0F;
+    glDepthMask(GL_TRUE);
+    glClearBufferfv(GL_COLOR, 0, nothing.data());
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    front_program_.use();
+    set_view(front_program_, view);
+    front_program_.set("world_from_body", Mat4(Mat4::Identity()));
+    front_program_.set("reference", reference);
+    vertices_.send(stream_);
+    vertices_.draw();
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    smooth(smoothing_mm / pixel_mm(view, reference));
+}
+
+void LensFront::smooth(double deviation_pixels) {
+    blur_program_.use();
+    half_.bind();
+    blur_program_.set("source", front_.colours[0], 0);
+    blur_program_.set("direction", Vec2(deviation_pixels / front_.width, 0.0));
+    cover_target();
+    smooth_.bind();
+    blur_program_.set("source", half_.colours[0], 0);
+    blur_program_.set("direction", Vec2(0.0, deviation_pixels / front_.height));
+    cover_target();
+}
+
+}  // namespace rhexis

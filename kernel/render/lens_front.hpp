@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first surface of what is left of the bodies, for relief and texture.
+#pragma once
+
+#include "flow/frame.hpp"
+#include "render/gl_objects.hpp"
+#include "render/view.hpp"
+
+namespace rhexis {
+
+class LensFront {
+public:
+    static Result<LensFront> create(int width, int height);
+
+    /// Depths are measured as in DepthPass, from the plane through `reference`.
+    void draw(const Frame& frame, const View& view, const Vec3& reference);
+
+    /// RGBA32F: depth (beyond 1000: nothing there), and where that tissue lay at rest.
+    [[nodiscard]] const Texture& surface() const { return front_.colours[0]; }
+    /// R32F, half size: depth, smoothed.
+    [[nodiscard]] const Texture& relief() const { return smooth_.colours[0]; }
+
+private:
+    LensFront(Program front, Program blur, int width, int height);
+    void smooth(double deviation_pixels);
+
+    Program front_program_;
+    Program blur_program_;
+    Target front_;
+    Target half_;
+    Target smooth_;
+    VertexStream vertices_;
+    std::vector<float> stream_;
+    std::vector<Vec3> fine_;
+    std::vector<Vec3> rest_;
+};
+
+}  // namespace rhexis

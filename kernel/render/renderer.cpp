@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/renderer.hpp"
+
+#include <optional>
+
+#include "render/bare_view.hpp"
+#include "render/depth_pass.hpp"
+#include "render/gl_context.hpp"
+#include "render/microscope_view.hpp"
+
+namespace rhexis {
+
+namespace {
+
+constexpr int largest = 4096;
+
+Status check_size(int width, int height) {
+    if (width >= 1 && width <= largest && height >= 1 && height <= largest) {
+        return success();
+    }
+    return Error{"a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels", "renderer",
+                 "1 to " + std::to_string(largest) + " each way"};
+}
+
+/// Light that the cornea bends, or none.
+View view_into(const Frame& frame, const Camera& camera, int width, int height) {
+    return frame.eye ? view_through_cornea(camera, width, height, *frame.eye) : view_in_air(camera, width, height);
+}
+
+/// Rows from the top, without the fourth channel.
+Image picture_of(const Target& target) {
+    target.bind();
+    std::vector<unsigned char> pixels(4 * static_cast<std::size_t>(target.width) * target.height);
+    glReadPixels(0, 0, target.width, target.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    Image image{target.width, target.height, {}};
+    image.rgb.reserve(pixels.size() / 4 * 3);
+    for (int y = target.height - 1; y >= 0; --y) {
+        for (int x = 0; x < target.width; ++x) {
+            const unsigned char* pixel = &pixels[4 * (static_cast<std::size_t>(y) * target.width + x)];
+            image.rgb.insert(image.rgb.end(), pixel, pixel + 3);
+        }
+    }
+    return image;
+}
+
+/// Everything that lives in the context.
+struct Passes {
+    DepthPass depth;
+    ToolPainter painter;
+    MicroscopeView microscope;
+    BareView bare;
+    Texture detail;
+};
+
+Result<Passes> make_passes(int width, int height) {
+    Result<DepthPass> depth = DepthPass::create(width, height);
+    if (!depth.ok()) {
+        return depth.error();
+    }
+    Result<ToolPainter> painter = ToolPainter::create();
+    if (!painter.ok()) {
+        return painter.error();
+    }
+    Result<MicroscopeView> microscope = MicroscopeView::create(width, height);
+    if (!microscope.ok()) {
+        return microscope.error();
+    }
+    Result<BareView> bare = BareView::create(width, height);
+    if (!bare.ok()) {
+        return bare.error();
+    }
+    Result<Texture> detail = paint_detail();
+    if (!detail.ok()) {
+        return detail.error();
+    }
+    return Passes{std::move(depth).value(), std::move(painter).value(), std::move(microscope).value(),
+                  std::move(bare).value(), std::move(detail).value()};
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    GlContext context;
+    int width = 0;
+    int height = 0;
+    std::optional<Passes> passes;
+    std::shared_ptr<const WorldModel> model;  ///< that `tools` was made of
+    std::vector<ToolMesh> tools;
+
+    explicit Parts(GlContext made) : context(std::move(made)) {}
+    ~Parts() {
+        const GlContext::Use use(context);
+        passes.reset();
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+
+    void look_at(const Frame& frame);
+};
+
+void Renderer::Parts::look_at(const Frame& frame) {
+    RHEXIS_ASSERT(frame.model != nullptr);
+    RHEXIS_ASSERT(frame.solids.size() == frame.model->solids.size());
+    RHEXIS_ASSERT(frame.tools.size() == frame.model->tools.size());
+    if (frame.model == model) {
+        return;
+    }
+    model = frame.model;
+    tools.clear();
+    for (const ToolModel& tool : model->tools) {
+        tools.push_back(tool_mesh(tool));
+    }
+}
+
+Result<Renderer> Renderer::create(int width, int height) {
+    if (const Status status = check_size(width, height); !status.ok()) {
+        return status.error();
+    }
+    Result<GlContext> context = GlContext::create();
+    if (!context.ok()) {
+        return context.error();
+    }
+    std::unique_ptr<Parts> parts = std::make_unique<Parts>(std::move(context).value());
+    parts->width = width;
+    parts->height = height;
+    const GlContext::Use use(parts->context);
+    Result<Passes> passes = make_passes(width, height);
+    if (!passes.ok()) {
+        return passes.error();
+    }
+    parts->passes.emplace(std::move(passes).value());
+    return Renderer(std::move(parts));
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+
+Image Renderer::draw(const Frame& frame, const Camera& camera) {
+    const GlContext::Use use(parts_->context);
+    parts_->look_at(frame);
+    Passes& passes = *parts_->passes;
+    const View outer = view_in_air(camera, parts_->width, parts_->height);
+    if (!frame.eye) {
+        passes.bare.draw(passes.painter, frame, parts_->tools, outer, passes.detail);
+        return picture_of(passes.bare.picture());
+    }
+    const View inner = view_into(frame, camera, parts_->width, parts_->height);
+    passes.depth.draw(frame, parts_->tools, inner);
+    passes.microscope.draw(passes.painter, frame, parts_->tools, outer, inner, passes.depth, passes.detail);
+    return picture_of(passes.microscope.picture());
+}
+
+Camera microscope_camera(const Frame& frame) {
+    if (!frame.eye) {
+        return camera_around(frame);
+    }
+    Camera camera;
+    camera.target = Vec3(0.0, 0.0, frame.eye->iris_z);
+    camera.eye = camera.target + Vec3(0.0, 0.0, 200.0);
+    camera.field_mm = 14.6;
+    return camera;
+}
+
+OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {
+    const GlContext::Use use(parts_->context);
+    parts_->look_at(frame);
+    const int width = parts_->width;
+    const int height = parts_->height;
+    const View view = view_into(frame, camera, width, height);
+    parts_->passes->depth.draw(frame, parts_->tools, view);
+    parts_->passes->depth.optical_depth().bind();
+    std::vector<float> pixels(4 * static_cast<std::size_t>(width) * height);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+    OpticalDepth result{width, height, std::vector<float>(3 * static_cast<std::size_t>(width) * height)};
+    const float* from = pixels.data();
+    for (int y = height - 1; y >= 0; --y) {
+        float* to = &result.tau[3 * static_cast<std::size_t>(y) * width];
+        for (int x = 0; x < width; ++x, from += 4, to += 3) {
+            const float stretch = from[0] == 0.0F ? 0.0F : static_cast<float>(pixel_ray(view, x, y).stretch);
+            for (int c = 0; c < 3; ++c) {
+                to[c] = stretch * from[c];
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of assets/shaders, which the build puts into the program.
+#pragma once
+
+#include <string_view>
+
+namespace rhexis {
+
+/// Text of assets/shaders/<file>; asserts that there is such a file.
+std::string_view shader_text(std::string_view file);
+
+}  // namespace rhexis

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the instruments.
+#pragma once
+
+#include "flow/frame.hpp"
+#include "render/gl_objects.hpp"
+#include "render/tool_mesh.hpp"
+#include "render/view.hpp"
+
+namespace rhexis {
+
+/// Which side of the eye's wall to draw.
+enum class Medium { all = 0, inside = 1, outside = 2 };
+
+/// Draws instruments into the bound target, over what its depth lets through: colour times coverage, and coverage.
+class ToolPainter {
+public:
+    static Result<ToolPainter> create();
+
+    /// detail: repeating noise. eye: may be null with Medium::all.
+    void paint(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view, Medium medium,
+               const EyeAnatomy* eye, const Texture& detail);
+
+private:
+    explicit ToolPainter(Program program) : program_(std::move(program)), vertices_({3, 3}) {}
+    void paint_tool(const ToolMesh& mesh, const Pose& pose);
+
+    Program program_;
+    VertexStream vertices_;
+    std::vector<float> stream_;
+};
+
+/// The instruments alone, with smooth edges, to be laid over a picture.
+class ToolLayer {
+public:
+    ToolLayer(int width, int height);
+
+    void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
+              Medium medium, const EyeAnatomy& eye, const Texture& detail);
+
+    [[nodiscard]] const Texture& picture() const { return flat_.colours[0]; }  ///< with mipmaps
+
+private:
+    Target samples_;
+    Target flat_;
+};
+
+/// Balls of cornea and sclera: centre and radius.
+Vec4 cornea_ball(const EyeAnatomy& eye);
+Vec4 globe_ball(const EyeAnatomy& eye);
+
+/// Nothing drawn yet, nothing near.
+void clear_bound_target();
+
+}  // namespace rhexis

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <numeric>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "render/image_file.hpp"
+
+namespace rhexis {
+
+namespace {
+
+struct Codec {
+    const char* name;
+    std::array<char, 4> code;
+};
+
+/// In order of preference: browsers play only the first.
+constexpr std::array<Codec, 2> codecs{{{"H.264", {'a', 'v', 'c', '1'}}, {"MPEG-4", {'m', 'p', '4', 'v'}}}};
+
+/// OpenCV reports a codec that this machine lacks on stderr, although another is tried next.
+class QuietOpenCv {
+public:
+    QuietOpenCv() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
+    ~QuietOpenCv() { cv::utils::logging::setLogLevel(before_); }
+    QuietOpenCv(const QuietOpenCv&) = delete;
+    QuietOpenCv& operator=(const QuietOpenCv&) = delete;
+
+private:
+    cv::utils::logging::LogLevel before_;
+};
+
+Error cannot_write(const std::string& what, const std::string& path) {
+    return Error{"cannot write the video: " + what, path, "a writable path with room"};
+}
+
+bool ends_in(const std::string& text, const std::string& end) {
+    return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The codec libraries say nothing of a file that they cannot open.
+Status check_writable(const std::string& path) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) {
+        return cannot_write(std::strerror(errno), path);
+    }
+    std::fclose(file);
+    return success();
+}
+
+/// An MP4 file is a row of boxes: 4 bytes of length, 4 letters. It is whole if they end with the file and one of them
+/// is the index. (Looked at first, because the codec libraries write to stderr about a file that was cut off.)
+bool has_index(const std::string& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const std::streamoff end = file ? static_cast<std::streamoff>(file.tellg()) : 0;
+    bool found = false;
+    std::streamoff place = 0;
+    while (place < end) {
+        std::array<unsigned char, 16> head{};
+        file.seekg(place);
+        file.read(reinterpret_cast<char*>(head.data()), 8);
+        std::uint64_t length = (std::uint64_t{head[0]} << 24) | (head[1] << 16) | (head[2] << 8) | head[3];
+        if (length == 1) {  // a 64-bit length follows the letters
+            file.read(reinterpret_cast<char*>(head.data()) + 8, 8);
+            length = std::accumulate(head.begin() + 8, head.end(), std::uint64_t{0},
+                                     [](std::uint64_t sum, unsigned char byte) { return (sum << 8) | byte; });
+        }
+        if (!file || length < 8 || length > static_cast<std::uint64_t>(end - place)) {
+            return false;
+        }
+        found = found || std::memcmp(head.data() + 4, "moov", 4) == 0;
+        place += static_cast<std::streamoff>(length);
+    }
+    return found;
+}
+
+int readable_frames(const std::string& path) {
+    if (!has_index(path)) {
+        return 0;
+    }
+    cv::VideoCapture video(path, cv::CAP_FFMPEG);
+    return video.isOpened() ? static_cast<int>(video.get(cv::CAP_PROP_FRAME_COUNT) + 0.5) : 0;
+}
+
+}  // namespace
+
+struct VideoFile::Parts {
+    std::string path;
+    std::string part;  ///< name while it is written; the ending tells the container
+    std::string codec;
+    int width = 0;
+    int height = 0;
+    int frames = 0;
+    cv::VideoWriter writer;
+    cv::Mat bgr;
+
+    Parts() = default;
+    ~Parts() {
+        writer.release();
+        if (!part.empty()) {
+            std::remove(part.c_str());
+        }
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+
+    bool open(double frames_per_second) {
+        const QuietOpenCv quiet;
+        for (const Codec& one : codecs) {
+            const int code = cv::VideoWriter::fourcc(one.code[0], one.code[1], one.code[2], one.code[3]);
+            if (writer.open(part, cv::CAP_FFMPEG, code, frames_per_second, cv::Size(width, height))) {
+                codec = one.name;
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+VideoFile::VideoFile(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+VideoFile::~VideoFile() = default;
+VideoFile::VideoFile(VideoFile&&) noexcept = default;
+
+Result<VideoFile> VideoFile::create(const std::string& path, int width, int height, double frames_per_second) {
+    if (!ends_in(path, ".mp4")) {
+        return Error{"this is not the name of a video", path, "a name that ends in .mp4"};
+    }
+    if (width < 16 || height < 16 || width > 4096 || height > 4096 || width % 2 != 0 || height % 2 != 0) {
+        return Error{"a video of " + std::to_string(width) + " x " + std::to_string(height) + " pixels", path,
+                     "even numbers, 16 to 4096 each way"};
+    }
+    if (!(frames_per_second >= 1.0 && frames_per_second <= 240.0)) {
+        return Error{"a video of " + std::to_string(frames_per_second) + " pictures per second", path, "1 to 240"};
+    }
+    std::unique_ptr<Parts> parts = std::make_unique<Parts>();
+    parts->path = path;
+    parts->width = width;
+    parts->height = height;
+    const std::string part = path.substr(0, path.size() - 4) + ".part.mp4";
+    if (const Status status = check_writable(part); !status.ok()) {
+        return Error{status.error().what, path, status.error().allowed};
+    }
+    parts->part = part;
+    if (!parts->open(frames_per_second)) {
+        return cannot_write("this machine encodes neither H.264 (avc1) nor MPEG-4 (mp4v)", path);
+    }
+    return VideoFile(std::move(parts));
+}
+
+const std::string& VideoFile::codec() const { return parts_->codec; }
+
+Status VideoFile::add(const Image& image) {
+    if (image.width != parts_->width || image.height != parts_->height) {
+        return Error{"a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
+                     parts_->path,
+                     "the video's size, " + std::to_string(parts_->width) + " x " + std::to_string(parts_->height)};
+    }
+    RHEXIS_ASSERT(parts_->writer.isOpened());
+    const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<unsigned char*>(image.rgb.data()));
+    cv::cvtColor(rgb, parts_->bgr, cv::COLOR_RGB2BGR);
+    parts_->writer.write(parts_->bgr);
+    ++parts_->frames;
+    return success();
+}
+
+Status VideoFile::finish() {
+    if (parts_->frames == 0) {
+        return cannot_write("it has no pictures", parts_->path);
+    }
+    parts_->writer.release();
+    const QuietOpenCv quiet;
+    const int readable = readable_frames(parts_->part);
+    if (readable != parts_->frames) {
+        return cannot_write(
+            "only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) + " pictures can be read back",
+            parts_->path);
+    }
+    if (std::rename(parts_->part.c_str(), parts_->path.c_str()) != 0) {
+        return cannot_write(std::strerror(errno), parts_->path);
+    }
+    parts_->part.clear();
+    return success();
+}
+
+}  // namespace rhexis

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// draw_samples FOLDER [WIDTH HEIGHT]: writes pictures of eyes and bare bodies to look at, and says what each cost.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/clock.hpp"
+#include "render/image_file.hpp"
+#include "render/renderer.hpp"
+#include "scenes.hpp"
+
+using namespace rhexis;
+using namespace rhexis::testing;
+
+namespace {
+
+struct Sample {
+    const char* name;
+    Frame frame;
+    Camera camera;
+};
+
+Frame patient_frame(double grade, double pupil_mm = 7.5) {
+    Patient patient;
+    patient.nuclear_grade = grade;
+    patient.pupil_mm = pupil_mm;
+    return frame_of(make_eye(patient).value());
+}
+
+Frame sculpting(double grade, double floor_z, bool with_tool) {
+    Frame frame = patient_frame(grade);
+    carve_groove(frame.model->solids[0], frame.solids[0], 0.62, -2.2, 2.2, floor_z);
+    frame.tools[0].present = with_tool;
+    frame.tools[0].pose = hand_pose(Vec3(0.1, 0.9, floor_z + 0.25), 0.5);
+    return frame;
+}
+
+/// A bar that sags by hand.
+Frame bare_bar() {
+    Frame frame = frame_of(bar(24, 6, 6, 0.25), Vec3::Zero(), false);
+    for (Vec3& node : frame.solids[0].position) {
+        node.z() -= 0.03 * node.x() * node.x();
+    }
+    return frame;
+}
+
+Frame bare_ball() {
+    const Frame made = frame_of(ball(2.0, 3000), Vec3(0.2, 0.3, 0.6), true);
+    std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*made.model);
+    model->planes.push_back({Vec3(0.0, 0.0, -2.0), Vec3::UnitZ(), 0.3});
+    model->tools.push_back(phaco_model());
+    model->tools.back().kind = ToolKind::probe;
+    Frame frame = frame_of(std::shared_ptr<const WorldModel>(std::move(model)));
+    frame.tools[0].present = true;
+    frame.tools[0].pose = hand_pose(Vec3(0.0, -0.6, 1.8), 1.0);
+    return frame;
+}
+
+std::vector<Sample> samples() {
+    std::vector<Sample> all;
+    const auto eye = [&all](const char* name, Frame frame) {
+        const Camera camera = microscope_camera(frame);
+        all.push_back({name, std::move(frame), camera});
+    };
+    eye("whole_no3", patient_frame(3.0));
+    eye("groove_no3", sculpting(3.0, 0.6, false));
+    eye("sculpt_no3", sculpting(3.0, 0.2, true));
+    eye("sculpt_no5", sculpting(5.0, -0.6, true));
+    eye("deep_no4", sculpting(4.0, -1.4, false));
+    eye("whole_no6_small", patient_frame(6.0, 5.0));
+    Camera near = microscope_camera(all[2].frame);
+    near.field_mm = 8.0;
+    all.push_back({"near_no3", all[2].frame, near});
+    Camera far = microscope_camera(all[2].frame);
+    far.field_mm = 24.0;
+    all.push_back({"far_no3", all[2].frame, far});
+    all.push_back({"bare_bar", bare_bar(), Camera()});
+    all.back().camera = microscope_camera(all.back().frame);
+    all.push_back({"bare_ball", bare_ball(), Camera()});
+    all.back().camera = microscope_camera(all.back().frame);
+    return all;
+}
+
+Status write_sample(Renderer& renderer, const Sample& sample, const std::string& folder) {
+    renderer.draw(sample.frame, sample.camera);
+    const double start = process_cpu_seconds();
+    renderer.optical_depth(sample.frame, sample.camera);
+    const double lens = process_cpu_seconds();
+    const Image image = renderer.draw(sample.frame, sample.camera);
+    const double end = process_cpu_seconds();
+    std::printf("%-16s lens %6.1f ms, picture %6.1f ms of CPU\n", sample.name, 1e3 * (lens - start),
+                1e3 * (end - lens));
+    return write_png(image, folder + "/" + sample.name + ".png");
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    const std::string folder = count > 1 ? words[1] : ".";
+    std::filesystem::create_directories(folder);
+    const double start = wall_seconds();
+    Result<Renderer> renderer =
+        Renderer::create(count > 3 ? std::atoi(words[2]) : 640, count > 3 ? std::atoi(words[3]) : 480);
+    if (!renderer.ok()) {
+        std::fprintf(stderr, "%s\n", renderer.error().text().c_str());
+        return 1;
+    }
+    std::printf("renderer in %.2f s\n", wall_seconds() - start);
+    for (const Sample& sample : samples()) {
+        if (const Status status = write_sample(renderer.value(), sample, folder); !status.ok()) {
+            std::fprintf(stderr, "%s\n", status.error().text().c_str());
+            return 1;
+        }
+    }
+    return 0;
+}

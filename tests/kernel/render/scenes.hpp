@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes that the tests of the picture share.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "eye/make_eye.hpp"
+#include "flow/frame.hpp"
+#include "mesh/shapes.hpp"
+
+namespace rhexis::testing {
+
+inline ToolModel phaco_model() {
+    ToolModel tool;
+    tool.name = "phaco";
+    tool.kind = ToolKind::phaco;
+    tool.parts = {{Vec3(0.0, 0.0, 0.45), Vec3(0.0, 0.0, 6.0), 0.45, 0.45},
+                  {Vec3(0.0, 0.0, 2.2), Vec3(0.0, 0.0, 16.0), 0.65, 0.80},
+                  {Vec3(0.0, 0.0, 16.0), Vec3(0.0, 0.0, 24.0), 0.9, 1.8}};
+    tool.bore_radius = 0.36;
+    tool.bevel = 0.5236;
+    return tool;
+}
+
+/// Tip at `tip`, shaft towards the surgeon (-y) and up by `elevation` [rad]; the bevel looks up.
+inline Pose hand_pose(const Vec3& tip, double elevation) {
+    Pose pose;
+    pose.position = tip;
+    const double turn = 0.5 * std::numbers::pi - elevation;
+    pose.orientation = Quat(Eigen::AngleAxisd(turn, Vec3::UnitX()));
+    return pose;
+}
+
+/// A frame at rest of a model; tools withdrawn.
+inline Frame frame_of(std::shared_ptr<const WorldModel> model) {
+    Frame frame;
+    const WorldState rest = rest_state(*model);
+    frame.solids = rest.solids;
+    frame.bags = rest.bags;
+    frame.tools.resize(model->tools.size());
+    frame.model = std::move(model);
+    return frame;
+}
+
+inline Frame frame_of(const EyeModel& eye) {
+    std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>();
+    model->solids = {eye.lens};
+    model->bags = {eye.bag};
+    model->tools = {phaco_model()};
+    Frame frame = frame_of(std::shared_ptr<const WorldModel>(std::move(model)));
+    frame.eye = std::make_shared<const EyeAnatomy>(eye.anatomy);
+    return frame;
+}
+
+/// A bare frame of one body of uniform extinction; refined: with 8 children per tetrahedron.
+inline Frame frame_of(TetMesh mesh, const Vec3& extinction, bool refined) {
+    std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>();
+    SolidModel solid;
+    solid.name = "body";
+    solid.coarse = std::move(mesh);
+    solid.coarse.region.assign(solid.coarse.tets.size(), 0);
+    if (refined) {
+        solid.fine = subdivide(solid.coarse);
+    }
+    solid.materials.resize(1);
+    solid.materials[0].extinction = extinction;
+    model->solids.push_back(std::move(solid));
+    return frame_of(std::shared_ptr<const WorldModel>(std::move(model)));
+}
+
+/// Takes out what a needle of this radius [mm] would: a trench along y from y_low to y_high, whose floor lies at z.
+inline void carve_groove(const SolidModel& model, SolidState& state, double half_width, double y_low, double y_high,
+                         double floor_z) {
+    std::vector<Vec3> fine;
+    fine_positions(model.fine, state.position, fine);
+    for (std::size_t t = 0; t < model.fine.tets.size(); ++t) {
+        Vec3 middle = Vec3::Zero();
+        for (int node : model.fine.tets[t]) {
+            middle += 0.25 * fine[node];
+        }
+        const double rise = floor_z + half_width - middle.z();
+        const double across = rise > 0.0 ? std::hypot(middle.x(), rise) : std::abs(middle.x());
+        if (across < half_width && middle.y() > y_low && middle.y() < y_high) {
+            state.fraction[t] = 0.0;
+        }
+    }
+}
+
+}  // namespace rhexis::testing

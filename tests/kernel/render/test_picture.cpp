@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <numeric>
+
+#include "render/renderer.hpp"
+#include "scenes.hpp"
+
+using namespace rhexis;
+using namespace rhexis::testing;
+
+namespace {
+
+constexpr int width = 160;
+constexpr int height = 120;
+
+Frame eye_frame(double grade) {
+    Patient patient;
+    patient.nuclear_grade = grade;
+    patient.tetrahedra = 1500;
+    return frame_of(make_eye(patient).value());
+}
+
+Renderer make_renderer() {
+    Result<Renderer> renderer = Renderer::create(width, height);
+    REQUIRE(renderer.ok());
+    return std::move(renderer).value();
+}
+
+/// Mean of a channel over the pixels within `reach` of a place (shares of the picture, from the top left).
+double mean_around(const Image& image, double x, double y, double reach_x, double reach_y, int channel) {
+    double sum = 0.0;
+    int count = 0;
+    for (int row = 0; row < image.height; ++row) {
+        for (int column = 0; column < image.width; ++column) {
+            if (std::abs((column + 0.5) / image.width - x) < reach_x &&
+                std::abs((row + 0.5) / image.height - y) < reach_y) {
+                sum += image.rgb[3 * (static_cast<std::size_t>(row) * image.width + column) + channel];
+                ++count;
+            }
+        }
+    }
+    return sum / std::max(1, count);
+}
+
+std::vector<double> ranks(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<double> result(values.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        result[order[i]] = static_cast<double>(i);
+    }
+    return result;
+}
+
+/// Spearman's rank correlation; values without ties.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const std::vector<double> ra = ranks(a);
+    const std::vector<double> rb = ranks(b);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < ra.size(); ++i) {
+        squares += (ra[i] - rb[i]) * (ra[i] - rb[i]);
+    }
+    const double n = static_cast<double>(ra.size());
+    return 1.0 - 6.0 * squares / (n * (n * n - 1.0));
+}
+
+}  // namespace
+
+TEST_CASE("The reflex in the pupil is more red than green and more green than blue, for every grade") {
+    Renderer renderer = make_renderer();
+    for (double grade : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
+        const Frame frame = eye_frame(grade);
+        const Image image = renderer.draw(frame, microscope_camera(frame));
+        const double red = mean_around(image, 0.5, 0.36, 0.10, 0.06, 0);
+        const double green = mean_around(image, 0.5, 0.36, 0.10, 0.06, 1);
+        const double blue = mean_around(image, 0.5, 0.36, 0.10, 0.06, 2);
+        INFO("grade " << grade << ": " << red << " " << green << " " << blue);
+        CHECK(red > 1.15 * green);
+        CHECK(green > 1.1 * blue);
+    }
+}
+
+TEST_CASE("A groove brightens as it deepens") {
+    Renderer renderer = make_renderer();
+    for (double grade : {3.0, 5.0}) {
+        const Frame whole = eye_frame(grade);
+        std::vector<double> depths;
+        std::vector<double> luminances;
+        for (int i = 0; i < 10; ++i) {
+            Frame frame = whole;
+            const double floor_z = 1.4 - 0.32 * i;
+            carve_groove(frame.model->solids[0], frame.solids[0], 0.75, -2.2, 2.2, floor_z);
+            const Image image = renderer.draw(frame, microscope_camera(frame));
+            depths.push_back(-floor_z);
+            luminances.push_back(0.2126 * mean_around(image, 0.5, 0.40, 0.015, 0.03, 0) +
+                                 0.7152 * mean_around(image, 0.5, 0.40, 0.015, 0.03, 1) +
+                                 0.0722 * mean_around(image, 0.5, 0.40, 0.015, 0.03, 2));
+        }
+        INFO("grade " << grade << ", luminance " << luminances.front() << " to " << luminances.back());
+        CHECK(rank_correlation(depths, luminances) >= 0.95);
+        CHECK(luminances.back() > luminances.front() + 10.0);
+    }
+}
+
+TEST_CASE("The same frame gives the same pixels twice, also from a second renderer in between") {
+    Frame frame = eye_frame(3.0);
+    frame.tools[0].present = true;
+    frame.tools[0].pose = hand_pose(Vec3(0.2, 0.5, 1.4), 0.5);
+    const Camera camera = microscope_camera(frame);
+    Renderer one = make_renderer();
+    const Image first = one.draw(frame, camera);
+    const Frame other = frame_of(ball(2.0, 500), Vec3(0.1, 0.2, 0.3), true);
+    Renderer two = make_renderer();
+    const Image bare = two.draw(other, microscope_camera(other));
+    const Image again = one.draw(frame, camera);
+    const Image elsewhere = two.draw(frame, camera);
+    CHECK(first.rgb == again.rgb);
+    CHECK(first.rgb == elsewhere.rgb);
+    CHECK(bare.rgb == two.draw(other, microscope_camera(other)).rgb);
+    CHECK(bare.rgb != first.rgb);
+}
+
+TEST_CASE("A picture shows the instrument where it is") {
+    Frame frame = eye_frame(3.0);
+    const Camera camera = microscope_camera(frame);
+    Renderer renderer = make_renderer();
+    const Image without = renderer.draw(frame, camera);
+    frame.tools[0].present = true;
+    frame.tools[0].pose = hand_pose(Vec3(0.0, 0.0, 1.9), 0.5);
+    const Image with = renderer.draw(frame, camera);
+    int changed_below = 0;
+    int changed_above = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::size_t pixel = 3 * (static_cast<std::size_t>(y) * width + x);
+            int difference = 0;
+            for (int c = 0; c < 3; ++c) {
+                difference += std::abs(int{with.rgb[pixel + c]} - int{without.rgb[pixel + c]});
+            }
+            (y > height / 2 ? changed_below : changed_above) += difference > 60;
+        }
+    }
+    CHECK(changed_below > 400);
+    CHECK(changed_above < changed_below / 10);
+}
+
+TEST_CASE("Bare bodies are drawn against their background") {
+    const Frame frame = frame_of(bar(8, 3, 3, 0.5), Vec3::Zero(), false);
+    Renderer renderer = make_renderer();
+    const Image image = renderer.draw(frame, microscope_camera(frame));
+    const double middle = mean_around(image, 0.5, 0.5, 0.05, 0.05, 2);
+    const double corner = mean_around(image, 0.03, 0.03, 0.03, 0.03, 2);
+    CHECK(std::abs(middle - corner) > 30.0);
+}
+
+TEST_CASE("Pictures can be as small as one pixel, and absurd sizes are refused") {
+    const Frame frame = eye_frame(3.0);
+    Result<Renderer> tiny = Renderer::create(1, 1);
+    REQUIRE(tiny.ok());
+    CHECK(tiny.value().draw(frame, microscope_camera(frame)).rgb.size() == 3);
+    CHECK(tiny.value().optical_depth(frame, microscope_camera(frame)).tau.size() == 3);
+    for (const auto& [w, h] : {std::pair{0, 10}, {10, 0}, {-5, 5}, {100000, 10}, {10, 2147483647}}) {
+        const Result<Renderer> refused = Renderer::create(w, h);
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.error().text().find(std::to_string(w)) != std::string::npos);
+    }
+}
+
+TEST_CASE("A lens that was removed, or that is not finite, does no harm") {
+    Frame frame = eye_frame(3.0);
+    Renderer renderer = make_renderer();
+    const Camera camera = microscope_camera(frame);
+    for (double& share : frame.solids[0].fraction) {
+        share = 0.0;
+    }
+    CHECK(renderer.draw(frame, camera).rgb.size() == 3 * width * height);
+    const OpticalDepth gone = renderer.optical_depth(frame, camera);
+    CHECK(*std::max_element(gone.tau.begin(), gone.tau.end()) == 0.0F);
+    frame = eye_frame(3.0);
+    for (std::size_t i = 0; i < frame.solids[0].position.size(); i += 50) {
+        frame.solids[0].position[i] = Vec3::Constant(std::nan(""));
+    }
+    CHECK(renderer.draw(frame, camera).rgb.size() == 3 * width * height);
+}
+
+TEST_CASE("in a process without EGL devices, a renderer is refused" * doctest::skip()) {
+    const Result<Renderer> refused = Renderer::create(64, 48);
+    REQUIRE_FALSE(refused.ok());
+    const std::string text = refused.error().text();
+    CHECK(text.find("EGL") != std::string::npos);
+    CHECK(text.find('\n') == std::string::npos);
+}
+
+TEST_CASE("A machine without EGL devices is told so in one line") {
+    std::array<char, 4096> path{};
+    REQUIRE(readlink("/proc/self/exe", path.data(), path.size() - 1) > 0);
+    const std::string command = "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json '" + std::string(path.data()) +
+                                "' --no-skip --test-case='in a process without EGL*' > /dev/null 2>&1";
+    CHECK(std::system(command.c_str()) == 0);
+}
