@@ -67,6 +67,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::string& path, const R
     parts->waiting = recording_magic;
     const Status status = parts->add(ChunkKind::header, encode(header));
     if (!status) {
+        ::unlink(parts->file.c_str());  // not even a header: nothing to keep
         return status.error();
     }
     return RecordingWriter(std::move(parts));

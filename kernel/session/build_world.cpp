@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/build_world.hpp"
+
+#include <algorithm>
+
+#include "eye/make_eye.hpp"
+#include "session/settings.hpp"
+#include "tools/instruments.hpp"
+
+namespace rhexis {
+namespace {
+
+void set_up_bag(BagModel& bag, const std::map<std::string, double>& settings) {
+    bag.opening_radius = 0.5 * settings.at("capsulorhexis.diameter_mm");
+    for (ZonuleSpring& zonule : bag.zonules) {
+        zonule.stiffness *= settings.at("zonules.strength");
+    }
+}
+
+}  // namespace
+
+std::map<std::string, double> all_settings(const SceneDescription& scene) {
+    std::map<std::string, double> settings;
+    for (const SettingInfo& info : setting_table()) {
+        settings[std::string(info.name)] = info.standard;
+    }
+    for (const auto& [name, value] : scene.settings) {
+        settings[name] = value;
+    }
+    return settings;
+}
+
+bool has_tissue(const SceneDescription& scene, const std::string& name) {
+    return std::find(scene.tissues.begin(), scene.tissues.end(), name) != scene.tissues.end();
+}
+
+Result<BuiltWorld> build_world(const SceneDescription& scene) {
+    Result<EyeModel> eye = make_eye(scene.patient);
+    if (!eye) {
+        return eye.error();
+    }
+    set_up_bag(eye.value().bag, all_settings(scene));
+    eye.value().lens.advance = scene.advance;
+    std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
+    if (has_tissue(scene, "lens")) {
+        world->solids.push_back(eye.value().lens);
+    }
+    if (has_tissue(scene, "bag")) {
+        world->bags.push_back(eye.value().bag);
+    }
+    for (const std::string& name : scene.instruments) {
+        Result<ToolModel> tool = make_tool(name);
+        if (!tool) {
+            return tool.error();
+        }
+        world->tools.push_back(std::move(tool).value());
+    }
+    return BuiltWorld{std::move(eye).value(), std::move(world)};
+}
+
+}  // namespace rhexis
