@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/rng.hpp"
+#include "math/cholesky.hpp"
+#include "math/packed_factor.hpp"
+#include "math/pcg.hpp"
+
+using namespace rhexis;
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A grid of nodes, each tied to its neighbours, in the order of elimination.
+BlockPattern grid_pattern(int side) {
+    std::vector<int> first{0};
+    std::vector<int> node;
+    const auto tie = [&](int a, int b) {
+        node.insert(node.end(), {a, b});
+        first.push_back(static_cast<int>(node.size()));
+    };
+    const auto index = [side](int i, int j, int k) { return i + side * (j + side * k); };
+    for (int k = 0; k < side; ++k) {
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                for (const auto& [a, b, c] : {std::array{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}}) {
+                    if (i + a < side && j + b < side && k + c < side) {
+                        tie(index(i, j, k), index(i + a, j + b, k + c));
+                    }
+                }
+            }
+        }
+    }
+    const int nodes = side * side * side;
+    const std::vector<int> order = elimination_order(block_pattern(nodes, first, node));
+    std::vector<int> place(at(nodes));
+    for (int k = 0; k < nodes; ++k) {
+        place[at(order[at(k)])] = k;
+    }
+    for (int& n : node) {
+        n = place[at(n)];
+    }
+    return block_pattern(nodes, first, node);
+}
+
+/// Random symmetric blocks, and a diagonal that makes the whole positive definite.
+BlockValues random_matrix(const BlockPattern& pattern, double diagonal, std::uint64_t seed) {
+    Rng random(seed);
+    BlockValues values = zero_values(pattern);
+    for (int i = 0; i < pattern.rows(); ++i) {
+        for (int slot = pattern.diagonal[at(i)] + 1; slot < pattern.first[at(i) + 1]; ++slot) {
+            Mat3 block;
+            for (int k = 0; k < 9; ++k) {
+                block(k / 3, k % 3) = 2.0 * random.uniform() - 1.0;
+            }
+            add_block(values, slot, block);
+        }
+        add_block(values, pattern.diagonal[at(i)], diagonal * Mat3::Identity() + 0.5 * Mat3::Ones());
+    }
+    mirror_upper(pattern, values);
+    return values;
+}
+
+MatX dense(const BlockPattern& pattern, const BlockValues& values) {
+    MatX result = MatX::Zero(3 * pattern.rows(), 3 * pattern.rows());
+    for (int i = 0; i < pattern.rows(); ++i) {
+        for (int slot = pattern.first[at(i)]; slot < pattern.first[at(i) + 1]; ++slot) {
+            result.block<3, 3>(3 * i, 3 * pattern.column[at(slot)]) = block_of(values, slot);
+        }
+    }
+    return result;
+}
+
+VecX random_vector(int n, std::uint64_t seed) {
+    Rng random(seed);
+    VecX result(n);
+    for (double& x : result) {
+        x = random.normal();
+    }
+    return result;
+}
+
+std::vector<float> spread(const VecX& x) {
+    std::vector<float> result(static_cast<std::size_t>(x.size() / 3 * 4), 0.0F);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        result[static_cast<std::size_t>(4 * (i / 3) + i % 3)] = static_cast<float>(x[i]);
+    }
+    return result;
+}
+
+double largest_error(const std::vector<float>& x, const VecX& reference) {
+    double error = 0.0;
+    for (Eigen::Index i = 0; i < reference.size(); ++i) {
+        error = std::max(
+            error, std::abs(static_cast<double>(x[static_cast<std::size_t>(4 * (i / 3) + i % 3)]) - reference[i]));
+    }
+    return error / reference.cwiseAbs().maxCoeff();
+}
+
+constexpr std::array instruction_sets{"baseline", "avx2", "avx512"};
+
+}  // namespace
+
+TEST_SUITE("math") {
+    TEST_CASE("a block matrix is symmetric after mirroring and multiplies like a dense one") {
+        const BlockPattern pattern = grid_pattern(4);
+        const BlockValues values = random_matrix(pattern, 20.0, 1);
+        const MatX full = dense(pattern, values);
+        CHECK((full - full.transpose()).cwiseAbs().maxCoeff() == 0.0);
+        const VecX x = random_vector(static_cast<int>(full.rows()), 2);
+        const VecX expected = full * x;
+        VecX y(x.size());
+        multiply(pattern, values, {x.data(), static_cast<std::size_t>(x.size())},
+                 {y.data(), static_cast<std::size_t>(y.size())});
+        CHECK((y - expected).cwiseAbs().maxCoeff() < 1e-13 * expected.cwiseAbs().maxCoeff());
+        for (const char* name : instruction_sets) {
+            const linear_kernel::Kernel* kernel = linear_kernel::choose(name);
+            if (kernel != nullptr) {
+                VecX z(x.size());
+                kernel->multiply({pattern.rows(), pattern.first.data(), pattern.column.data(), values.data()}, x.data(),
+                                 z.data());
+                CHECK((z - expected).cwiseAbs().maxCoeff() < 1e-13 * expected.cwiseAbs().maxCoeff());
+            }
+        }
+    }
+
+    TEST_CASE("both factors of CHOLMOD solve, and refuse what is indefinite or not finite") {
+        const BlockPattern pattern = grid_pattern(5);
+        const BlockValues values = random_matrix(pattern, 20.0, 3);
+        const VecX b = random_vector(3 * pattern.rows(), 4);
+        const std::size_t n = static_cast<std::size_t>(b.size());
+        for (const CholeskyKind kind : {CholeskyKind::simplicial, CholeskyKind::supernodal}) {
+            Cholesky factor(pattern, kind);
+            REQUIRE(factor.factor(values));
+            VecX x(b.size());
+            factor.solve({b.data(), n}, {x.data(), n});
+            CHECK((dense(pattern, values) * x - b).norm() < 1e-12 * b.norm());
+            CHECK_FALSE(factor.factor(random_matrix(pattern, 0.1, 3)));
+            CHECK_FALSE(factor.factored());
+            BlockValues bad = values;
+            bad[7] = std::numeric_limits<double>::quiet_NaN();
+            CHECK_FALSE(factor.factor(bad));
+        }
+    }
+
+    TEST_CASE("the packed factor solves to single precision with the same bits for every instruction set") {
+        for (const int side : {1, 2, 5, 9}) {
+            const BlockPattern pattern = grid_pattern(side);
+            const BlockValues values = random_matrix(pattern, 20.0, 5);
+            const VecX b = random_vector(3 * pattern.rows(), 6);
+            const VecX exact = dense(pattern, values).ldlt().solve(b);
+            std::vector<float> first;
+            for (const char* name : instruction_sets) {
+                const linear_kernel::Kernel* kernel = linear_kernel::choose(name);
+                if (kernel == nullptr) {
+                    continue;
+                }
+                PackedFactor factor(pattern, *kernel);
+                REQUIRE(factor.factor(values));
+                std::vector<float> x = spread(b);
+                factor.solve(x);
+                CHECK(largest_error(x, exact) < 1e-5);
+                if (first.empty()) {
+                    first = x;
+                }
+                CHECK(x == first);
+            }
+        }
+    }
+
+    TEST_CASE("the packed factor refuses what is indefinite or not finite, and recovers") {
+        const BlockPattern pattern = grid_pattern(4);
+        PackedFactor factor(pattern, *linear_kernel::choose());
+        CHECK_FALSE(factor.factor(random_matrix(pattern, 0.1, 7)));
+        BlockValues bad = random_matrix(pattern, 20.0, 7);
+        bad[9 * at(pattern.diagonal[5])] = std::numeric_limits<double>::quiet_NaN();
+        CHECK_FALSE(factor.factor(bad));
+        CHECK_FALSE(factor.factored());
+        CHECK(factor.factor(random_matrix(pattern, 20.0, 7)));
+    }
+
+    TEST_CASE("an unknown instruction set has no kernel") {
+        CHECK(linear_kernel::choose("mmx") == nullptr);
+        CHECK(linear_kernel::choose("baseline") != nullptr);
+    }
+
+    TEST_CASE("conjugate gradients end at the tolerance, start where they are told and report indefinite matrices") {
+        const BlockPattern pattern = grid_pattern(4);
+        const BlockValues values = random_matrix(pattern, 20.0, 8);
+        const VecX b = random_vector(3 * pattern.rows(), 9);
+        const std::size_t n = static_cast<std::size_t>(b.size());
+        const auto product = [&](const BlockValues& a) {
+            return [&pattern, &a](std::span<const double> x, std::span<double> y) { multiply(pattern, a, x, y); };
+        };
+        const auto nothing = [](std::span<const double> r, std::span<double> z) {
+            std::copy(r.begin(), r.end(), z.begin());
+        };
+        VecX x(b.size());
+        PcgWork work;
+        const PcgResult cold = pcg({b.data(), n}, 1e-10, 500, product(values), nothing, {x.data(), n}, false, work);
+        CHECK(cold.converged);
+        CHECK((dense(pattern, values) * x - b).norm() < 1.1e-10);
+        const PcgResult warm = pcg({b.data(), n}, 2e-10, 500, product(values), nothing, {x.data(), n}, true, work);
+        CHECK(warm.iterations == 0);
+        const BlockValues indefinite = random_matrix(pattern, 0.1, 8);
+        const PcgResult odd = pcg({b.data(), n}, 1e-10, 500, product(indefinite), nothing, {x.data(), n}, false, work);
+        CHECK_FALSE(odd.converged);
+        CHECK_FALSE(odd.definite);
+        x[3] = std::numeric_limits<double>::quiet_NaN();
+        CHECK_FALSE(pcg({b.data(), n}, 1e-10, 500, product(values), nothing, {x.data(), n}, true, work).finite);
+    }
+}
