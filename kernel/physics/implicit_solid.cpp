@@ -27,9 +27,9 @@ using elastic_kernel::Mode;
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int max_halvings = 10;
-constexpr double descent_left = 0.5;      // share of the slope that may be left, with the other sign, after a step
-constexpr double near = 1e-2;             // relative residual below which the unprojected tangent is tried first
-constexpr double rounding_floor = 1e-13;  // of the momentum that the forces of a step carry
+constexpr double descent_left = 0.5;  // share of the slope that may be left, with the other sign, after a step
+constexpr double near = 1e-2;         // relative residual below which the unprojected tangent is tried first
+constexpr double ulp = 2.2e-16;
 
 double norm(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
 
@@ -67,6 +67,7 @@ struct ImplicitSolid::Parts {
     void add_inertia(const std::vector<double>& v, double factor, std::vector<double>& r) const;
     void hold(std::vector<double>& r) const;
     void complete_matrix(const Task& task);
+    [[nodiscard]] double rounding_of_forces(const Task& task) const;
     void linearised_residual(const Task& task);
     void full_residual(const Task& task);
     void build_tangent(const Task& task, Mode mode);
@@ -90,7 +91,7 @@ struct ImplicitSolid::Parts {
     std::vector<ContactTerm> contacts;
     std::vector<RigidTerm> rigid;
     std::vector<double> velocity0, velocity, residual, change, image;
-    double scale = 0.0;      ///< momentum that the forces carry, for what counts as zero
+    double rounding = 0.0;   ///< what |r| cannot fall below
     double reference = 0.0;  ///< |r| at the start of the step
 };
 
@@ -222,6 +223,18 @@ void ImplicitSolid::Parts::complete_matrix(const Task& task) {
     }
 }
 
+/// Positions are known to an ulp, so forces to stiffness times that.
+double ImplicitSolid::Parts::rounding_of_forces(const Task& task) const {
+    double sum = 0.0;
+    for (int i = 0; i < elastic.rows(); ++i) {
+        if (elastic.moves()[at(i)] != 0) {
+            const Mat3 own = block_of(matrix.solid(), elastic.pattern().diagonal[at(i)]);
+            sum += own.squaredNorm() * Eigen::Map<const Vec3>(x.data() + 3 * i).squaredNorm();
+        }
+    }
+    return ulp * std::sqrt(sum) / task.dt;
+}
+
 /// r of the system linearised about the start of the step, at v0: dt f + M v0 - A v0 (mass damping is in A).
 void ImplicitSolid::Parts::linearised_residual(const Task& task) {
     const double damped = task.dt * model->damping_stiffness;
@@ -239,15 +252,14 @@ void ImplicitSolid::Parts::linearised_residual(const Task& task) {
     std::fill(residual.begin(), residual.end(), 0.0);
     add_applied_forces(task, residual);
     hold(residual);
-    scale = norm(residual);
+    rounding = rounding_of_forces(task) + 10.0 * ulp * norm(residual);
     add_inertia(velocity0, 1.0, residual);
     matrix.multiply(velocity0, image);
-    scale += norm(image);
+    rounding += 10.0 * ulp * norm(image);
     for (std::size_t i = 0; i < residual.size(); ++i) {
         residual[i] -= image[i];
     }
-    scale += task.dt * norm(force);
-    reference = std::max(norm(residual), rounding_floor * scale);
+    reference = std::max(norm(residual), rounding);
 }
 
 /// r at x and the bodies' poses, which belong to `velocity`, with the coupling of there.
@@ -283,12 +295,12 @@ void ImplicitSolid::Parts::build_tangent(const Task& task, Mode mode) {
 /// change = A^-1 residual. False if that was not reached.
 bool ImplicitSolid::Parts::solve(const Task& task, ImplicitReport& report) {
     const double size = norm(residual);
-    const double target = std::max(task.settings.tolerance * size, 0.1 * rounding_floor * scale);
+    const double target = std::max(task.settings.tolerance * size, 0.1 * rounding);
     const KeptSolver::Outcome outcome =
         solver.solve(matrix, residual, target, task.settings.max_linear_iterations, change);
     report.linear_iterations += outcome.iterations;
     report.factored = report.factored || outcome.factored;
-    report.residual = outcome.residual / std::max(size, rounding_floor * scale);
+    report.residual = outcome.residual / std::max(size, rounding);
     return outcome.converged;
 }
 
@@ -327,7 +339,7 @@ void ImplicitSolid::Parts::newton(const Task& task, ImplicitReport& report) {
         ++report.newton_iterations;
         search(task);
         report.newton_residual = norm(residual) / reference;
-        report.converged = report.newton_residual <= task.settings.newton_tolerance;
+        report.converged = norm(residual) <= std::max(task.settings.newton_tolerance * reference, 4.0 * rounding);
         if (report.converged || !std::isfinite(report.newton_residual)) {
             return;
         }
@@ -385,6 +397,7 @@ Result<ImplicitSolid> ImplicitSolid::create(const SolidModel& model, ThreadPool&
 ImplicitSolid::ImplicitSolid(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 ImplicitSolid::~ImplicitSolid() = default;
 ImplicitSolid::ImplicitSolid(ImplicitSolid&&) noexcept = default;
+ImplicitSolid& ImplicitSolid::operator=(ImplicitSolid&&) noexcept = default;
 
 ImplicitReport ImplicitSolid::step(const SolidState& state, const Vec3& gravity, std::span<const Vec3> external,
                                    double dt, const ImplicitSettings& settings, const CouplingFunction& coupling,

@@ -59,6 +59,7 @@ public:
                                         std::string_view instruction_set = {});
     ~ImplicitSolid();
     ImplicitSolid(ImplicitSolid&&) noexcept;
+    ImplicitSolid& operator=(ImplicitSolid&&) noexcept;
 
     /// One step of dt [s]. external: force per coarse node without gravity [uN]; gravity [mm/s^2] is applied inside.
     /// bodies: at the start of the step on entry, at its end on return.
