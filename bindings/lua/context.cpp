@@ -10,7 +10,7 @@ namespace {
 
 constexpr int quantum = 1000;            // instructions between two looks at the budget
 constexpr std::size_t free_bytes = 64;   // bytes allocated per instruction charged
-constexpr long long cpu_check_mask = 7;  // look at the clock every 8th quantum
+constexpr long long cpu_check_mask = 1;  // look at the clock about every other quantum
 
 std::string expiry_text(lua_State* L) {
     const Context& c = context(L);

@@ -33,6 +33,8 @@ bool in_class(char letter, int c) {
             return std::isalnum(c) != 0;
         case 'x':
             return std::isxdigit(c) != 0;
+        case 'z':
+            return c == 0;
         default:
             return false;
     }
@@ -42,7 +44,7 @@ bool in_class(char letter, int c) {
 std::bitset<256> escaped_set(char letter) {
     std::bitset<256> set;
     const bool is_class =
-        std::string_view("acdglpsuwx").find(static_cast<char>(std::tolower(static_cast<unsigned char>(letter)))) !=
+        std::string_view("acdglpsuwxz").find(static_cast<char>(std::tolower(static_cast<unsigned char>(letter)))) !=
         std::string_view::npos;
     if (!is_class) {
         set.set(static_cast<unsigned char>(letter));
@@ -74,7 +76,7 @@ public:
             add_item();
         }
         if (!open_.empty()) {
-            throw PatternError("malformed pattern (unfinished capture)");
+            throw PatternError("unfinished capture");
         }
         pattern_.captures_ = captures_;
     }
@@ -152,7 +154,7 @@ private:
     void add_back_reference(char digit) {
         const std::size_t capture = static_cast<std::size_t>(digit - '1');
         if (digit == '0' || capture >= captures_ || std::find(open_.begin(), open_.end(), capture) != open_.end()) {
-            throw PatternError(std::string("invalid capture index %") + digit + " in pattern");
+            throw PatternError(std::string("invalid capture index %") + digit);
         }
         push(Pattern::Kind::back_reference).capture = capture;
     }

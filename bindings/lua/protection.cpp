@@ -107,7 +107,7 @@ int resume(lua_State* L, lua_State* thread, int arguments) {
 
 int coroutine_resume(lua_State* L) {
     lua_State* thread = lua_tothread(L, 1);
-    luaL_argexpected(L, thread != nullptr, 1, "coroutine");
+    luaL_argexpected(L, thread != nullptr, 1, "thread");
     const int results = resume(L, thread, lua_gettop(L) - 1);
     lua_pushboolean(L, results >= 0);
     const int pushed = results >= 0 ? results : 1;

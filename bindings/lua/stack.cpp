@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "base/near_name.hpp"
+#include "base/near_names.hpp"
 #include "lua/sandbox.hpp"
 
 namespace rhexis::lua {
@@ -219,7 +219,7 @@ std::string Options::choice(const char* name, const std::string& otherwise, cons
             list += (list.empty() ? "" : ", ") + word;
         }
         push(L_, value);
-        fail(name, "allowed: " + list + did_you_mean(value, words));
+        fail(name, "allowed: " + list);
     }
     return value;
 }
@@ -270,7 +270,7 @@ void Options::finish() {
     }
     if (!unknown.empty()) {
         const std::string& first = *std::min_element(unknown.begin(), unknown.end());
-        raise(L_, function_ + ": unknown field '" + first + "'" + did_you_mean(first, known_));
+        raise(L_, function_ + ": unknown field '" + first + "' (" + suggestion(first, known_) + ")");
     }
 }
 

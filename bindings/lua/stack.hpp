@@ -59,7 +59,7 @@ struct Range {
 ///
 ///   Options options(L, 2, "scene.plane");
 ///   plane.friction = options.number("friction", 0.3, {0.0, 2.0});
-///   options.finish();   // unknown fields: "did you mean 'friction'?"
+///   options.finish();   // unknown fields: "did you mean friction?"
 class Options {
 public:
     Options(lua_State* L, int index, std::string function);

@@ -181,6 +181,8 @@ void append_template(lua_State* L, std::string& out, std::string_view text, std:
             push_capture(L, subject, match.captures[static_cast<std::size_t>(c - '1')]);
             out += lua_tostring(L, -1);
             lua_pop(L, 1);
+        } else if (c > '0' && c <= '9') {
+            luaL_error(L, "invalid capture index %%%c", c);
         } else {
             luaL_error(L, "invalid use of '%%' in replacement string");
         }
@@ -261,8 +263,9 @@ int rep(lua_State* L) {
         lua_pushliteral(L, "");
         return 1;
     }
-    const auto most = static_cast<std::size_t>(std::numeric_limits<lua_Integer>::max()) / unit;
-    luaL_argcheck(L, static_cast<std::size_t>(count) <= most, 2, "resulting string too large");
+    if (static_cast<std::size_t>(count) > static_cast<std::size_t>(std::numeric_limits<int>::max()) / unit) {
+        return luaL_error(L, "resulting string too large");
+    }
     const std::size_t size = unit * static_cast<std::size_t>(count) - between.size();
     luaL_Buffer buffer;
     char* out = luaL_buffinitsize(L, &buffer, size);  // memory limit applies here

@@ -147,6 +147,13 @@ TEST_SUITE("bindings") {
         CHECK(failure("setmetatable({}, {__gc = function() while true do end end})") ==
               "try.lua:1: setmetatable: the field __gc is not available to this script");
         CHECK(failure("setmetatable({}, {__mode = 'k'})").find("__mode") != std::string::npos);
+        // What a suspended coroutine would close on its way out is dropped with it.
+        LuaState suspended = make_state();
+        CHECK(suspended
+                  .run_text("c = coroutine.wrap(function() local x <close> = setmetatable({}, {__close = function() "
+                            "while true do end end}) coroutine.yield() end) c()",
+                            "pending")
+                  .ok());
         // Added later, it is never looked at: the state must close at once.
         LuaState state = make_state();
         CHECK(state.run_text("m = {} t = setmetatable({}, m) m.__gc = function() while true do end end t = nil", "late")
