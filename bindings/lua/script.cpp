@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lua/script.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "lua/lua_state.hpp"
+#include "lua/modules.hpp"
+#include "lua/stack.hpp"
+
+namespace rhexis {
+namespace {
+
+void print_line(std::string_view line) {
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fputc('\n', stdout);
+}
+
+// arg[0] is the script, arg[1] its first argument, as in the stand-alone interpreter.
+void set_arguments(lua_State* L, const std::string& path, const std::vector<std::string>& args) {
+    lua::push(L, args);
+    lua::push(L, std::string_view(path));
+    lua_rawseti(L, -2, 0);
+    lua_setglobal(L, "arg");
+}
+
+void search_beside(lua_State* L, const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    lua_getglobal(L, "package");
+    lua_getfield(L, -1, "path");
+    const std::string search = (folder.empty() ? "." : folder) + "/?.lua;" + lua_tostring(L, -1);
+    lua_pop(L, 1);
+    lua::set_field(L, "path", std::string_view(search));
+    lua_pop(L, 1);
+}
+
+LuaOptions state_options(const ScriptOptions& options) {
+    LuaOptions lua;
+    lua.kind = LuaKind::script;
+    lua.limits = {0, 0, 0.0};
+    lua.seed = options.seed;
+    lua.print = options.print ? options.print : print_line;
+    return lua;
+}
+
+ScriptOutcome run(const std::string& path, const std::vector<std::string>& args, const ScriptOptions& options) {
+    Result<LuaState> state = LuaState::create(state_options(options));
+    if (!state) {
+        return {2, state.error().text(), ""};
+    }
+    Status status = state.value().run([&](lua_State* L) {
+        lua::open_modules(L);
+        set_arguments(L, path, args);
+        search_beside(L, path);
+    });
+    if (status) {
+        status = state.value().run_file(path, path, args);
+    }
+    std::fflush(stdout);
+    if (status) {
+        return {};
+    }
+    return {1, status.error().text(), options.verbose ? state.value().traceback() : ""};
+}
+
+}  // namespace
+
+ScriptOutcome run_script(const std::string& path, const std::vector<std::string>& args, const ScriptOptions& options) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored) || !std::ifstream(path)) {
+        return {2, path + ": there is no such script, or it cannot be read", ""};
+    }
+    try {
+        return run(path, args, options);
+    } catch (const std::exception& error) {
+        return {1, path + ": " + error.what(), ""};
+    }
+}
+
+}  // namespace rhexis
