@@ -1,0 +1,32 @@
+---@meta
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+---The eye of a patient as a scene, with instruments to operate by hand.
+---@class rhexis.eye
+local eye = {}
+
+---@class rhexis.EyeOptions
+---@field age? number # of the patient [years]; 20 to 95; default 68
+---@field nuclear_grade? number # LOCS III nuclear opalescence; 1 to 6; default 3
+---@field pupil_mm? number # diameter [mm]; 3 to 9; default 7.5
+---@field side? "right"|"left" # default "right"
+---@field tetrahedra? integer # wanted size of the lens mesh; 500 to 24000; default 3000
+---@field tissues? string[] # of "lens", "bag", "iris", "cornea"; what is not named is not built; default all four
+---@field instruments? string[] # of "phaco", "probe"; default {"phaco"}
+---@field step? number # length of a step [s]; 0.001 to 0.02; default 0.01
+---@field threads? integer # that work on a step; the result does not depend on it; 1 to 64; default 1
+---@field advance? "automatic"|"explicit"|"implicit" # way to advance the lens in time; default "automatic"
+---@field seed? integer # 0 to 9e15; default 1
+---@field settings? table<string, number> # such as {["phaco.power_limit"] = 0.6}; default none
+
+---An eye whose lens lies free in its capsular bag. Origin at the centre of the lens equator, +z to the microscope, the
+---surgeon at -y, +x to the surgeon's right. Instruments are withdrawn until the script moves them.
+---```lua
+---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
+---assert(eye:step(2))
+---```
+---@param options? rhexis.EyeOptions
+---@return rhexis.Scene
+function eye.create(options) end
+
+rhexis.eye = eye
