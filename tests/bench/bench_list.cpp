@@ -3,6 +3,7 @@
 #include "bench/bench_calculix.hpp"
 #include "bench/bench_explicit.hpp"
 #include "bench/bench_stability.hpp"
+#include "bench/bench_lens_chart.hpp"
 
 namespace rhexis::bench {
 
@@ -14,6 +15,7 @@ std::vector<BenchCase> bench_cases() {
     add(explicit_cases());
     add(calculix_cases());
     add(stability_cases());
+    add(lens_chart_cases());
     return cases;
 }
 

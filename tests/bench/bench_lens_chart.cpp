@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/bench_lens_chart.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "bench/lens_run.hpp"
+
+namespace rhexis::bench {
+namespace {
+
+constexpr double total_load = 500.0;  // [uN]: small enough for the linear answer to hold within 1 %
+
+/// Requested size -> depth per load that CalculiX finds with C3D10 on the same mesh [mm/uN]
+/// (docs/data/calculix.csv, made by `rhexis bench calculix`).
+std::map<int, double> reference_table() {
+    std::map<int, double> table;
+    std::ifstream file("docs/data/calculix.csv");
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream fields(line);
+        std::string element;
+        int size = 0;
+        double compliance = 0.0;
+        char comma = 0;
+        if (std::getline(fields, element, ',') && fields >> size >> comma >> compliance && element == "C3D10") {
+            table[size] = 1e-3 * compliance;
+        }
+    }
+    return table;
+}
+
+nlohmann::json row(const std::string& series, const std::string& point, const scenes::LensPoke& poke,
+                   const LensRun& run, double compliance, const LoadHistory& history) {
+    nlohmann::json result = {{"name", series},
+                             {"point", point},
+                             {"elements", poke.lens.coarse.tets.size()},
+                             {"nodes", poke.lens.coarse.nodes.size()},
+                             {"cpu_s_per_s", run.cpu_s_per_s},
+                             {"error_kind", "rms depth against C3D10 on the same mesh, over the final depth"}};
+    if (run.depth.empty()) {
+        result["failure"] = run.failure;
+    } else {
+        result["error"] = depth_error(run, compliance, total_load, history);
+    }
+    return result;
+}
+
+std::string milliseconds(double step_s) {
+    std::ostringstream text;
+    text << 1e3 * step_s << " ms";
+    return text.str();
+}
+
+nlohmann::json run_chart(const BenchOptions& options) {
+    const std::map<int, double> references = reference_table();
+    const LoadHistory history;
+    nlohmann::json rows = nlohmann::json::array();
+    for (const auto& [size, compliance] : references) {
+        if (options.quick && size > 1000) {
+            break;
+        }
+        scenes::LensPoke poke = scenes::lens_poke(size, {.total = total_load});
+        for (const Formulation formulation : {Formulation::linear, Formulation::edge_smoothed}) {
+            poke.lens.formulation = formulation;
+            const std::string kind = formulation == Formulation::linear ? "linear" : "edge-smoothed";
+            for (const double share : {0.9, 0.45}) {
+                rows.push_back(row("explicit " + kind, share > 0.5 ? "0.9 of the limit" : "0.45 of the limit", poke,
+                                   run_explicit(poke, share, history), compliance, history));
+            }
+            for (const double step_s : {0.02, 0.01, 0.005, 0.002, 0.001}) {
+                rows.push_back(row("implicit " + kind, milliseconds(step_s), poke,
+                                   run_implicit(poke, step_s, 1, 1e-6, history), compliance, history));
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::vector<BenchCase> lens_chart_cases() {
+    return {{"lens_chart", "speed against accuracy of the ways to advance the lens, 1,000 to 24,000 tetrahedra",
+             run_chart}};
+}
+
+}  // namespace rhexis::bench
