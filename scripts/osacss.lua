@@ -108,12 +108,12 @@ return scoring.rubric {
         } },
 
         { id = "G4", name = "Intraocular spatial awareness", measures = {
-            { id = "G4.iris_touches", name = "Touches of the iris per minute", unit = "per minute", digits = 1,
-                of = "60 * iris.touches / max(time_s, 60)", take = "last", five = 0, three = 1, one = 3, weight = 0.5,
-                source = "proposal", better = "Look at the shaft and at the pupil's edge as well as at the tip." },
+            { id = "G4.iris_touches", name = "Touches of the iris", unit = "1", digits = 0, of = "iris.touch",
+                take = "count", quiet_s = 1, five = 0, three = 1, one = 3, weight = 0.5, source = "proposal",
+                better = "Look at the shaft and at the pupil's edge as well as at the tip." },
             { id = "G4.capsule_touches", name = "Touches of the posterior capsule with the tip", unit = "1",
-                digits = 0, of = "phaco.tip_posterior_mm < 0.1", take = "count", five = 0, three = 1, one = 3,
-                weight = 1, source = "proposal", better = "Stop deepening while there is still a plate of lens." },
+                digits = 0, of = "phaco.tip_posterior_mm < 0.1", take = "count", quiet_s = 1, five = 0, three = 1,
+                one = 3, weight = 1, source = "proposal", better = "Stop deepening while there is still a plate of lens." },
             { id = "G4.safe_time", name = "Time with the tip in safe distance of iris and posterior capsule",
                 unit = "%", digits = 0, of = "phaco.tip_posterior_mm > 0.5 and iris.gap_mm > 0.1", take = "share",
                 during = "phaco.aspirating", five = 98, three = 90, one = 75, weight = 1, source = "proposal",
@@ -125,8 +125,8 @@ return scoring.rubric {
         } },
 
         { id = "G5", name = "Iris protection", measures = {
-            { id = "G5.touches", name = "Touches of the iris", unit = "1", digits = 0, of = "iris.touches",
-                take = "last", five = 0, three = 2, one = 5, weight = 1, source = "proposal",
+            { id = "G5.touches", name = "Touches of the iris", unit = "1", digits = 0, of = "iris.touch",
+                take = "count", quiet_s = 1, five = 0, three = 2, one = 5, weight = 1, source = "proposal",
                 better = "Turn back before the pupil's edge, and keep the shaft above the iris." },
             { id = "G5.touch_time", name = "Time in touch with the iris", unit = "s", digits = 1, of = "iris.touch_s",
                 take = "last", five = 0, three = 0.5, one = 2, weight = 1, source = "proposal",

@@ -17,6 +17,7 @@ local measure_rules = {
         "count" } },                             -- what is made of it over the attempt
     during = { kind = "text" },                  -- only while this holds
     hold_s = { kind = "number", from = 0 },      -- time, share: only stretches as long as this
+    quiet_s = { kind = "number", from = 0 },     -- count: rest needed before it counts again
     if_never = { kind = "number" },              -- the value when it never was defined; without it: not scored
     unit = { kind = "text", required = true },
     digits = { kind = "number", default = 1, from = 0, to = 4, whole = true },
@@ -160,7 +161,7 @@ local function open_measure(measure, resolve)
         measure = measure,
         of = expression.bind(measure.of, resolve),
         during = measure.during and expression.bind(measure.during, resolve),
-        collector = collect[measure.take]({ hold_s = measure.hold_s }),
+        collector = collect[measure.take]({ hold_s = measure.hold_s, quiet_s = measure.quiet_s }),
     }
 end
 
@@ -227,12 +228,26 @@ end
 local outcomes = { near_miss = "a near miss, put right at once", recovered = "put right",
     not_recovered = "not put right in time", open = "not put right yet" }
 
+-- "Iris touched at 5.6 s and 2 times more, put right: at most 4 points."
+local function cap_reason(by, same)
+    local more = ""
+    if same == 1 then more = " and once more" elseif same > 1 then more = (" and %d times more"):format(same) end
+    return ("%s at %.1f s%s, %s: at most %d points."):format(by.title, by.time_s, more, outcomes[by.outcome], by.cap)
+end
+
+local function cap_reasons(list, capped_by)
+    local seen, same = {}, {}
+    for _, by in ipairs(capped_by) do
+        local key = by.event .. "/" .. by.outcome
+        if same[key] == nil then seen[#seen + 1] = by end
+        same[key] = (same[key] or -1) + 1
+    end
+    for _, by in ipairs(seen) do list[#list + 1] = cap_reason(by, same[by.event .. "/" .. by.outcome]) end
+end
+
 local function reasons(result, cap)
     local list = {}
-    for _, by in ipairs(result.capped_by) do
-        list[#list + 1] = ("%s at %.1f s, %s: at most %d points."):format(by.title, by.time_s, outcomes[by.outcome],
-            by.cap)
-    end
+    cap_reasons(list, result.capped_by)
     for _, measure in ipairs(result.measures) do
         if measure.score < 4.995 then
             list[#list + 1] = measure.text .. (measure.better and ". " .. measure.better or ".")

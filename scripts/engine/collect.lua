@@ -78,13 +78,16 @@ function collect.share(options)
     }
 end
 
---- How often a condition comes true.
-function collect.count()
-    local count, before, any, at = 0, false, false, nil
+--- How often a condition comes true, after it has rested for quiet_s: a trembling touch is one touch.
+function collect.count(options)
+    local count, calm, any, at = 0, math.huge, false, nil
     return {
-        add = function(x, _, time_s)
-            if x and not before then count, at = count + 1, at or time_s end
-            before, any = x, true
+        add = function(x, dt, time_s)
+            any = true
+            if x and calm >= (options.quiet_s or 0) - 1e-9 and calm > 0 then
+                count, at = count + 1, at or time_s
+            end
+            calm = x and 0 or calm + dt
         end,
         result = function() return any and count or nil, at end,
     }

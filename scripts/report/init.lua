@@ -105,16 +105,36 @@ local function evidence_text(evidence)
     return table.concat(parts, " · ")
 end
 
-local function event_card(w, event)
+local function occurrence(w, event)
     local outcome = outcomes[event.outcome] or outcomes[event.recovered and "recovered" or "not_recovered"]
-    w('<div class="event ', event.severity == "minor" and "minor" or "", '"><h3>', e(event.title or event.id),
-        ' <span class="soft">at ', time(event.time_s), '</span> <span class="tag ', outcome[2], '">', outcome[1],
-        event.recovery_s and " after " .. time(event.recovery_s) or "", "</span></h3>")
-    if event.cue then w("<p><b>What shows it:</b> ", e(event.cue), "</p>") end
-    if event.advice then w("<p><b>What to do:</b> ", e(event.advice), "</p>") end
+    w('<li>at ', time(event.time_s), ' <span class="tag ', outcome[2], '">', outcome[1],
+        event.recovery_s and " after " .. time(event.recovery_s) or "", "</span>")
     local evidence = evidence_text(event.evidence)
-    if evidence ~= "" then w('<p class="soft small">Measured then: ', e(evidence), "</p>") end
-    w("</div>")
+    if evidence ~= "" then w('<br><span class="soft small">Measured then: ', e(evidence), "</span>") end
+    w("</li>")
+end
+
+-- All occurrences of one error.
+local function event_card(w, events)
+    local first = events[1]
+    w('<div class="event ', first.severity == "minor" and "minor" or "", '"><h3>', e(first.title or first.id), "</h3>")
+    if first.cue then w("<p><b>What shows it:</b> ", e(first.cue), "</p>") end
+    if first.advice then w("<p><b>What to do:</b> ", e(first.advice), "</p>") end
+    w("<ul>")
+    for _, event in ipairs(events) do occurrence(w, event) end
+    w("</ul></div>")
+end
+
+local function event_cards(w, events)
+    local order, by_id = {}, {}
+    for _, event in ipairs(events) do
+        if not by_id[event.id] then
+            by_id[event.id] = {}
+            order[#order + 1] = event.id
+        end
+        table.insert(by_id[event.id], event)
+    end
+    for _, id in ipairs(order) do event_card(w, by_id[id]) end
 end
 
 local function time_line(w, report)
@@ -124,7 +144,7 @@ local function time_line(w, report)
         w(chart.time_line(steps, events, report.duration_s))
         w('<p class="soft small">Green: step completed. Grey: not completed.</p>')
     end
-    for _, event in ipairs(events) do event_card(w, event) end
+    event_cards(w, events)
     w("</section>")
 end
 

@@ -40,6 +40,7 @@ td ul { margin:0; padding-left:1.1rem; } td li { margin:.15rem 0; }
 .measures th:nth-child(2) { width:6.5rem; } .measures th:nth-child(3) { width:3.5rem; }
 .measures th:nth-child(4) { width:34%; }
 .event { border-left:5px solid var(--bad); padding:.2rem 0 .2rem 1rem; margin:.9rem 0; }
+.event ul { margin:.3rem 0; padding-left:1.1rem; }
 .event.minor { border-color:var(--fair); }
 .tag { font-size:.8rem; font-weight:600; padding:.05rem .5rem; border-radius:6px; color:#fff; vertical-align:.1em; }
 figure { margin:0; break-inside:avoid; }

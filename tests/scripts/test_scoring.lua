@@ -86,6 +86,16 @@ case("events cap their items by what became of them", function()
     equal(item.reasons[1], "E at 1.0 s, put right: at most 3 points.")
 end)
 
+case("the same error again is told once, with how often", function()
+    local events = {}
+    for i = 1, 3 do
+        events[i] = { id = "e", title = "E", severity = "minor", outcome = "recovered", items = { "I1" }, time_s = i }
+    end
+    local item = score({ depth_measure() }, { 0 }, events).items[1]
+    equal(#item.capped_by, 3)
+    equal(item.reasons[1], "E at 1.0 s and 2 times more, put right: at most 4 points.")
+end)
+
 case("a cap never raises a score", function()
     local item = score({ depth_measure() }, { 4 }, { { id = "e", title = "E", severity = "critical",
         outcome = "recovered", items = { "I1" }, time_s = 1 } }).items[1]
@@ -113,6 +123,7 @@ case("collectors: mean, rms, time, share, count over an attempt", function()
     near(value("share", { 3, 1, 3, 1 }, { of = "tip.depth_mm > 2" }), 50, 1e-9)
     near(value("share", { 3, 1, 3, 3 }, { of = "tip.depth_mm > 2", hold_s = 1 }), 50, 1e-9)
     equal(value("count", { 3, 1, 3, 3 }, { of = "tip.depth_mm > 2" }), 2)
+    equal(value("count", { 3, 1, 3, 1, 1, 1, 3 }, { of = "tip.depth_mm > 2", quiet_s = 1 }), 2, "with rest")
     near(value("max", { 3, 1, 9 }, { during = "tip.depth_mm < 5" }), 3, 1e-9)
     near(value("last", { 3 }, { of = "tip.depth_mm / reference.depth" }), 1.5, 1e-9)
 end)
