@@ -68,7 +68,8 @@ case("a full report holds score, reasons, errors, pictures and charts, all escap
     local html = report.html(full(), series(), { ["frames/001.png"] = "aGVsbG8=" })
     check_balance(html)
     for _, text in ipairs({ "Groove &lt;b&gt;", "Dig &amp; be gentle.", "7.5", "supervised",
-        "Too deep: at most 3 points.", "Too &lt;deep&gt;", "Up &amp; away.", "put right after 0.8 s", "not put right in time", "Do &lt;less&gt;.",
+        "Too deep: at most 3 points.", "Too &lt;deep&gt;", "Up &amp; away.", "put right after 0.8 s",
+        "not put right in time", "Do &lt;less&gt;.",
         "data:image/png;base64,aGVsbG8=", "After &lt;it&gt;", "not been validated clinically", "<svg", "tip.x_mm 0.25",
         "1 of 3 steps", "3000", "seed 7", "NO3" }) do
         holds(html, text)
