@@ -2,6 +2,7 @@
 #include "bench/bench.hpp"
 #include "bench/bench_calculix.hpp"
 #include "bench/bench_explicit.hpp"
+#include "bench/bench_implicit.hpp"
 #include "bench/bench_stability.hpp"
 #include "bench/bench_lens_chart.hpp"
 
@@ -13,6 +14,7 @@ std::vector<BenchCase> bench_cases() {
         cases.insert(cases.end(), more.begin(), more.end());
     };
     add(explicit_cases());
+    add(implicit_cases());
     add(calculix_cases());
     add(stability_cases());
     add(lens_chart_cases());

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/attempt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/html.hpp"
+#include "cli/pictures.hpp"
+#include "cli/places.hpp"
+#include "cli/progress.hpp"
+#include "cli/report_json.hpp"
+#include "cli/series.hpp"
+#include "cli/timing.hpp"
+#include "session/recording.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+RecordingHeader header_of(const AttemptOptions& options, const ExerciseHost& host, const Session& session) {
+    RecordingHeader header;
+    header.scene = session.scene();
+    header.seed = options.exercise.seed;
+    header.curriculum = options.exercise.curriculum;
+    header.identity = host.identity().dump();
+    header.surgeon = options.exercise.surgeon;
+    header.set = options.exercise.set;
+    header.build = build_note();
+    header.schema = session.schema();
+    return header;
+}
+
+/// One attempt while it runs.
+class Attempt {
+public:
+    Attempt(const AttemptOptions& options, ExerciseHost host, Session session, RecordingWriter writer)
+        : options_(options),
+          host_(std::move(host)),
+          session_(std::move(session)),
+          writer_(std::move(writer)),
+          series_(session_.schema()),
+          progress_(options.exercise.curriculum, options.quiet),
+          checkpoint_steps_(std::lround(checkpoint_interval_s / session_.scene().step_s)) {}
+
+    void draw_with(PictureBook book) { book_.emplace(std::move(book)); }
+
+    Status run() {
+        Status status = begin();
+        while (status && think()) {
+            status = take_pictures();
+            if (!status || over()) {
+                break;
+            }
+            status = advance();
+        }
+        return status ? end() : status;
+    }
+
+    Result<AttemptResult> write_results();
+
+private:
+    Status begin() {
+        series_.add(session_.observation());
+        const Status started = host_.start(session_.schema(), session_.scene().instruments);
+        if (!started) {
+            script_error_ = started.error().text();
+        }
+        if (book_) {
+            const Status kept = book_->keep(session_.frame(), "start", "Before the first step.");
+            if (!kept) {
+                return kept;
+            }
+        }
+        return writer_.add(RecordedStart{session_.observation(), session_.state_hash()});
+    }
+
+    /// The exercise sees what happened, then the surgeon. False when a script failed.
+    bool think() {
+        if (!script_error_.empty()) {
+            return false;
+        }
+        commands_.clear();
+        samples_.clear();
+        Result<std::vector<Command>> commands = host_.observe(session_.observation());
+        if (!commands) {
+            script_error_ = commands.error().text();
+            return false;
+        }
+        commands_ = std::move(commands).value();
+        if (!host_.has_surgeon() || host_.finished()) {
+            return true;
+        }
+        Result<std::vector<DeviceSample>> samples = host_.operate(session_.percept());
+        if (!samples) {
+            script_error_ = samples.error().text();
+            return false;
+        }
+        samples_ = std::move(samples).value();
+        return true;
+    }
+
+    bool over() {
+        const bool asked = std::any_of(commands_.begin(), commands_.end(),
+                                       [](const Command& command) { return command.kind == CommandKind::finish; });
+        cut_off_ = !asked && !host_.finished() && session_.time_s() + 1e-9 >= options_.limit_s;
+        return asked || cut_off_ || host_.finished();
+    }
+
+    Status advance() {
+        timing_.step(session_, samples_, commands_);
+        series_.add(session_.observation());
+        Status status = writer_.add(
+            RecordedStep{session_.step_count(), samples_, commands_, session_.observation(), session_.state_hash()});
+        if (status && session_.step_count() % checkpoint_steps_ == 0) {
+            status = writer_.add(session_.snapshot());
+        }
+        if (status && book_ && book_->wants_film(session_.time_s())) {
+            status = book_->film(session_.frame());
+        }
+        show_progress();
+        return status;
+    }
+
+    /// Pictures that the exercise asks for show the moment at which it asks.
+    Status take_pictures() {
+        for (const Command& command : commands_) {
+            if (command.kind == CommandKind::picture && book_) {
+                end_pictured_ = end_pictured_ || command.name == "end";
+                const Status status = book_->keep(session_.frame(), command.name, command.text);
+                if (!status) {
+                    return status;
+                }
+            }
+        }
+        return success();
+    }
+
+    Status end() {
+        if (book_) {
+            Status status = end_pictured_ ? success() : book_->keep(session_.frame(), "end", "At the end.");
+            status = status ? book_->finish() : status;
+            if (!status) {
+                return status;
+            }
+        }
+        return writer_.finish();
+    }
+
+    void show_progress() {
+        char note[64];
+        std::snprintf(note, sizeof note, "%.1f s simulated", session_.time_s());
+        progress_.show(session_.time_s() / time_limit(), note);
+    }
+
+    [[nodiscard]] double time_limit() const {
+        return std::min(options_.limit_s, host_.identity().value("time_limit_s", options_.limit_s));
+    }
+
+    [[nodiscard]] Log full_log() const {
+        Log log = session_.log();
+        if (cut_off_) {
+            log.push_back({LogLevel::warning, session_.time_s(), "the run was ended at its limit of simulated time"});
+        }
+        return log;
+    }
+
+    AttemptOptions options_;
+    ExerciseHost host_;
+    Session session_;
+    RecordingWriter writer_;
+    std::optional<PictureBook> book_;
+    Series series_;
+    Timing timing_;
+    Progress progress_;
+    std::uint64_t checkpoint_steps_;
+    std::vector<Command> commands_;
+    std::vector<DeviceSample> samples_;
+    std::string script_error_;
+    bool end_pictured_ = false;
+    bool cut_off_ = false;
+};
+
+Result<AttemptResult> Attempt::write_results() {
+    AttemptResult result;
+    Result<nlohmann::json> judged = host_.result();
+    if (!judged && script_error_.empty()) {
+        script_error_ = judged.error().text();
+    }
+    ReportInput input;
+    input.identity = host_.identity();
+    input.surgeon = options_.exercise.surgeon;
+    input.seed = options_.exercise.seed;
+    input.patient = session_.scene().patient;
+    input.duration_s = session_.time_s();
+    input.state_hash = session_.state_hash();
+    input.result = judged ? judged.value() : nlohmann::json::object();
+    input.script_error = script_error_;
+    if (book_) {
+        input.pictures = book_->pictures();
+        input.video = book_->has_video();
+    }
+    input.log = full_log();
+    input.simulated = simulated_parts(session_);
+    input.performance = timing_.performance(session_.time_s());
+    result.report = make_report(input);
+    result.script_error = script_error_;
+    result.recording = writer_.file();
+    Status status = write_whole_file(options_.folder + "/report.json", result.report.dump(2) + "\n");
+    if (status) {
+        status = write_whole_file(options_.folder + "/series.json", series_.json().dump() + "\n");
+    }
+    if (!status) {
+        return status.error();
+    }
+    return result;
+}
+
+Result<std::optional<PictureBook>> open_book(const AttemptOptions& options, std::string& note) {
+    if (options.drawing == Drawing::none) {
+        return std::optional<PictureBook>();
+    }
+    Result<PictureBook> book = PictureBook::create(options.folder, options.drawing == Drawing::video);
+    if (book) {
+        return std::optional<PictureBook>(std::move(book).value());
+    }
+    if (options.drawing == Drawing::video) {
+        return book.error();
+    }
+    note = book.error().text();
+    return std::optional<PictureBook>();
+}
+
+/// The page is for reading; a run without it is still a run.
+void write_html(const AttemptOptions& options, AttemptResult& result) {
+    const Result<std::string> html = report_page(options.exercise.root, options.folder);
+    const Status written = html ? write_whole_file(options.folder + "/report.html", html.value()) : html.error();
+    result.html_error = written ? "" : written.error().text();
+}
+
+}  // namespace
+
+Result<AttemptResult> attempt(const AttemptOptions& options) {
+    Result<ExerciseHost> host = ExerciseHost::load(options.exercise);
+    if (!host) {
+        return host.error();
+    }
+    SceneDescription scene = host.value().scene();
+    scene.threads = options.threads;
+    Result<Session> session = Session::create(scene, options.exercise.seed);
+    if (!session) {
+        return session.error();
+    }
+    const Status prepared = prepare_folder(options.folder);
+    if (!prepared) {
+        return prepared.error();
+    }
+    std::string drawing_note;
+    Result<std::optional<PictureBook>> book = open_book(options, drawing_note);
+    if (!book) {
+        return book.error();
+    }
+    const RecordingHeader header = header_of(options, host.value(), session.value());
+    Result<RecordingWriter> writer = RecordingWriter::create(options.folder + "/recording.rhx", header);
+    if (!writer) {
+        return writer.error();
+    }
+    Attempt running(options, std::move(host).value(), std::move(session).value(), std::move(writer).value());
+    if (book.value()) {
+        running.draw_with(std::move(*book.value()));
+    }
+    const Status ran = running.run();
+    if (!ran) {
+        return ran.error();
+    }
+    Result<AttemptResult> result = running.write_results();
+    if (!result) {
+        return result;
+    }
+    result.value().drawing_note = drawing_note;
+    write_html(options, result.value());
+    return result;
+}
+
+}  // namespace rhexis::cli

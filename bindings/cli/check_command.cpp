@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis check: loads exercises and runs them for a moment, so that their mistakes are found by file and line.
+#include <cstdio>
+
+#include "cli/command.hpp"
+#include "lua/exercise_host.hpp"
+#include "session/session.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+constexpr const char* help =
+    "Loads each exercise, builds its scene and lets it watch a moment of it, so that wrong names, values and syntax "
+    "show.\n"
+    "\n"
+    "  rhexis check curricula/groove\n"
+    "  rhexis check my_exercise/ other.lua";
+
+constexpr int dry_steps = 20;
+
+Status dry_run(const std::string& path, const Context& context) {
+    Result<ExerciseHost> host = ExerciseHost::load({path, "none", 1, {}, context.root});
+    if (!host) {
+        return host.error();
+    }
+    Result<Session> session = Session::create(host.value().scene(), 1);
+    if (!session) {
+        return session.error();
+    }
+    Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
+    if (!started) {
+        return started;
+    }
+    for (int step = 0; step <= dry_steps && !host.value().finished(); ++step) {
+        const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
+        if (!commands) {
+            return commands.error();
+        }
+        session.value().step({}, commands.value());
+    }
+    const Result<nlohmann::json> result = host.value().result();
+    return result ? success() : Status(result.error());
+}
+
+int check(const std::vector<std::string>& paths, const Context& context) {
+    int status = done;
+    for (const std::string& path : paths) {
+        const Status checked = dry_run(path, context);
+        if (checked) {
+            std::printf("%s: good\n", path.c_str());
+        } else {
+            status = complain(checked.error(), found_failures);
+        }
+    }
+    return status;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("check", "Find the mistakes in exercises, by file and line");
+    command->footer(help);
+    auto paths = std::make_shared<std::vector<std::string>>();
+    command->add_option("path", *paths, "Exercises: folders, files, or names in curricula/")->required();
+    command->callback([paths, &context] { context.status = check(*paths, context); });
+}
+
+}  // namespace rhexis::cli

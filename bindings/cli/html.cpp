@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/html.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/base64.hpp"
+#include "cli/places.hpp"
+#include "cli/report_json.hpp"
+#include "lua/report_script.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+using nlohmann::json;
+
+Result<json> read_json(const std::string& path) {
+    const Result<std::string> text = read_whole_file(path);
+    if (!text) {
+        return text.error();
+    }
+    json value = json::parse(text.value(), nullptr, false);
+    if (!value.is_object()) {
+        return Error{"this is no JSON object", path, "a file written by rhexis run"};
+    }
+    return value;
+}
+
+/// Pictures that the report names and that are still there, as text that a page can hold.
+std::map<std::string, std::string> read_images(const json& report, const std::string& folder) {
+    std::map<std::string, std::string> images;
+    for (const json& picture : report.value("pictures", json::array())) {
+        const std::string file = picture.is_object() ? picture.value("file", "") : "";
+        const Result<std::string> bytes = read_whole_file(folder + "/" + file);
+        if (!file.empty() && bytes) {
+            images[file] = base64(bytes.value());
+        }
+    }
+    return images;
+}
+
+}  // namespace
+
+Result<std::string> report_page(const std::string& root, const std::string& folder) {
+    const Result<json> report = read_json(folder + "/report.json");
+    if (!report) {
+        return report.error();
+    }
+    if (report.value().value("schema", 0) != report_schema) {
+        return Error{"the report is not of schema " + std::to_string(report_schema), folder,
+                     "a newer or older program made it"};
+    }
+    const Result<json> series = read_json(folder + "/series.json");
+    if (!series) {
+        return series.error();
+    }
+    return report_html(root, report.value(), series.value(), read_images(report.value(), folder));
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures and video of a run, drawn beside it: what is drawn never changes what is simulated.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "flow/frame.hpp"
+
+namespace rhexis::cli {
+
+struct Picture {
+    std::string file;  ///< relative to the run's folder
+    std::string name;
+    std::string caption;
+    double time_s = 0.0;
+};
+
+class PictureBook {
+public:
+    /// Draws into folder/frames, and into folder/video.mp4 if asked. Fails without a device to draw with.
+    static Result<PictureBook> create(const std::string& folder, bool video);
+    ~PictureBook();
+    PictureBook(PictureBook&&) noexcept;
+
+    Status keep(const Frame& frame, const std::string& name, const std::string& caption);
+    /// Adds video frames until the video has reached the frame's time.
+    Status film(const Frame& frame);
+    /// True when the video wants a frame at this time: only then is one worth making.
+    [[nodiscard]] bool wants_film(double time_s) const;
+    Status finish();
+
+    [[nodiscard]] const std::vector<Picture>& pictures() const;
+    [[nodiscard]] bool has_video() const;
+
+private:
+    struct Parts;
+    explicit PictureBook(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace rhexis::cli

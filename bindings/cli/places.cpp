@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/places.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace rhexis::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_root(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / "scripts" / "exercise.lua", ignored);
+}
+
+Error system_error(const std::string& path, const char* what, int code) {
+    return {std::string(what) + ": " + std::strerror(code), path, ""};
+}
+
+Status write_all(int descriptor, const std::string& path, const std::string& content) {
+    std::size_t written = 0;
+    while (written < content.size()) {
+        const ssize_t count = ::write(descriptor, content.data() + written, content.size() - written);
+        if (count < 0 && errno != EINTR) {
+            return system_error(path, "cannot write", errno);
+        }
+        written += count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+    return success();
+}
+
+}  // namespace
+
+std::string find_root() {
+    const char* home = std::getenv("RHEXIS_HOME");
+    if (home != nullptr && *home != '\0') {
+        return home;
+    }
+    std::error_code failed;
+    fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
+    for (int level = 0; level < 6 && !failed && !folder.empty(); ++level) {
+        for (const fs::path& candidate : {folder / "share" / "rhexis", folder}) {
+            if (is_root(candidate)) {
+                return candidate.string();
+            }
+        }
+        folder = folder.parent_path();
+    }
+    return {};
+}
+
+Status prepare_folder(const std::string& folder) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) {
+        return Error{"cannot make this folder: " + failed.message(), folder, "a folder that can be written"};
+    }
+    const std::string probe = folder + "/.rhexis-probe";
+    const Status status = write_whole_file(probe, "probe\n");
+    ::unlink(probe.c_str());
+    if (!status) {
+        return Error{status.error().what, folder, "a folder that can be written, on a disk that is not full"};
+    }
+    return success();
+}
+
+Status write_whole_file(const std::string& path, const std::string& content) {
+    const std::string part = path + ".part";
+    const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (descriptor < 0) {
+        return system_error(path, "cannot write", errno);
+    }
+    Status status = write_all(descriptor, path, content);
+    if (::close(descriptor) != 0 && status) {
+        status = system_error(path, "cannot write", errno);
+    }
+    if (status && std::rename(part.c_str(), path.c_str()) != 0) {
+        status = system_error(path, "cannot write", errno);
+    }
+    if (!status) {
+        ::unlink(part.c_str());
+    }
+    return status;
+}
+
+Result<std::string> read_whole_file(const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+        return Error{"this is a folder", path, "a file"};
+    }
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream content;
+    if (!stream || (!(content << stream.rdbuf()) && stream.bad())) {
+        return Error{std::string("cannot read: ") + std::strerror(errno), path, ""};
+    }
+    return std::move(content).str();
+}
+
+std::string recording_path(const std::string& given) {
+    std::error_code ignored;
+    if (!fs::is_directory(given, ignored)) {
+        return given;
+    }
+    const fs::path whole = fs::path(given) / "recording.rhx";
+    const fs::path part = fs::path(given) / "recording.rhx.part";
+    return !fs::exists(whole, ignored) && fs::exists(part, ignored) ? part.string() : whole.string();
+}
+
+}  // namespace rhexis::cli

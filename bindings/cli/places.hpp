@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where things lie on disk.
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+
+namespace rhexis::cli {
+
+/// The folder with scripts/ and curricula/: RHEXIS_HOME, or beside the program (in the source tree that it was built
+/// in, or share/rhexis of where it is installed). Empty when there is none.
+std::string find_root();
+
+/// Makes the folder and its parents and makes sure that files can be written there.
+Status prepare_folder(const std::string& folder);
+
+/// Writes a file under another name and renames it: it is there as a whole or not at all.
+Status write_whole_file(const std::string& path, const std::string& content);
+
+Result<std::string> read_whole_file(const std::string& path);
+
+/// "DIR/recording.rhx" for a run's folder (or its .part when the run was cut short), else the path itself.
+std::string recording_path(const std::string& given);
+
+}  // namespace rhexis::cli

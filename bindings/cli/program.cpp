@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "base/near_names.hpp"
+#include "cli/command.hpp"
+#include "cli/places.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+constexpr const char* description =
+    "rhexis: a scriptable simulation kernel for training in cataract surgery.\n"
+    "\n"
+    "Start here:\n"
+    "  rhexis run groove                     a virtual expert sculpts a groove; report, pictures, recording in runs/\n"
+    "  rhexis run groove --surgeon novice    the same by a beginner\n"
+    "  rhexis replay runs/groove-expert-1 --verify\n"
+    "                                        simulate that again and compare every step, bit for bit\n"
+    "  rhexis check my_exercise/             find the mistakes in an exercise of your own, by file and line\n"
+    "  rhexis lua my_scene.lua               run a script with the kernel's modules at hand\n";
+
+constexpr const char* footer =
+    "Exit status: 0 done; 1 the run, check or test found failures; 2 bad usage or bad input.\n"
+    "Scripts and exercises are found beside the program, or in the folder that RHEXIS_HOME names.";
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+/// The first word that is no option: the command that was meant.
+std::string first_word(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (argv[i][0] != '-') {
+            return argv[i];
+        }
+    }
+    return {};
+}
+
+/// A misspelt option of a command, with its near names; CLI11 alone only says that it does not know it.
+Error usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+    const std::string word = first_word(argc, argv);
+    const std::vector<std::string> commands = command_names(app);
+    if (word.empty()) {
+        return {error.what(), "", "rhexis --help shows what there is"};
+    }
+    if (std::find(commands.begin(), commands.end(), word) == commands.end()) {
+        return {"there is no command " + word, "", suggestion(word, commands)};
+    }
+    const std::vector<std::string> options = option_names(*app.get_subcommand(word));
+    for (int i = 1; i < argc; ++i) {
+        const std::string given = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+        if (given.starts_with("--") && std::find(options.begin(), options.end(), given) == options.end()) {
+            return {"there is no option " + given, word, suggestion(given, options)};
+        }
+    }
+    return {error.what(), word, "rhexis " + word + " --help shows how"};
+}
+
+int parse_and_run(CLI::App& app, Context& context, int argc, const char* const* argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        return complain(usage_error(app, error, argc, argv));
+    }
+    return context.status;
+}
+
+}  // namespace
+
+int complain(const Error& error, int status) {
+    std::string line = error.text();
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::fprintf(stderr, "rhexis: %s\n", line.c_str());
+    return status;
+}
+
+int run_program(int argc, const char* const* argv) {
+    Context context;
+    CLI::App app(description);
+    app.footer(footer);
+    app.set_version_flag("--version", std::string("rhexis ") + RHEXIS_VERSION);
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    for (auto* add : {add_run, add_lua, add_check, add_replay, add_report}) {
+        add(app, context);
+    }
+#ifdef RHEXIS_WITH_BENCHMARKS
+    add_bench(app, context);
+#endif
+    try {
+        context.root = find_root();
+        return parse_and_run(app, context, argc, argv);
+    } catch (const std::bad_alloc&) {
+        return complain({"out of memory", "", ""});
+    } catch (const std::exception& error) {
+        return complain({std::string("internal error: ") + error.what(), "", "please report it with the command line"});
+    }
+}
+
+}  // namespace rhexis::cli

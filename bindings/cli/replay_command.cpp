@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis replay: a recording described, simulated again and compared, judged again, or filmed.
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "base/hash.hpp"
+#include "cli/command.hpp"
+#include "cli/pictures.hpp"
+#include "cli/places.hpp"
+#include "cli/progress.hpp"
+#include "cli/report_json.hpp"
+#include "cli/rescore.hpp"
+#include "session/replay.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+constexpr const char* help =
+    "Without an option it says what the recording holds.\n"
+    "\n"
+    "  rhexis replay runs/groove-expert-1 --verify           simulate again, compare every step\n"
+    "  rhexis replay runs/groove-expert-1 --score-with my_exercise/\n"
+    "  rhexis replay runs/groove-expert-1 --video --out film/\n"
+    "\n"
+    "A recording that was cut short (recording.rhx.part) is used up to its last whole step.";
+
+/// Measures may differ this much, relatively, on a machine whose linear algebra rounds otherwise.
+constexpr double tolerance_across_machines = 1e-3;
+
+struct ReplayOptions {
+    std::string recording;
+    std::string score_with;
+    std::string out;
+    bool verify = false;
+    bool video = false;
+    bool json = false;
+    int threads = 0;
+};
+
+nlohmann::json describe(const Recording& recording, const std::string& path) {
+    const double end_s = recording.steps.empty() ? 0.0 : recording.steps.back().observation.time_s;
+    nlohmann::json identity = nlohmann::json::parse(recording.header.identity, nullptr, false);
+    return {{"recording", path},
+            {"curriculum", recording.header.curriculum},
+            {"identity", identity.is_discarded() ? nlohmann::json(nullptr) : identity},
+            {"surgeon", recording.header.surgeon},
+            {"seed", recording.header.seed},
+            {"steps", recording.steps.size()},
+            {"duration_s", end_s},
+            {"state_hash", hex(recording.steps.empty() ? recording.start.hash : recording.steps.back().hash)},
+            {"checkpoints", recording.checkpoints.size()},
+            {"whole", recording.whole},
+            {"build", recording.header.build}};
+}
+
+void print_description(const nlohmann::json& d) {
+    std::printf("%s: %s by %s, seed %llu\n", d["recording"].get<std::string>().c_str(),
+                d["curriculum"].get<std::string>().c_str(), d["surgeon"].get<std::string>().c_str(),
+                static_cast<unsigned long long>(d["seed"].get<std::uint64_t>()));
+    std::printf("  %llu steps, %.1f s simulated, %llu checkpoints, made by %s\n",
+                static_cast<unsigned long long>(d["steps"].get<std::uint64_t>()), d["duration_s"].get<double>(),
+                static_cast<unsigned long long>(d["checkpoints"].get<std::uint64_t>()),
+                d["build"].get<std::string>().c_str());
+}
+
+int verified(const Recording& recording, const Verification& result, nlohmann::json& out) {
+    out["verified_steps"] = result.steps;
+    out["identical"] = !result.divergence.has_value();
+    if (!result.divergence) {
+        out["verdict"] = "identical: all " + std::to_string(result.steps) + " steps end in the recorded state";
+        return done;
+    }
+    const Divergence& first = *result.divergence;
+    out["first_divergence"] = {{"step", first.step}, {"measure", first.measure}, {"relative", first.relative}};
+    std::string verdict = "differs first in step " + std::to_string(first.step);
+    if (!first.measure.empty()) {
+        char text[96];
+        std::snprintf(text, sizeof text, " (%s by %.2g, relative)", first.measure.c_str(), first.relative);
+        verdict += text;
+    }
+    const bool other_machine = recording.header.build != build_note();
+    if (other_machine) {
+        verdict += "; recorded by " + recording.header.build + ", this is " + build_note();
+    }
+    const bool close = other_machine && result.worst_measure <= tolerance_across_machines;
+    if (close) {
+        verdict += ": all measures agree to the tolerance across machines";
+    }
+    out["verdict"] = verdict;
+    return close ? done : found_failures;
+}
+
+int verify_recording(const Recording& recording, const ReplayOptions& given, nlohmann::json& out) {
+    Progress progress("verify", given.json);
+    const Result<Verification> result = verify(recording, given.threads, [&](std::uint64_t step, std::uint64_t of) {
+        progress.show(static_cast<double>(step) / static_cast<double>(of), "step " + std::to_string(step));
+    });
+    return result ? verified(recording, result.value(), out) : complain(result.error());
+}
+
+int score(const Recording& recording, const ReplayOptions& given, const Context& context, nlohmann::json& out) {
+    const ExerciseOptions options{given.score_with, "none", recording.header.seed, {}, context.root};
+    const Result<Rescore> result = rescore(recording, options);
+    if (!result) {
+        return complain(result.error());
+    }
+    const Rescore& rescored = result.value();
+    out["scored_by"] = rescored.identity;
+    out["result"] = rescored.result;
+    out["judged_steps"] = rescored.judged;
+    out["simulated_from_step"] = rescored.simulated;
+    out["score"] = score_line(rescored.result);
+    if (rescored.simulated > 0) {
+        std::fprintf(stderr, "rhexis: from step %llu on simulated again: %s\n",
+                     static_cast<unsigned long long>(rescored.simulated), rescored.difference.c_str());
+    }
+    return rescored.script_error.empty() ? done : complain({rescored.script_error, "", ""}, found_failures);
+}
+
+Status film_steps(const Recording& recording, PictureBook& book, bool quiet) {
+    Result<Session> session = session_of(recording);
+    if (!session) {
+        return session.error();
+    }
+    Progress progress("film", quiet);
+    Status status = book.keep(session.value().frame(), "start", "Before the first step.");
+    for (const RecordedStep& step : recording.steps) {
+        session.value().step(step.samples, step.commands);
+        if (status && book.wants_film(session.value().time_s())) {
+            status = book.film(session.value().frame());
+        }
+        if (!status) {
+            return status;
+        }
+        progress.show(static_cast<double>(step.step) / static_cast<double>(recording.steps.size()),
+                      "step " + std::to_string(step.step));
+    }
+    status = book.keep(session.value().frame(), "end", "At the end.");
+    return status ? book.finish() : status;
+}
+
+int film(const Recording& recording, const ReplayOptions& given, nlohmann::json& out) {
+    const std::filesystem::path beside = std::filesystem::path(given.recording).parent_path() / "replay";
+    const std::string folder = given.out.empty() ? beside.string() : given.out;
+    const Status prepared = prepare_folder(folder);
+    if (!prepared) {
+        return complain(prepared.error());
+    }
+    Result<PictureBook> book = PictureBook::create(folder, true);
+    if (!book) {
+        return complain(book.error());
+    }
+    const Status filmed = film_steps(recording, book.value(), given.json);
+    if (!filmed) {
+        return complain(filmed.error());
+    }
+    out["video"] = folder + "/video.mp4";
+    return done;
+}
+
+void print(const nlohmann::json& out) {
+    print_description(out);
+    for (const char* key : {"verdict", "score", "video"}) {
+        if (out.contains(key)) {
+            std::printf("  %s: %s\n", key, out[key].get<std::string>().c_str());
+        }
+    }
+}
+
+int replay(ReplayOptions given, const Context& context) {
+    given.recording = recording_path(given.recording);
+    const Result<Recording> read = read_recording(given.recording);
+    if (!read) {
+        return complain(read.error());
+    }
+    const Recording& recording = read.value();
+    nlohmann::json out = describe(recording, given.recording);
+    int status = done;
+    if (!recording.whole) {
+        out["fault"] = recording.fault;
+        std::fprintf(stderr, "rhexis: %s: %s; used up to there\n", given.recording.c_str(), recording.fault.c_str());
+        status = recording.fault.starts_with("damaged") ? bad_input : done;
+    }
+    if (given.verify) {
+        status = std::max(status, verify_recording(recording, given, out));
+    }
+    if (!given.score_with.empty()) {
+        status = std::max(status, score(recording, given, context, out));
+    }
+    if (given.video) {
+        status = std::max(status, film(recording, given, out));
+    }
+    if (given.json) {
+        std::cout << out.dump(2) << '\n';
+    } else {
+        print(out);
+    }
+    return status;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("replay", "Verify, judge again or film a recording");
+    command->footer(help);
+    auto given = std::make_shared<ReplayOptions>();
+    command->add_option("recording", given->recording, "A recording (.rhx), or the folder of a run")->required();
+    command->add_flag("--verify", given->verify, "Simulate again and compare the state after every step");
+    command->add_option("--score-with", given->score_with, "Judge again, by this exercise (folder, file or name)");
+    command->add_flag("--video", given->video, "Simulate again and make a video");
+    command->add_option("--out", given->out, "Folder for the video [replay/ beside the recording]")->needs("--video");
+    command->add_option("--threads", given->threads, "Threads to simulate with [as recorded]")
+        ->check(CLI::Range(1, 64));
+    command->add_flag("--json", given->json, "Print what was found as JSON");
+    command->callback([given, &context] { context.status = replay(*given, context); });
+}
+
+}  // namespace rhexis::cli

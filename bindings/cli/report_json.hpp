@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// report.json: what the exercise found, with what the program knows of the run. docs/report.md describes each field.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/log.hpp"
+#include "cli/pictures.hpp"
+#include "flow/eye_model.hpp"
+
+namespace rhexis::cli {
+
+inline constexpr int report_schema = 1;
+
+struct ReportInput {
+    nlohmann::json identity;  ///< of the curriculum
+    std::string surgeon;
+    std::uint64_t seed = 0;
+    Patient patient;
+    double duration_s = 0.0;
+    std::uint64_t state_hash = 0;  ///< after the last step
+    nlohmann::json result;         ///< of the exercise: completed, steps, events, osacss, measures, advice, ...
+    std::string script_error;
+    std::vector<Picture> pictures;
+    bool video = false;
+    Log log;
+    nlohmann::json simulated;
+    nlohmann::json performance;
+};
+
+nlohmann::json make_report(const ReportInput& input);
+
+/// One line for the terminal: "osacss 13 of 15 (0.83)", or why there is no score.
+std::string score_line(const nlohmann::json& report);
+
+}  // namespace rhexis::cli

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/rescore.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "session/numbers.hpp"
+#include "session/replay.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+/// The commands that change what is simulated; a text or a picture does not.
+std::vector<Command> effective(const std::vector<Command>& commands) {
+    std::vector<Command> kept;
+    std::copy_if(commands.begin(), commands.end(), std::back_inserter(kept),
+                 [](const Command& command) { return command.kind == CommandKind::set; });
+    return kept;
+}
+
+bool same(const std::vector<Command>& a, const std::vector<Command>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Command& x, const Command& y) { return x.name == y.name && x.value == y.value; });
+}
+
+std::string listed(const std::vector<Command>& commands) {
+    std::string text;
+    for (const Command& command : commands) {
+        text += (text.empty() ? "" : ", ") + command.name + " = " + short_number(command.value);
+    }
+    return text.empty() ? "nothing" : text;
+}
+
+bool asks_to_finish(const std::vector<Command>& commands) {
+    return std::any_of(commands.begin(), commands.end(),
+                       [](const Command& command) { return command.kind == CommandKind::finish; });
+}
+
+/// The exercise that was recorded is judged with the values that its run was given by --set; another knows none of
+/// them.
+bool same_exercise(const nlohmann::json& identity, const std::string& recorded) {
+    const nlohmann::json other = nlohmann::json::parse(recorded, nullptr, false);
+    return other.is_object() && other.value("id", nlohmann::json(nullptr)) == identity.value("id", nlohmann::json());
+}
+
+class Judge {
+public:
+    Judge(const Recording& recording, ExerciseHost host) : recording_(recording), host_(std::move(host)) {}
+
+    Result<Rescore> judge() {
+        rescore_.identity = host_.identity();
+        const Status started = host_.start(recording_.header.schema, recording_.header.scene.instruments);
+        if (!started) {
+            rescore_.script_error = started.error().text();
+        }
+        std::uint64_t step = 0;
+        const Observation* seen = &recording_.start.observation;
+        while (rescore_.script_error.empty() && look(*seen, step) && step < recording_.steps.size()) {
+            const Status moved = go_on(step);
+            if (!moved) {
+                return moved.error();
+            }
+            seen = session_ ? &session_->observation() : &recording_.steps[step].observation;
+            ++step;
+        }
+        return closed();
+    }
+
+private:
+    /// False when the exercise ends here.
+    bool look(const Observation& observation, std::uint64_t step) {
+        Result<std::vector<Command>> commands = host_.observe(observation);
+        rescore_.judged = step;
+        if (!commands) {
+            rescore_.script_error = commands.error().text();
+            return false;
+        }
+        commands_ = std::move(commands).value();
+        return !host_.finished() && !asks_to_finish(commands_);
+    }
+
+    /// From step to step + 1: recorded, or simulated since the commands differ.
+    Status go_on(std::uint64_t step) {
+        const RecordedStep& recorded = recording_.steps[step];
+        const std::vector<Command> wanted = effective(commands_);
+        const std::vector<Command> given = effective(recorded.commands);
+        if (!session_ && !same(wanted, given)) {
+            rescore_.simulated = step + 1;
+            rescore_.difference = "the exercise now sets " + listed(wanted) + ", recorded was " + listed(given);
+            Result<Session> session = session_at(recording_, step);
+            if (!session) {
+                return session.error();
+            }
+            session_.emplace(std::move(session).value());
+        }
+        if (session_) {
+            session_->step(recorded.samples, commands_);
+        }
+        return success();
+    }
+
+    Result<Rescore> closed() {
+        Result<nlohmann::json> result = host_.result();
+        if (result) {
+            rescore_.result = result.value();
+        } else if (rescore_.script_error.empty()) {
+            rescore_.script_error = result.error().text();
+        }
+        return rescore_;
+    }
+
+    const Recording& recording_;
+    ExerciseHost host_;
+    std::optional<Session> session_;
+    std::vector<Command> commands_;
+    Rescore rescore_;
+};
+
+}  // namespace
+
+Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& options) {
+    Result<ExerciseHost> host = ExerciseHost::load(options);
+    if (!host) {
+        return host.error();
+    }
+    ExerciseOptions as_recorded = options;
+    as_recorded.set = recording.header.set;
+    if (as_recorded.set.empty() || !same_exercise(host.value().identity(), recording.header.identity)) {
+        return Judge(recording, std::move(host).value()).judge();
+    }
+    Result<ExerciseHost> same_goals = ExerciseHost::load(as_recorded);
+    if (!same_goals) {
+        return same_goals.error();
+    }
+    return Judge(recording, std::move(same_goals).value()).judge();
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording judged again, by the same or another exercise script.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/result.hpp"
+#include "lua/exercise_host.hpp"
+#include "session/recording.hpp"
+
+namespace rhexis::cli {
+
+struct Rescore {
+    nlohmann::json identity;      ///< of the exercise that judged
+    nlohmann::json result;        ///< of the exercise, as for report.json
+    std::string script_error;     ///< empty: none
+    std::uint64_t judged = 0;     ///< steps that the exercise saw
+    std::uint64_t simulated = 0;  ///< first step that was simulated again, because its commands differ; 0: none
+    std::string difference;       ///< what differed there
+};
+
+/// Shows the recorded observations to the exercise. As soon as it wants to set something else than was set, the rest is
+/// simulated again with its commands and the recorded hand.
+Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& options);
+
+}  // namespace rhexis::cli

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis run: one attempt at an exercise, by a virtual surgeon or by nobody.
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "cli/attempt.hpp"
+#include "cli/command.hpp"
+#include "cli/report_json.hpp"
+#include "eye/patient.hpp"
+#include "session/numbers.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+constexpr const char* help =
+    "Runs an exercise without a window and leaves report, pictures and recording in a folder.\n"
+    "\n"
+    "  rhexis run groove\n"
+    "  rhexis run groove --surgeon novice --seed 7 --video --out runs/novice-7\n"
+    "  rhexis run groove --set patient.age=80 --set phaco.power_limit=0.6\n"
+    "  rhexis run my_exercise/ --surgeon none --json > report.json\n"
+    "\n"
+    "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.";
+
+struct RunOptions {
+    std::string curriculum;
+    std::string surgeon = "expert";
+    std::uint64_t seed = 1;
+    std::string patient;
+    std::string out;
+    bool json = false;
+    bool video = false;
+    bool no_pictures = false;
+    std::vector<std::string> set;
+    int threads = 1;
+    double limit_s = 600.0;
+};
+
+Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) {
+    std::map<std::string, std::string> set;
+    if (!given.patient.empty()) {
+        const Result<Patient> patient = read_patient(given.patient);
+        if (!patient) {
+            return patient.error();
+        }
+        set["patient.age"] = short_number(patient.value().age);
+        set["patient.nuclear_grade"] = short_number(patient.value().nuclear_grade);
+        set["patient.pupil_mm"] = short_number(patient.value().pupil_mm);
+        set["patient.side"] = patient.value().side;
+        set["patient.tetrahedra"] = std::to_string(patient.value().tetrahedra);
+    }
+    for (const std::string& pair : given.set) {
+        const std::size_t equals = pair.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            return Error{"--set " + pair + " has no value", "run", "--set key=value, as in --set patient.age=80"};
+        }
+        set[pair.substr(0, equals)] = pair.substr(equals + 1);
+    }
+    return set;
+}
+
+/// runs/groove-expert-1, from the last part of the curriculum's path.
+std::string default_folder(const RunOptions& given) {
+    std::filesystem::path path(given.curriculum);
+    if (path.extension() == ".lua" && path.has_parent_path() && path.stem() == "curriculum") {
+        path = path.parent_path();
+    }
+    std::string name = path.has_filename() ? path.stem().string() : path.parent_path().filename().string();
+    return "runs/" + (name.empty() ? "exercise" : name) + "-" + given.surgeon + "-" + std::to_string(given.seed);
+}
+
+void print_summary(const RunOptions& given, const std::string& folder, const AttemptResult& result) {
+    const nlohmann::json& report = result.report;
+    std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), given.surgeon.c_str(),
+                static_cast<unsigned long long>(given.seed),
+                report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
+    std::printf("  score      %s\n", score_line(report).c_str());
+    std::printf("  errors     %zu\n", report["events"].size());
+    if (result.html_error.empty()) {
+        std::printf("  report     %s/report.html\n", folder.c_str());
+    }
+    std::printf("  numbers    %s/report.json\n", folder.c_str());
+    if (!report["pictures"].empty()) {
+        std::printf("  pictures   %s/frames/ (%zu)\n", folder.c_str(), report["pictures"].size());
+    }
+    if (report["video"].is_string()) {
+        std::printf("  video      %s/video.mp4\n", folder.c_str());
+    }
+    std::printf("  recording  %s\n", result.recording.c_str());
+    std::printf("  cost       %.2f s of CPU per simulated second\n",
+                report["performance"]["cpu_s_per_s"].get<double>());
+}
+
+int run(const RunOptions& given, const Context& context) {
+    Result<std::map<std::string, std::string>> set = settings_of(given);
+    if (!set) {
+        return complain(set.error());
+    }
+    AttemptOptions options;
+    options.exercise = {given.curriculum, given.surgeon, given.seed, std::move(set).value(), context.root};
+    options.folder = given.out.empty() ? default_folder(given) : given.out;
+    options.threads = given.threads;
+    options.limit_s = given.limit_s;
+    options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
+    const Result<AttemptResult> result = attempt(options);
+    if (!result) {
+        return complain(result.error());
+    }
+    if (!result.value().drawing_note.empty()) {
+        std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
+    }
+    if (given.json) {
+        std::cout << result.value().report.dump(2) << '\n';
+    } else {
+        print_summary(given, options.folder, result.value());
+    }
+    if (!result.value().script_error.empty()) {
+        return complain({result.value().script_error, "", "the exercise ended there; its recording is kept"},
+                        found_failures);
+    }
+    if (!result.value().html_error.empty()) {
+        return complain({"no report.html: " + result.value().html_error, "", ""});
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("run", "Run an exercise headless, by a virtual surgeon");
+    command->footer(help);
+    auto given = std::make_shared<RunOptions>();
+    command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
+    command->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, or none")
+        ->capture_default_str();
+    command->add_option("--seed", given->seed, "Seed of all chance in the run")->capture_default_str();
+    command->add_option("--patient", given->patient, "Patient file (JSON), as in assets/patients/");
+    command->add_option("--out", given->out, "Folder for everything [runs/CURRICULUM-SURGEON-SEED]");
+    command->add_flag("--json", given->json, "Print report.json on stdout instead of a summary");
+    CLI::Option* video = command->add_flag("--video", given->video, "Make a video, 640x480, 25 pictures a second");
+    command->add_flag("--no-pictures", given->no_pictures, "Draw nothing")->excludes(video);
+    command->add_option("--set", given->set, "Change a value: patient.*, goal.*, or a setting (repeatable)")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")
+        ->check(CLI::Range(0.1, 7200.0))
+        ->capture_default_str();
+    command->callback([given, &context] { context.status = run(*given, context); });
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The measures over time, thinned for charts: series.json of a run.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "flow/observation.hpp"
+
+namespace rhexis::cli {
+
+class Series {
+public:
+    explicit Series(const ObservationSchema& schema) : schema_(schema) {}
+
+    /// Takes every step's observation and keeps some of them, evenly spread: never more than `most`.
+    void add(const Observation& observation);
+
+    /// {"schema": 1, "time_s": [...], "measures": {"groove.depth_mm": {"unit": "mm", "meaning": "...",
+    /// "values": [...]}}}; null where a measure was not defined.
+    [[nodiscard]] nlohmann::json json() const;
+
+private:
+    static constexpr std::size_t most = 1200;
+
+    ObservationSchema schema_;
+    std::vector<Observation> kept_;
+    std::size_t stride_ = 1;
+    std::size_t seen_ = 0;
+};
+
+}  // namespace rhexis::cli

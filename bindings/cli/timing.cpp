@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/timing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/clock.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+double rounded(double value) { return std::round(value * 1e5) / 1e5; }
+
+/// Elements behind a part of the profile: a body's coarse tetrahedra, or those of all bodies.
+std::size_t elements_of(const WorldModel& world, const std::string& part) {
+    std::size_t all = 0;
+    for (const SolidModel& solid : world.solids) {
+        if (part == solid.name) {
+            return solid.coarse.tets.size();
+        }
+        all += solid.coarse.tets.size();
+    }
+    return all;
+}
+
+}  // namespace
+
+StepOutcome Timing::step(Session& session, std::span<const DeviceSample> samples, std::span<const Command> commands) {
+    const double wall = wall_seconds();
+    const bool alone = session.scene().threads == 1;
+    const double cpu = alone ? thread_cpu_seconds() : process_cpu_seconds();
+    StepOutcome outcome = session.step(samples, commands);
+    cpu_s_ += (alone ? thread_cpu_seconds() : process_cpu_seconds()) - cpu;
+    wall_ms_.push_back(static_cast<float>((wall_seconds() - wall) * 1e3));
+    rollbacks_ += outcome.rollbacks;
+    return outcome;
+}
+
+nlohmann::json Timing::performance(double simulated_s) const {
+    std::vector<float> sorted = wall_ms_;
+    std::sort(sorted.begin(), sorted.end());
+    const double count = static_cast<double>(sorted.size());
+    const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+    const std::size_t p99 = static_cast<std::size_t>(std::max(0.0, std::ceil(0.99 * count) - 1.0));
+    return {{"steps", sorted.size()},
+            {"cpu_s_per_s", simulated_s > 0.0 ? rounded(cpu_s_ / simulated_s) : 0.0},
+            {"mean_step_ms", sorted.empty() ? 0.0 : rounded(sum / count)},
+            {"p99_step_ms", sorted.empty() ? 0.0 : rounded(sorted[p99])},
+            {"rollbacks", rollbacks_}};
+}
+
+nlohmann::json simulated_parts(const Session& session) {
+    nlohmann::json parts = nlohmann::json::array();
+    for (const auto& [name, part] : session.profile().parts) {
+        parts.push_back(
+            {{"part", name}, {"elements", elements_of(session.world(), name)}, {"cpu_s", rounded(part.cpu_s)}});
+    }
+    return parts;
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A run leaves what it says it leaves, and what it recorded comes back bit for bit.
+set -u
+. "$(dirname "$0")/expect.sh"
+small=(--limit 6 --set patient.tetrahedra=500)
+
+expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --out "$work/a"
+for file in report.json report.html series.json recording.rhx; do
+    [ -s "$work/a/$file" ] || fail "no $file"
+    says "$([ $file = series.json ] && echo report.json || echo $file)"
+done
+[ -z "$(find "$work/a" -name '*.part')" ] || fail "half-written files are left"
+hash_of() { sed -n 's/.*"state_hash": "\([0-9a-f]*\)".*/\1/p' "$1/report.json"; }
+
+# The same seed gives the same end, with two threads as well; another seed another.
+expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --threads 2 --out "$work/b"
+expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --seed 2 --out "$work/c"
+[ -n "$(hash_of "$work/a")" ] || fail "no state hash in the report"
+[ "$(hash_of "$work/a")" = "$(hash_of "$work/b")" ] || fail "two threads end in another state"
+[ "$(hash_of "$work/a")" != "$(hash_of "$work/c")" ] || fail "another seed ends in the same state"
+
+# Replay.
+expect 0 "" "$rhexis" replay "$work/a" --verify
+says "identical: all 600 steps"
+expect 0 "" "$rhexis" replay "$work/a" --verify --threads 2
+says "identical"
+expect 0 "" "$rhexis" replay "$work/a" --score-with groove --json
+expect 0 "" "$rhexis" report "$work/a"
+
+# Cut short: used up to its last whole step. Damaged: said, and status 2.
+size=$(stat -c %s "$work/a/recording.rhx")
+head -c $((size * 2 / 3)) "$work/a/recording.rhx" >"$work/cut.rhx"
+expect 0 "cut short at byte" "$rhexis" replay "$work/cut.rhx" --verify
+says "identical"
+cp "$work/a/recording.rhx" "$work/damaged.rhx"
+printf 'XXXX' | dd of="$work/damaged.rhx" bs=1 seek=$((size / 2)) conv=notrunc status=none
+expect 2 "damaged at byte" "$rhexis" replay "$work/damaged.rhx" --verify
+
+# --json prints the report and nothing else.
+expect 0 "" "$rhexis" run groove --limit 0.5 --set patient.tetrahedra=500 --no-pictures --json --out "$work/d"
+cmp -s "$work/stdout" "$work/d/report.json" || fail "--json is not report.json"
+
+# Without a device to draw with: no pictures and a line that says so; a demanded video is an error.
+blind=(env __EGL_VENDOR_LIBRARY_DIRS=/nonexistent __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent)
+expect 0 "no pictures:" "${blind[@]}" "$rhexis" run groove --limit 0.5 --set patient.tetrahedra=500 --out "$work/e"
+expect 2 "rhexis: " "${blind[@]}" "$rhexis" run groove --limit 0.5 --set patient.tetrahedra=500 --video --out "$work/f"
+[ ! -e "$work/f/report.json" ] || fail "a run without its video left a report"
+
+# Killed in the middle: what was done is there.
+"$rhexis" run groove --set patient.tetrahedra=500 --no-pictures --out "$work/g" >/dev/null 2>&1 &
+for _ in $(seq 300); do
+    [ "$(stat -c %s "$work/g/recording.rhx.part" 2>/dev/null || echo 0)" -gt 100000 ] && break
+    sleep 0.05
+done
+kill -9 $!
+wait 2>/dev/null
+if [ -e "$work/g/recording.rhx.part" ]; then
+    expect 0 "cut short" "$rhexis" replay "$work/g" --verify
+    says "identical"
+fi
+finished
