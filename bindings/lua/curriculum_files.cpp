@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "base/near_name.hpp"
+#include "base/near_names.hpp"
 
 namespace rhexis {
 namespace {

@@ -67,4 +67,12 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
     return "one of " + joined(candidates, ", ");
 }
 
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+    std::string text;
+    for (const std::string& name : near_names(word, candidates)) {
+        text += (text.empty() ? "'" : " or '") + name + "'";
+    }
+    return text.empty() ? text : " (did you mean " + text + "?)";
+}
+
 }  // namespace rhexis

@@ -18,4 +18,7 @@ std::vector<std::string> near_names(std::string_view word, std::span<const std::
 /// For the `allowed` of an Error: "did you mean a or b?", or "one of a, b, c" when none is near.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
+/// To append to a message: " (did you mean 'a' or 'b'?)", or nothing when none is near.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
 }  // namespace rhexis

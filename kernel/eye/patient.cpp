@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/near_name.hpp"
+#include "base/near_names.hpp"
 #include "base/text_file.hpp"
 
 namespace rhexis {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/instruments.hpp"
 
-#include "base/near_name.hpp"
+#include "base/near_names.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
 
