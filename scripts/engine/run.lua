@@ -100,7 +100,7 @@ function Run:result()
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
         steps = self.steps.records, events = self.events, mode = exercise.mode, title = exercise.title,
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
-        measures = words.as_object({}), advice = {} }
+        settings = words.as_object(exercise.settings), measures = words.as_object({}), advice = {} }
     if self.sheet then
         result.osacss = self.sheet:score(self.events)
         result.measures = self.sheet:measures()
