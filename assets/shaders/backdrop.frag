@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A neutral ground for bare bodies.
 in vec2 place;
 out vec4 colour;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Soft light from above and behind the viewer; the mesh shows as fine lines.
 in vec3 world;
 in vec3 normal;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A bare body: surface triangles with normals, colours and distances to their edges.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 direction;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A body behind or in front of the cornea, with one triple of numbers per face.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 value;

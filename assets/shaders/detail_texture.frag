@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Repeating noise for surfaces: red coarse, green fine, blue crests, alpha very fine.
 in vec2 place;
 out vec4 colour;

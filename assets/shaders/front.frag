@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The first surface of what is left of the lens: depth, and where that tissue lay at rest.
 in float depth;
 in vec3 point_value;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The iris unrolled: x once around, y from the edge of the pupil (0) to the root (1). Reflectance, not shaded.
 in vec2 place;
 out vec4 colour;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The eye under the operating microscope. Lamps lie close to the line of sight. Inside the eye the pixel's line is bent
 // once, at the cornea (see View in kernel/render/view.hpp).
 in vec2 place;

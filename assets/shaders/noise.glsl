@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Value noise of lattice points that repeat, so that textures have no seams.
 uint scramble(uint x) {
     x ^= x >> 16u;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Light that reaches the fundus: mean of exp(-optical depth) over the pupil, in one pixel. Instruments block it.
 uniform sampler2D optical_depth;
 uniform sampler2D stop;

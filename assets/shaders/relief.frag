@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Smooths the distance to the lens along one direction, so that tetrahedra do not show as facets.
 in vec2 place;
 uniform sampler2D source;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sclera and conjunctiva seen from above, over [-half_extent, half_extent]^2 mm. Reflectance; alpha: how wet and uneven.
 in vec2 place;
 uniform sampler2D vessels;

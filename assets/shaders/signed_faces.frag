@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One face's share of the optical depth; see kernel/render/signed_faces.hpp. In units of depth: distance along the line
 // is that times stretch(), the same for all faces of a pixel.
 in float depth;

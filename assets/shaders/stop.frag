@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Depth of an instrument.
 in float depth;
 out vec4 colour;

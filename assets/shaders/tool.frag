@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Metal and silicone under the lamps of the microscope.
 in vec3 world;
 in vec3 normal;

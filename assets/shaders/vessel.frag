@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Strength of the vessels near the surface (red) and of the deep ones (green); the strongest wins.
 in vec4 ribbon;
 out vec4 colour;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of sight: see View in kernel/render/view.hpp.
 uniform vec2 view_size;
 uniform vec3 view_eye;
