@@ -11,11 +11,15 @@ namespace rhexis {
 
 namespace {
 
-/// Stiffness of a contact in units of what the tissue at the vertex offers. Measured: at 50 the tool force of a poke is
-/// within 0.5 % of that of a rigid contact.
-constexpr double spring_factor = 50.0;
-constexpr double softness = 1e-3;  ///< of the size of a tetrahedron
-constexpr double reach = 0.2;      ///< candidates are sought this far beyond what can move in a step [mm]
+// Stiffness of a contact in units of what the tissue at the vertex offers. A shorter step makes everything stiffer, so
+// the contact may be, up to `stiffest`, where it passes for rigid; at longer steps the solver's work decides.
+constexpr double tool_factor = 10.0;  ///< at reference_step
+constexpr double wall_factor = 5.0;   ///< bags and planes: wide contacts at low pressure
+constexpr double stiffest = 100.0;
+constexpr double reference_step = 0.01;  ///< [s]
+
+constexpr double apart = 5e-3;  ///< a candidate with a larger gap than this needs no anchor [mm]
+constexpr double reach = 0.2;   ///< candidates are sought this far beyond what can move in a step [mm]
 
 double fastest(const SolidState& state) {
     double square = 0.0;
@@ -25,8 +29,9 @@ double fastest(const SolidState& state) {
     return std::sqrt(square);
 }
 
-ContactSpring spring_of(const SurfaceVertex& vertex, double friction) {
-    return {spring_factor * vertex.stiffness, softness * vertex.size, friction};
+ContactSpring spring_of(const SurfaceVertex& vertex, ContactPartner partner, double friction, double dt) {
+    const double factor = (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt;
+    return {std::min(factor, stiffest) * vertex.stiffness, friction};
 }
 
 /// A partner with what the search needs to know of it.
@@ -138,8 +143,8 @@ Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, cons
 
 bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
     // The gap changes by no more than the point moves in the partner's frame.
-    return candidate.start_gap > 0.0 &&
-           (pose.to_body(point) - candidate.start).squaredNorm() < candidate.start_gap * candidate.start_gap;
+    const double slack = candidate.start_gap - apart;
+    return slack > 0.0 && (pose.to_body(point) - candidate.start).squaredNorm() < slack * slack;
 }
 
 void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
@@ -157,7 +162,8 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
         const Vec3 point = point_of(vertex, nodes);
         for (const Partner& partner : partners) {
             const bool tool = partner.kind == ContactPartner::tool;
-            if (tool && !partner.box.holds(point)) {
+            // Inside a convex wall, the middle of two points is inside if they are.
+            if (tool ? !partner.box.holds(point) : vertex.between) {
                 continue;
             }
             const Gap start = measure_gap(model, partner.kind, partner.index, partner.pose, point);
@@ -168,7 +174,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             candidate.vertex = static_cast<int>(v);
             candidate.partner = partner.kind;
             candidate.index = partner.index;
-            candidate.spring = spring_of(vertex, partner.friction);
+            candidate.spring = spring_of(vertex, partner.kind, partner.friction, dt);
             candidate.start = partner.pose.to_body(point);
             candidate.start_gap = start.gap;
             candidate.anchor = candidate.start;

@@ -103,7 +103,9 @@ void ContactSurface::rebuild(const SolidModel& model) {
     vertices_.clear();
     for (std::size_t v = 0; v < all_.size(); ++v) {
         if (outer_[v] != 0) {
+            const std::array<int, 2>& nodes = all_[v].nodes;
             vertices_.push_back(all_[v]);
+            vertices_.back().between = nodes[1] >= 0 && outer_[nodes[0]] != 0 && outer_[nodes[1]] != 0;
         }
     }
 }

@@ -16,6 +16,7 @@ struct SurfaceVertex {
     std::array<int, 2> nodes{0, -1};  ///< coarse nodes; the second -1: the vertex is the first
     double weight = 1.0;              ///< of each of the nodes: 1 or 1/2
     double stiffness = 0.0;           ///< what the tissue around it offers to a push: Young's modulus x size [uN/mm]
+    bool between = false;             ///< the middle of two nodes that are on the boundary themselves
     double size = 0.0;                ///< edge length of the tetrahedra around it [mm]
 };
 

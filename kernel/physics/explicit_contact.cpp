@@ -10,6 +10,30 @@ namespace {
 constexpr int sweeps = 4;
 constexpr double fastest_ejection = 20.0;  ///< at which penetration is undone, so that it throws nothing [mm/s]
 constexpr double anchor_pull = 0.2;        ///< share of the drift from the anchor undone in a substep
+constexpr double presliding = 1e-4;        ///< of the size of a tetrahedron: a contact keeps its anchor within this
+
+Vec3 place(const SurfaceVertex& vertex, const ExplicitSolid& solid) {
+    const Vec3 first = solid.position(vertex.nodes[0]);
+    return vertex.nodes[1] < 0 ? first : Vec3(0.5 * (first + solid.position(vertex.nodes[1])));
+}
+
+Vec3 pace(const SurfaceVertex& vertex, const ExplicitSolid& solid) {
+    const Vec3 first = solid.velocity(vertex.nodes[0]);
+    return vertex.nodes[1] < 0 ? first : Vec3(0.5 * (first + solid.velocity(vertex.nodes[1])));
+}
+
+/// New contacts anchor where they are; those that slid drag their anchor behind by no more than the slack. A contact
+/// that opens by less than the slack keeps its anchor: a resting body trembles within it and must not creep.
+void move_anchor(const Pose& pose, const Vec3& point, const Vec3& normal, bool sliding, bool near, double slack,
+                 ContactCandidate& candidate) {
+    if (near && !candidate.touching) {
+        candidate.anchor = pose.to_body(point);
+    } else if (near && sliding) {
+        const Vec3 offset = point - pose.to_world(candidate.anchor);
+        candidate.anchor = pose.to_body(point - project_on_disc(offset - normal.dot(offset) * normal, slack));
+    }
+    candidate.touching = near;
+}
 
 }  // namespace
 
@@ -63,22 +87,15 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
     for (std::size_t c = 0; c < candidates_->size(); ++c) {
         ContactCandidate& candidate = (*candidates_)[c];
         const SurfaceVertex& vertex = surface_->vertices()[candidate.vertex];
-        Vec3 point = solid.position(vertex.nodes[0]);
-        if (vertex.nodes[1] >= 0) {
-            point = 0.5 * (point + solid.position(vertex.nodes[1]));
-        }
+        const Vec3 point = place(vertex, solid);
         const Pose pose = after.of(candidate.partner, candidate.index);
         if (surely_apart(candidate, pose, point)) {
             candidate.touching = false;
             continue;
         }
         const Gap gap = measure_gap(*model_, candidate.partner, candidate.index, pose, point);
-        Vec3 velocity = solid.velocity(vertex.nodes[0]);
-        if (vertex.nodes[1] >= 0) {
-            velocity = 0.5 * (velocity + solid.velocity(vertex.nodes[1]));
-        }
         // Anything that could close within this substep, whatever the others do to it
-        if (!(gap.gap < 2.0 * dt * (velocity.norm() + fastest_ejection))) {
+        if (!(gap.gap < 2.0 * dt * (pace(vertex, solid).norm() + fastest_ejection))) {
             candidate.touching = false;
             continue;
         }
@@ -170,22 +187,17 @@ void ExplicitContact::finish(double dt, const PartnerPoses& after, ExplicitSolid
         const Vec3 impulse = active.normal_impulse * active.normal + active.tangent_impulse;
         candidate.force = impulse / dt;
         candidate.impulse += impulse;
-        const bool touches = active.normal_impulse > 0.0;
         const SurfaceVertex& vertex = surface_->vertices()[candidate.vertex];
-        Vec3 point = solid.position(vertex.nodes[0]);
-        if (vertex.nodes[1] >= 0) {
-            point = 0.5 * (point + solid.position(vertex.nodes[1]));
-        }
-        const Vec3 moved = dt * relative_velocity(active, bags);
-        if (touches && (!candidate.touching || active.sliding)) {
-            candidate.anchor = after.of(candidate.partner, candidate.index).to_body(point + moved);
-        }
-        candidate.touching = touches;
-        if (touches) {
-            candidate.point = point + moved;
+        const Vec3 velocity = relative_velocity(active, bags);
+        const Vec3 point = place(vertex, solid) + dt * velocity;
+        const double slack = presliding * vertex.size;
+        const double gap = dt * (active.normal.dot(velocity) - active.normal_target);
+        move_anchor(after.of(candidate.partner, candidate.index), point, active.normal, active.sliding, gap < slack,
+                    slack, candidate);
+        if (active.normal_impulse > 0.0) {
+            candidate.point = point;
             candidate.normal = active.normal;
-            candidate.gap =
-                std::min(0.0, dt * (active.normal.dot(relative_velocity(active, bags)) - active.normal_target));
+            candidate.gap = std::min(0.0, gap);
             candidate.sliding = active.sliding;
         }
     }

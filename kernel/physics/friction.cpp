@@ -3,35 +3,41 @@
 
 namespace rhexis {
 
+namespace {
+
+constexpr double edge = 1e-6;  ///< width of the edge of the disc, of its radius
+
+}  // namespace
+
 Vec3 project_on_disc(const Vec3& tangential, double radius) {
     const double size = tangential.norm();
     return size <= radius ? tangential : Vec3((radius / size) * tangential);
 }
 
-SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset) {
+SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset,
+                              bool edge_slides) {
     SpringResponse response;
     if (gap >= 0.0) {
         return response;
     }
-    const double depth = -gap;
-    const bool soft = depth < spring.softness;
-    const double slope = soft ? spring.stiffness * depth / spring.softness : spring.stiffness;
-    response.normal_force = soft ? 0.5 * slope * depth : spring.stiffness * (depth - 0.5 * spring.softness);
+    response.normal_force = -gap * spring.stiffness;
+    const double limit = spring.friction * response.normal_force;
     const Mat3 along = normal * normal.transpose();
     const Mat3 across = Mat3::Identity() - along;
     response.force = response.normal_force * normal;
-    response.stiffness = slope * along;
+    response.stiffness = spring.stiffness * along;
     const Vec3 tangential = offset - normal.dot(offset) * normal;
     const double size = tangential.norm();
-    const double limit = spring.friction * response.normal_force;
-    response.sliding = spring.stiffness * size > limit;
+    response.sliding = limit <= 0.0 || spring.stiffness * size > limit * (edge_slides ? 1.0 - edge : 1.0 + edge);
     if (!response.sliding) {
         response.force -= spring.stiffness * tangential;
         response.stiffness += spring.stiffness * across;
         response.stretch = size;
         return response;
     }
-    // The coupling of the tangential force to the depth is not symmetric and is left to the iterations.
+    if (limit <= 0.0 || size <= 0.0) {
+        return response;
+    }
     const Vec3 direction = tangential / size;
     response.force -= limit * direction;
     response.stiffness += (limit / size) * (across - direction * direction.transpose());

@@ -7,23 +7,25 @@
 
 namespace rhexis {
 
-/// A contact as a spring. It turns on smoothly within `softness` of touching.
+/// A contact as a spring.
 struct ContactSpring {
     double stiffness = 0.0;  ///< normal and tangential [uN/mm]
-    double softness = 0.0;   ///< [mm]
     double friction = 0.0;   ///< Coulomb coefficient
 };
 
 struct SpringResponse {
     Vec3 force = Vec3::Zero();      ///< on the solid [uN]
-    Mat3 stiffness = Mat3::Zero();  ///< -d force / d point, symmetric part, positive semidefinite [uN/mm]
+    Mat3 stiffness = Mat3::Zero();  ///< -d force / d point, positive semidefinite [uN/mm]
     double normal_force = 0.0;      ///< [uN]
     double stretch = 0.0;           ///< tangential offset that the anchor may keep [mm]
     bool sliding = false;
 };
 
-/// gap [mm]; normal: unit, into the solid; offset: point less anchor [mm].
-SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset);
+/// gap [mm]; normal: unit, into the solid; offset: point less anchor [mm]. `edge_slides`: what a contact at the edge of
+/// the disc is taken for; the force is the same, the stiffness is not. The stiffness leaves out that the tangential
+/// force follows the normal one, which is not symmetric.
+SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset,
+                              bool edge_slides);
 
 /// The nearest point of the disc of that radius.
 Vec3 project_on_disc(const Vec3& tangential, double radius);

@@ -11,15 +11,16 @@ struct Touch {
 };
 
 /// No force if apart.
-Touch touch(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
+Touch touch(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
+            bool edge_slides) {
     Touch found;
     if (surely_apart(candidate, pose, point)) {
         return found;
     }
     found.gap = measure_gap(model, candidate.partner, candidate.index, pose, point);
     if (found.gap.gap < 0.0) {
-        found.response =
-            spring_contact(candidate.spring, found.gap.gap, found.gap.normal, point - pose.to_world(candidate.anchor));
+        found.response = spring_contact(candidate.spring, found.gap.gap, found.gap.normal,
+                                        point - pose.to_world(candidate.anchor), edge_slides);
     }
     return found;
 }
@@ -38,12 +39,13 @@ void move_anchor(const Touch& now, const Pose& pose, const Vec3& point, ContactC
 }  // namespace
 
 void contact_terms(const WorldModel& model, const ContactSurface& surface, const ContactCandidates& candidates,
-                   const std::vector<Vec3>& positions, const PartnerPoses& poses, std::vector<ContactTerm>& terms) {
+                   const std::vector<Vec3>& positions, const PartnerPoses& poses, bool edge_slides,
+                   std::vector<ContactTerm>& terms) {
     for (const ContactCandidate& candidate : candidates) {
         const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
         const Vec3 point = point_of(vertex, positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
-        const Touch now = touch(model, candidate, pose, point);
+        const Touch now = touch(model, candidate, pose, point, edge_slides);
         if (!(now.gap.gap < 0.0)) {
             continue;
         }
@@ -65,7 +67,7 @@ void settle_contacts(const WorldModel& model, const ContactSurface& surface, con
     for (ContactCandidate& candidate : candidates) {
         const Vec3 point = point_of(surface.vertices()[candidate.vertex], positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
-        const Touch now = touch(model, candidate, pose, point);
+        const Touch now = touch(model, candidate, pose, point, true);
         candidate.touching = now.gap.gap < 0.0;
         candidate.force = now.response.force;
         move_anchor(now, pose, point, candidate);

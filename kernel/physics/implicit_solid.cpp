@@ -339,7 +339,9 @@ void ImplicitSolid::Parts::newton(const Task& task, ImplicitReport& report) {
         ++report.newton_iterations;
         search(task);
         report.newton_residual = norm(residual) / reference;
-        report.converged = norm(residual) <= std::max(task.settings.newton_tolerance * reference, 4.0 * rounding);
+        report.force = norm(residual) / task.dt;
+        report.converged = norm(residual) <= std::max(task.settings.newton_tolerance * reference, 4.0 * rounding) ||
+                           report.force <= task.settings.force_tolerance;
         if (report.converged || !std::isfinite(report.newton_residual)) {
             return;
         }

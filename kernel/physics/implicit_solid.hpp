@@ -39,6 +39,7 @@ struct ImplicitSettings {
     double tolerance = 1e-6;         ///< relative residual of each linear solve
     int max_newton = 4;              ///< 1: one linearised step, as in the paper
     double newton_tolerance = 1e-4;  ///< relative residual of the step at which Newton stops
+    double force_tolerance = 0.0;    ///< residual force at which it stops, whatever the relative residual [uN]
     int max_linear_iterations = 1000;
 };
 
@@ -47,6 +48,7 @@ struct ImplicitReport {
     int linear_iterations = 0;
     double residual = 0.0;         ///< relative, of the last linear solve
     double newton_residual = 0.0;  ///< relative, of the step
+    double force = 0.0;            ///< norm of the forces that do not balance at the end of the step [uN]
     bool converged = false;
     bool factored = false;  ///< a new factor was made in this step
 };

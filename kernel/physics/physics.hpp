@@ -18,8 +18,9 @@ namespace rhexis {
 struct PhysicsSettings {
     int threads = 1;              ///< results do not depend on it
     std::string instruction_set;  ///< "" chooses the best; "baseline", "avx2", "avx512": same bits, other speed
-    double tolerance = 1e-6;      ///< relative residual of an implicit step
-    int max_newton = 4;           ///< Newton iterations of an implicit step
+    double tolerance = 1e-3;      ///< residual at which an implicit step is done, as a share of all forces on the solid
+    int max_newton = 8;           ///< Newton iterations of an implicit step
+    bool elastic_energy = false;  ///< fills elastic_energy of the reports, at some 3 % of a step
 };
 
 /// Owns the caches that solvers keep of a constant model; holds no state of its own that matters: after

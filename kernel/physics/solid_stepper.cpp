@@ -20,10 +20,12 @@ constexpr int max_substeps = 100000;
 constexpr double explicit_cost = 16e-9;
 constexpr double implicit_cost = 1.0e-6;
 
-constexpr double newton_tolerance = 1e-3;   ///< relative residual that ends a step
-constexpr double newton_acceptable = 5e-2;  ///< relative residual above which a step is redone
-constexpr double largest_advance = 0.5;     ///< of a tool within a substep, in radii of its thinnest end
-constexpr double sound_share = 0.25;        ///< a tetrahedron with less of it left may invert
+constexpr double linear_tolerance = 0.03;  ///< of the linear solves within Newton iterations
+constexpr double newton_tolerance =
+    1e-7;                            ///< relative residual that ends a step when there are no forces to compare with
+constexpr double acceptable = 10.0;  ///< times the tolerance: a residual force above it has a step redone
+constexpr double largest_advance = 0.5;  ///< of a tool within a substep, in radii of its thinnest end
+constexpr double sound_share = 0.25;     ///< a tetrahedron with less of it left may invert
 
 /// Force per coarse node; empty if there is none.
 std::vector<Vec3> node_forces(const WorldState& state, int solid) {
@@ -56,6 +58,20 @@ int substeps_for_tools(const StepTask& task, const ContactCandidates& candidates
         }
     }
     return static_cast<int>(std::min<double>(count, max_substeps));
+}
+
+/// Sizes of weight, loads and contact forces, summed [uN].
+double all_forces(const StepTask& task, int solid, const ContactCandidates& candidates) {
+    const SolidModel& model = task.model.solids[solid];
+    const double displaced = model.buoyancy_density * mesh_volume(model.coarse);
+    double sum = task.model.gravity.norm() * std::abs(remaining_mass(model, task.state.solids[solid]) - displaced);
+    for (const NodeLoad& load : task.state.loads) {
+        sum += load.solid == solid ? load.total.norm() : 0.0;
+    }
+    for (const ContactCandidate& candidate : candidates) {
+        sum += candidate.force.norm();
+    }
+    return sum;
 }
 
 bool all_finite(const SolidState& state, const std::vector<BagState>& bags) {
@@ -137,7 +153,7 @@ Status SolidStepper::make_explicit() {
 }
 
 Status SolidStepper::make_implicit() {
-    Result<ImplicitSolid> made = ImplicitSolid::create(*solid_model_, *pool_);
+    Result<ImplicitSolid> made = ImplicitSolid::create(*solid_model_, *pool_, settings_.instruction_set);
     if (!made) {
         return made.error();
     }
@@ -222,9 +238,10 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
     const double dt = task.dt / count;
     const std::vector<Vec3> loads = node_forces(task.state, solid_);
     ImplicitSettings settings;
-    settings.tolerance = settings_.tolerance;
-    settings.max_newton = settings_.max_newton * (divisions > 1 ? 4 : 1);
+    settings.tolerance = settings_.max_newton > 1 ? linear_tolerance : settings_.tolerance;
+    settings.max_newton = settings_.max_newton * (divisions > 1 ? 2 : 1);
     settings.newton_tolerance = newton_tolerance;
+    settings.force_tolerance = settings_.tolerance * all_forces(task, solid_, result.candidates);
     PartnerPoses poses;
     set_bag_poses(result.bags, poses);
     SolidState from;
@@ -235,7 +252,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
             poses.bags[b] = bodies[b].pose;
             rigid[b] = bag_term(task.model.bags[b], bodies[b].pose, bodies[b].velocity, dt);
         }
-        contact_terms(task.model, surface_, result.candidates, position, poses, contacts);
+        contact_terms(task.model, surface_, result.candidates, position, poses, divisions == 1, contacts);
     };
     for (int i = 1; i <= count && result.failure == StepFailure::none; ++i) {
         place_tools(task.tools, static_cast<double>(i) / count, poses);
@@ -248,7 +265,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
         result.report.newton_iterations += report.newton_iterations;
         result.report.solver_iterations += report.linear_iterations;
         result.report.residual = std::max(result.report.residual, report.newton_residual);
-        if (!(report.newton_residual <= newton_acceptable)) {
+        if (!report.converged && !(report.force <= acceptable * settings.force_tolerance)) {
             result.failure = StepFailure::not_converged;
         }
         result.solid.fraction = from.fraction;
@@ -264,7 +281,9 @@ void SolidStepper::judge(const StepTask& task, StepTry& result) {
         return;
     }
     result.report.kinetic_energy = energy_.kinetic(*solid_model_, result.solid);
-    result.report.elastic_energy = energy_.elastic(*solid_model_, result.solid);
+    if (settings_.elastic_energy) {
+        result.report.elastic_energy = energy_.elastic(*solid_model_, result.solid);
+    }
     result.report.inverted = energy_.inverted(*solid_model_, result.solid, 0.0);
     if (result.failure == StepFailure::none && result.report.inverted > 0 &&
         energy_.inverted(*solid_model_, result.solid, sound_share) >

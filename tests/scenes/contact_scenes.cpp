@@ -118,15 +118,21 @@ WorldModel cube_on_slope(double slope, double heading, double friction, Advance 
     return model;
 }
 
-WorldModel ball_on_block(int n, double cell, double young_modulus, double poisson_ratio, double radius,
+WorldModel ball_on_block(int n, double size, double centre, double young_modulus, double poisson_ratio, double radius,
                          Advance advance) {
+    TetMesh mesh = bar(2 * n, 2 * n, n, 1.0 / n, Vec3(-1.0, -1.0, -1.0));
+    for (Vec3& node : mesh.nodes) {
+        for (double& x : node) {
+            const double share = std::abs(x);
+            x = std::copysign(size * (centre * share + (1.0 - centre) * share * share * share * share), x);
+        }
+    }
     WorldModel model;
-    SolidModel solid =
-        body("block", bar(2 * n, 2 * n, n, cell, Vec3(-n * cell, -n * cell, -n * cell)), young_modulus, poisson_ratio);
-    solid.fixed_nodes = nodes_on_plane(solid.coarse, Vec3(0.0, 0.0, -n * cell), Vec3::UnitZ());
+    SolidModel solid = body("block", std::move(mesh), young_modulus, poisson_ratio);
+    solid.fixed_nodes = nodes_on_plane(solid.coarse, Vec3(0.0, 0.0, -size), Vec3::UnitZ());
     solid.advance = advance;
     solid.damping_mass = 50.0;
-    model.solids.push_back(solid);
+    model.solids.push_back(std::move(solid));
     model.tools.push_back(probe(radius, 0.0));
     model.tools[0].friction = 0.0;
     model.gravity.setZero();

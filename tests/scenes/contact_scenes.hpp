@@ -52,9 +52,10 @@ Pose at(const Vec3& position);
 /// plane's normal, downhill along `heading` [rad] from +x.
 WorldModel cube_on_slope(double slope, double heading, double friction, Advance advance, int cells = 2);
 
-/// A block of 2 n x 2 n x n cells of `cell` mm, its top at z = 0 and its centre at x = y = 0, held at the bottom, and a
-/// ball of `radius` as tool 0.
-WorldModel ball_on_block(int n, double cell, double young_modulus, double poisson_ratio, double radius,
+/// A block of 2 n x 2 n x n cells with its top at z = 0, half as wide and as deep as `size` [mm], held at the bottom,
+/// and a ball of `radius` as tool 0, without friction. centre: size of the cells at the origin, as a share of size / n;
+/// 1: all are equal.
+WorldModel ball_on_block(int n, double size, double centre, double young_modulus, double poisson_ratio, double radius,
                          Advance advance);
 
 /// The default patient's lens free in its bag, with a tool of that name; lens of about that many tetrahedra.
