@@ -10,8 +10,8 @@
 
 namespace rhexis {
 
-/// Calls require("report").html(report, series, images) in a sandbox. root: folder that holds scripts/; images: file name
-/// in the report to its bytes in base64. Returns the whole HTML text; errors name the script's file:line.
+/// Calls require("report").html(report, series, images) in a sandbox. root: folder that holds scripts/; images: file
+/// name in the report to its bytes in base64. Returns the whole HTML text; errors name the script's file:line.
 Result<std::string> report_html(const std::string& root, const nlohmann::json& report, const nlohmann::json& series,
                                 const std::map<std::string, std::string>& images);
 

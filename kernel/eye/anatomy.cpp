@@ -10,8 +10,8 @@ namespace {
 
 constexpr double iris_clearance = 0.1;  ///< from the lens to the back of the iris at the pupil's edge [mm]
 
-/// Main wound: how far its inner lip lies inside the limbus. A tunnel of 2 mm from the limbus, along the sloping cornea;
-/// so the sleeve of an instrument clears the iris.
+/// Main wound: how far its inner lip lies inside the limbus. A tunnel of 2 mm from the limbus, along the sloping
+/// cornea; so the sleeve of an instrument clears the iris.
 constexpr double wound_inset = 1.8;
 
 double sphere_sag(double radius, double rho) { return radius - std::sqrt(radius * radius - rho * rho); }

@@ -3,9 +3,9 @@
 #include "bench/bench_calculix.hpp"
 #include "bench/bench_explicit.hpp"
 #include "bench/bench_implicit.hpp"
-#include "bench/bench_stability.hpp"
 #include "bench/bench_lens_chart.hpp"
 #include "bench/bench_render.hpp"
+#include "bench/bench_stability.hpp"
 
 namespace rhexis::bench {
 
