@@ -6,8 +6,8 @@ set -euo pipefail
 
 case "${1:-}" in
 -h | --help)
-    say "usage: ./test.sh [quick]"
-    say "quick: Release build and quick tests only."
+    say "usage: ./test.sh [quick | long]"
+    say "quick: Release build and quick tests only. long: also whole exercises by virtual surgeons (an hour or more)."
     exit 0
     ;;
 esac
@@ -27,7 +27,7 @@ if [ "$quick" = quick ]; then
     step 2 3 "building Release"
     build release Release
     step 3 3 "quick tests"
-    run_tests release -LE slow
+    run_tests release -LE 'slow|long'
 else
     step 1 6 "packages"
     install_packages
@@ -38,9 +38,9 @@ else
     step 4 6 "building under Address and UndefinedBehavior sanitizers"
     build sanitize Sanitize
     step 5 6 "all tests, Release ($(elapsed) so far)"
-    run_tests release
+    if [ "$quick" = long ]; then run_tests release; else run_tests release -LE long; fi
     step 6 6 "quick tests, sanitized ($(elapsed) so far)"
-    run_tests sanitize -LE slow
+    run_tests sanitize -LE 'slow|long'
 fi
 say "finished in $(elapsed)"
 exit $failed
