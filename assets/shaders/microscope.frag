@@ -1,37 +1,22 @@
 // The eye under the operating microscope. Lamps lie close to the line of sight. Inside the eye the pixel's line is bent
 // once, at the cornea (see View in kernel/render/view.hpp).
+// The picture is put together in three parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea
+// shows, 2 where the pupil does. Each part draws what the ones before it do, and more.
 in vec2 place;
-uniform sampler2D optical_depth;
-uniform sampler2D stop;
-uniform sampler2D front;
-uniform sampler2D relief;
-uniform sampler2D inner_tools;
-uniform sampler2D outer_tools;
-uniform sampler2D pupil_light;
-uniform sampler2D iris_map;
 uniform sampler2D sclera_map;
+uniform sampler2D sclera_relief;
 uniform sampler2D detail_map;
-uniform vec3 reference;
-uniform float pixel_mm;  // at the iris
-uniform vec4 cornea;  // centre, radius
+uniform sampler2D outer_tools;
+uniform sampler2D shadows;  // of the instruments: red inside the eye, green outside
+uniform vec4 cornea;        // centre, radius
 uniform vec4 globe;
-uniform float apex_z;
 uniform float limbus_radius;
-uniform float iris_z;
-uniform float pupil_radius;
+uniform float limbus_z;
 uniform float sclera_extent;
-uniform vec3 incision;
-uniform float incision_width;
-uniform int has_bag;
-uniform mat4 bag_from_world;
-uniform vec3 bag_shape;  // radius, anterior, posterior
-uniform float opening_radius;
+uniform float pixel_mm;  // at the iris
 out vec4 colour;
 
-const vec3 fundus = vec3(1.0, 0.26, 0.10);
-const vec3 scattered_share = vec3(0.22, 0.15, 0.065);  // of the light that the cataract takes out
-const vec3 lamp = vec3(1.0, 0.97, 0.90);
-const float fundus_light = 1.9;
+const vec3 lamp = vec3(1.0, 0.965, 0.90);
 
 // Distance along a line to a ball's near side; negative: misses it.
 float to_ball(vec3 from, vec3 way, vec4 ball) {
@@ -41,17 +26,74 @@ float to_ball(vec3 from, vec3 way, vec4 ball) {
     return square < 0.0 ? -1.0 : middle - sqrt(square);
 }
 
-// Mirror image of the lamps in a smooth wet surface.
-float lamps_in(vec3 at, vec3 way, float softness) {
-    vec3 centre[3] = vec3[3](vec3(13.0, 7.0, 185.0), vec3(-14.0, 6.0, 185.0), vec3(2.0, 30.0, 185.0));
-    float size[3] = float[3](0.055, 0.055, 0.032);
-    float light = 0.0;
+vec3 sclera_colour(vec3 at, vec3 way) {
+    vec2 where = 0.5 + 0.5 * at.xy / sclera_extent;
+    vec3 reflectance = texture(sclera_map, where).rgb;
+    vec3 uneven = texture(sclera_relief, where).rgb;
+    vec3 n = normalize(at - globe.xyz);
+    vec3 wet = normalize(n + vec3(0.38 * (uneven.xy - 0.5), 0.0));
+    float facing = clamp(dot(n, vec3(0.05, 0.10, 0.994)), 0.0, 1.0);
+    float shade = clamp(dot(wet, vec3(-0.145, 0.242, 0.959)), 0.0, 1.0);
+    vec3 body = reflectance * lamp * (0.12 + 0.98 * facing * facing * shade);
+    vec3 mirror = reflect(way, wet);
+    float glint = pow(clamp(dot(mirror, vec3(0.06, 0.12, 0.991)), 0.0, 1.0), 420.0);
+    return body + 0.9 * glint * uneven.z * lamp;
+}
+
+// Lids that a wire speculum holds open, and the drape over the skin. `edge`: distance from the lid's margin, outward.
+vec3 around_eye(vec2 at, vec3 sclera) {
+    float across = abs(at.x) / 12.0;
+    float reach = (at.y > 0.0 ? 7.0 : 7.2) * (1.0 - pow(across, 3.0));
+    float slope = 3.0 * 7.0 / 12.0 * min(across * across, 1.5);
+    float edge = (abs(at.y) - reach) * inversesqrt(1.0 + slope * slope);
+    vec4 grain = texture(detail_map, at * 0.035);
+    edge += 0.10 * (grain.r - 0.5);
+    vec3 margin = mix(vec3(0.62, 0.33, 0.27), vec3(0.72, 0.50, 0.41), smoothstep(0.1, 1.0, edge));
+    margin *= 0.62 + 0.5 * grain.g;
+    margin += lamp * 0.35 * smoothstep(0.62, 0.72, grain.a) * exp(-edge * edge / 0.08);
+    vec4 folds = texture(detail_map, at * 0.021 + vec2(0.3, 0.1));
+    vec3 drape = vec3(0.10, 0.25, 0.34) * (0.55 + 0.7 * folds.r) + lamp * 0.10 * smoothstep(0.86, 1.0, folds.b);
+    vec3 cover = mix(margin, drape, smoothstep(1.5, 1.75, edge + 0.25 * (folds.g - 0.5)));
+    vec3 open = sclera * (1.0 - 0.50 * exp(-max(0.0, -edge) / 0.55));
+    open += lamp * 0.30 * exp(-pow((edge + 0.10) / 0.05, 2.0)) * grain.g;  // tears along the margin
+    vec3 picture = mix(open, cover, smoothstep(-0.03, 0.03, edge));
+    float bend = max(0.0, abs(at.x) - 5.2);
+    float wire = (edge - 0.15 - 0.22 * bend * bend) / 0.42;
+    float inside = sqrt(max(0.0, 1.0 - wire * wire));
+    vec3 steel = vec3(0.06, 0.07, 0.08) + vec3(0.42) * smoothstep(0.2, 1.0, inside) * (0.6 + 0.4 * wire);
+    steel += lamp * 1.2 * exp(-pow((wire - 0.18) / 0.16, 2.0)) + lamp * 0.35 * exp(-pow((wire + 0.55) / 0.12, 2.0));
+    float pixel = 1.5 * pixel_mm / 0.42;
+    picture *= 1.0 - 0.55 * exp(-pow((wire + 1.15) / 0.55, 2.0));
+    return mix(picture, steel, 1.0 - smoothstep(1.0 - pixel, 1.0 + pixel, abs(wire)));
+}
+
+vec3 photographed(vec3 light) {
+    vec3 curve = light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14);
+    return pow(clamp(curve, 0.0, 1.0), vec3(1.0 / 2.2));
+}
+
+#if PART >= 1
+uniform sampler2D iris_map;
+uniform sampler2D inner_tools;
+uniform sampler2D stop;
+uniform vec3 reference;
+uniform float iris_z;
+uniform float pupil_radius;
+uniform vec3 incision;
+uniform float incision_width;
+
+// Mirror image of the microscope's lamps in the tear film, and the glow around it.
+vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
+    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
+    const float sizes[3] = float[3](0.050, 0.046, 0.018);
+    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
+    vec2 light = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
-        float apart = length(cross(way, normalize(centre[i] - at)));
-        float front_side = step(0.0, way.z);
-        light += front_side * (1.0 - smoothstep(size[i] - softness, size[i] + softness, apart));
+        float apart = length(slant - ways[i].xy);
+        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
+        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
     }
-    return light;
+    return light * step(0.0, way.z);
 }
 
 vec3 iris_colour(vec3 at, float radius) {
@@ -60,57 +102,117 @@ vec3 iris_colour(vec3 at, float radius) {
     // The level of detail by hand: the angle jumps where it wraps.
     float texel_mm = 6.2831853 * radius / float(textureSize(iris_map, 0).x);
     float level = max(0.0, log2(pixel_mm / texel_mm) - 0.5);
-    vec3 reflectance = textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb;
-    return reflectance * lamp * 1.15;
+    return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
 }
 
+// The main wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
+vec2 wound(vec3 at) {
+    float inner = length(incision.xy);
+    if (incision_width <= 0.0 || inner < 1.0) {
+        return vec2(0.0);
+    }
+    vec2 outward = incision.xy / inner;
+    float radius = length(at.xy);
+    float turn = atan(outward.x * at.y - outward.y * at.x, dot(outward, at.xy));
+    float along = radius * turn;
+    float outer = limbus_radius - 0.20;
+    float lip = inner * 1.075;
+    float into = clamp((outer - radius) / (outer - lip), 0.0, 1.0);
+    float half_width = 0.5 * incision_width * (1.0 - 0.10 * into);
+    vec4 grain = texture(detail_map, at.xy * 0.12);
+    float wavy = 0.07 * (grain.r - 0.5);
+    float wide = 1.0 - smoothstep(half_width - 0.05, half_width + 0.08, abs(along));
+    float thin = max(0.030, 0.9 * pixel_mm);
+    float outer_line = exp(-pow((radius - outer - wavy) / thin, 2.0)) * wide;
+    float inner_line = exp(-pow((radius - lip - 1.5 * wavy - 0.05 * along * along) / (1.5 * thin), 2.0)) * wide;
+    float sides = exp(-pow((abs(along) - half_width - wavy) / (1.2 * thin), 2.0)) * step(lip, radius) *
+                  step(radius, outer);
+    float roof = wide * smoothstep(lip - 0.02, lip + 0.15, radius) * (1.0 - smoothstep(outer - 0.04, outer, radius));
+    float shadow = exp(-pow((radius - outer - wavy + 0.08) / (2.0 * thin), 2.0)) * wide;
+    float swollen = wide * exp(-pow((radius - outer + 0.35) / 0.28, 2.0));
+    return vec2(0.55 * outer_line * (0.5 + grain.g) + 0.26 * inner_line + 0.20 * sides * grain.g +
+                    roof * (0.015 + 0.05 * grain.a) + 0.09 * swollen,
+                clamp(0.75 * shadow + 0.12 * roof + 0.25 * swollen, 0.0, 1.0));
+}
+#endif
+
+#if PART == 2
+uniform sampler2D optical_depth;
+uniform sampler2D soft_depth;
+uniform sampler2D front;
+uniform sampler2D relief;
+uniform sampler2D pupil_light;
+uniform vec3 extinction_tint;
+uniform int has_bag;
+uniform mat4 bag_from_world;
+uniform vec3 bag_shape;  // radius, anterior, posterior
+uniform float opening_radius;
+
+const vec3 fundus = vec3(1.0, 0.26, 0.10);
+const vec3 scattered_share = vec3(0.120, 0.085, 0.040);  // of the light that the cataract takes out
+const float fundus_light = 0.95;
+
 struct LensLook {
-    vec3 haze_tint;
-    float shade;
+    float haze;    // unevenness of what scatters
+    float clear;   // and of what absorbs: spokes of the cortex
+    float shade;   // of the relief
+    float hollow;  // walls that lie in each other's shade
     float shine;
 };
 
 // Relief and texture of the first surface of the lens.
 LensLook lens_look(ivec2 pixel) {
+    LensLook look = LensLook(1.0, 1.0, 1.0, 0.0, 0.0);
     vec4 first = texelFetch(front, pixel, 0);
-    vec2 step_size = 1.5 / vec2(textureSize(relief, 0));
-    float left = texture(relief, place - vec2(step_size.x, 0.0)).r;
-    float right = texture(relief, place + vec2(step_size.x, 0.0)).r;
-    float below = texture(relief, place - vec2(0.0, step_size.y)).r;
-    float above = texture(relief, place + vec2(0.0, step_size.y)).r;
-    LensLook look = LensLook(vec3(1.0), 1.0, 0.0);
-    if (first.r > 1000.0 || max(max(left, right), max(below, above)) > 1000.0) {
+    vec2 step_size = vec2(1.0) / vec2(textureSize(relief, 0));
+    vec2 left = texture(relief, place - vec2(step_size.x, 0.0)).rg;
+    vec2 right = texture(relief, place + vec2(step_size.x, 0.0)).rg;
+    vec2 below = texture(relief, place - vec2(0.0, step_size.y)).rg;
+    vec2 above = texture(relief, place + vec2(0.0, step_size.y)).rg;
+    if (first.r > 1000.0 || max(max(left.r, right.r), max(below.r, above.r)) > 1000.0) {
         return look;
     }
     float span = 2.0 * step_size.x * view_size.x * pixel_mm;
-    vec3 n = normalize(vec3((right - left) / span, (above - below) / span, 1.0));
-    vec3 light = normalize(vec3(-0.30, 0.42, 1.0));
-    look.shade = clamp(0.25 + 0.80 * dot(n, light), 0.15, 1.25);
-    look.shine = pow(clamp(dot(n, normalize(vec3(-0.10, 0.16, 1.0))), 0.0, 1.0), 90.0);
+    vec3 n = normalize(vec3((right.r - left.r) / span, (above.r - below.r) / span, 1.0));
+    vec3 light = normalize(vec3(-0.34, 0.42, 1.0));
+    look.shade = clamp(0.10 + 0.98 * dot(n, light), 0.08, 1.4);
+    // Deeper than its wider surroundings: a hollow.
+    look.hollow = clamp(0.25 * (left.r + right.r + below.r + above.r - left.g - right.g - below.g - above.g), -0.5, 1.0);
+    look.shine = pow(clamp(dot(n, normalize(vec3(-0.08, 0.13, 1.0))), 0.0, 1.0), 60.0);
     vec3 rest = first.gba;
-    float fibre = texture(detail_map, rest.xy * 0.11).g;
-    float grain = texture(detail_map, rest.xy * 0.35 + 0.2 * rest.z).a;
+    float radius = length(rest.xy);
     float around = atan(rest.y, rest.x) / 6.2831853;
-    float spokes = texture(detail_map, vec2(around * 2.0, 0.02 * length(rest.xy))).b;
-    look.haze_tint = vec3(0.80 + 0.25 * fibre + 0.22 * (grain - 0.5) + 0.30 * smoothstep(0.72, 0.98, spokes));
+    vec4 fine = texture(detail_map, rest.xy * 0.13 + 0.05 * rest.z);
+    vec4 coarse = texture(detail_map, rest.xy * 0.045);
+    float spokes = textureLod(detail_map, vec2(around * 3.0, 0.018 * radius + 0.31), 0.0).b;
+    float in_cortex = smoothstep(2.2, 3.6, radius) * smoothstep(0.0, 0.5, rest.z + 1.0);
+    float spoke = smoothstep(0.66, 0.93, spokes + 0.10 * (fine.g - 0.5)) * (0.25 + 0.75 * in_cortex);
+    look.haze = 0.72 + 0.30 * coarse.r + 0.35 * (fine.a - 0.5) + 0.16 * fine.g + 0.75 * spoke;
+    look.clear = (1.0 - 0.50 * spoke) * (0.90 + 0.20 * coarse.g) * (0.96 + 0.10 * (fine.g - 0.5));
     return look;
 }
 
-vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool) {
+vec3 pupil_colour(vec3 way, vec4 tool, float radius) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 depth = texelFetch(optical_depth, pixel, 0).rgb / dot(way, view_axis);
+    float blocked = texelFetch(stop, pixel, 0).r < 1000.0 ? 1.0 : 0.0;
+    vec3 sharp = texelFetch(optical_depth, pixel, 0).rgb;
+    vec3 soft = texture(soft_depth, place).rgb;
+    vec3 depth = max(mix(soft, sharp, blocked), 0.0) * extinction_tint / dot(way, view_axis);
     vec3 through = exp(-depth);
     vec3 reaches = texelFetch(pupil_light, ivec2(0), 0).rgb;
     LensLook look = lens_look(pixel);
-    vec3 reflex = fundus * fundus_light * reaches;
-    vec3 haze = 0.5 * scattered_share * (1.0 - exp(-2.0 * depth)) * lamp * look.haze_tint * look.shade;
-    vec3 behind = reflex * (1.0 - tool.a) + tool.rgb;
-    return haze + behind * through + 0.05 * look.shine * lamp * step(0.002, depth.g);
+    // The fundus is lit through the pupil: the lamp's cone covers its middle best.
+    float cone = 1.0 - 0.55 * pow(radius / pupil_radius, 2.5);
+    vec3 reflex = fundus * fundus_light * reaches * look.clear * cone;
+    float lit = look.shade * (1.0 - 0.65 * max(look.hollow, 0.0)) * look.haze;
+    vec3 haze = 0.5 * scattered_share * (1.0 - exp(-2.0 * depth)) * lamp * lit;
+    float wall = 1.0 - 0.28 * clamp(abs(look.hollow), 0.0, 0.6) * (1.3 - look.shade);
+    vec3 behind = reflex * (1.0 - tool.a) * wall + tool.rgb;
+    return haze + behind * through + 0.030 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
 }
 
-// The rim of the capsulorhexis and the capsule around it.
-vec3 capsule(vec3 entry, vec3 way, out float veil) {
-    veil = 0.0;
+// The rim of the capsulorhexis and the sheen of the capsule around it.
+vec3 capsule(vec3 entry, vec3 way) {
     if (has_bag == 0) {
         return vec3(0.0);
     }
@@ -127,113 +229,75 @@ vec3 capsule(vec3 entry, vec3 way, out float veil) {
     }
     vec3 at = from + along * (-b - sqrt(square)) / a;
     float radius = length(at.xy);
-    float around = atan(at.y, at.x);
-    float uneven = 0.05 * (texture(detail_map, vec2(cos(around), sin(around)) * 0.21).r - 0.5);
+    vec2 around = at.xy / max(radius, 0.01);
+    vec4 rough = texture(detail_map, around * 0.23);
+    float uneven = 0.10 * (rough.r - 0.5) + 0.03 * (rough.a - 0.5);
     float off = radius - opening_radius - uneven;
-    float edge = exp(-pow(off / max(0.045, 0.9 * pixel_mm), 2.0));
-    float lower = exp(-pow((off - 0.10) / max(0.06, pixel_mm), 2.0));
-    float lit = 0.55 + 0.45 * sin(around + 2.2) + 0.35 * texture(detail_map, at.xy * 0.13).g;
-    veil = smoothstep(-0.01, 0.05, off);
-    float sheen = texture(detail_map, at.xy * 0.06).b;
-    return lamp * (0.42 * edge * lit - 0.05 * lower + veil * (0.012 + 0.03 * smoothstep(0.6, 1.0, sheen)));
+    float thin = max(0.030, 0.85 * pixel_mm);
+    float edge = exp(-pow(off / thin, 2.0));
+    float fold = exp(-pow((off - 0.09 - 0.05 * rough.g) / (1.3 * thin), 2.0));
+    float lit = 0.30 + 0.70 * pow(max(0.0, 0.5 + 0.5 * dot(around, vec2(-0.64, 0.77))), 1.5) + 0.35 * (rough.b - 0.5);
+    float veil = smoothstep(-0.01, 0.05, off);
+    float sheen = texture(detail_map, at.xy * vec2(0.05, 0.08)).b;
+    return lamp * (0.50 * edge * lit + 0.14 * fold * lit + veil * (0.010 + 0.045 * smoothstep(0.70, 1.0, sheen)));
 }
-
-vec3 sclera_colour(vec3 at, vec3 way) {
-    vec4 sampled = texture(sclera_map, 0.5 + 0.5 * at.xy / sclera_extent);
-    vec3 n = normalize(at - globe.xyz);
-    vec2 bump = vec2(texture(detail_map, at.xy * 0.10 + vec2(0.004, 0.0)).g - texture(detail_map, at.xy * 0.10).g,
-                     texture(detail_map, at.xy * 0.10 + vec2(0.0, 0.004)).g - texture(detail_map, at.xy * 0.10).g);
-    vec3 wet = normalize(n + vec3(2.2 * bump, 0.0) * sampled.a);
-    float facing = clamp(dot(n, normalize(vec3(0.05, 0.1, 1.0))), 0.0, 1.0);
-    float shade = clamp(dot(wet, normalize(vec3(-0.15, 0.25, 1.0))), 0.0, 1.0);
-    vec3 body = sampled.rgb * lamp * (0.30 + 0.62 * facing * shade);
-    vec3 mirror = reflect(way, wet);
-    float glint = pow(clamp(dot(mirror, normalize(vec3(0.0, 0.08, 1.0))), 0.0, 1.0), 120.0);
-    return body + 0.55 * glint * sampled.a * lamp;
-}
-
-// The main wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
-vec2 wound(vec3 at) {
-    float inner = length(incision.xy);
-    if (incision_width <= 0.0 || inner < 1.0) {
-        return vec2(0.0);
-    }
-    vec2 outward = incision.xy / inner;
-    float radius = length(at.xy);
-    float turn = atan(outward.x * at.y - outward.y * at.x, dot(outward, at.xy));
-    float along = radius * turn;
-    float outer = limbus_radius - 0.18;
-    float lip = inner * 1.07;
-    float half_width = 0.5 * incision_width;
-    float wide = 1.0 - smoothstep(half_width - 0.03, half_width + 0.05, abs(along));
-    float thickness = max(0.028, 0.9 * fwidth(radius));
-    float wavy = 0.03 * (texture(detail_map, at.xy * 0.15).r - 0.5);
-    float outer_line = exp(-pow((radius - outer - wavy) / thickness, 2.0)) * wide;
-    float inner_line = exp(-pow((radius - lip - 2.0 * wavy) / (1.3 * thickness), 2.0)) * wide;
-    float side_line = exp(-pow((abs(along) - half_width) / thickness, 2.0)) * step(lip, radius) * step(radius, outer);
-    float roof = wide * smoothstep(lip - 0.02, lip + 0.10, radius) * (1.0 - smoothstep(outer - 0.05, outer, radius));
-    float shadow = exp(-pow((radius - outer + 0.07) / (1.6 * thickness), 2.0)) * wide;
-    return vec2(0.34 * outer_line + 0.17 * inner_line + 0.13 * side_line + 0.055 * roof,
-                clamp(0.55 * shadow + 0.30 * roof, 0.0, 1.0));
-}
-
-vec3 photographed(vec3 light) {
-    light *= 0.85;
-    vec3 curve = light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14);
-    return pow(clamp(curve, 0.0, 1.0), vec3(1.0 / 2.2));
-}
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 outside = normalize(outside_direction(gl_FragCoord.xy));
-    vec3 entry = at_plane(gl_FragCoord.xy);
-    vec3 inside = inside_direction(entry);
-
-    float to_cornea = to_ball(view_eye, outside, cornea);
+    vec2 shade = texture(shadows, place).rg;
     float to_globe = to_ball(view_eye, outside, globe);
+    vec3 on_globe = view_eye + max(to_globe, 0.0) * outside;
+    vec3 picture = to_globe > 0.0 ? sclera_colour(on_globe, outside) : vec3(0.16, 0.07, 0.06);
+
+#if PART <= 1
+    vec3 on_lids = view_eye + (limbus_z + 1.5 - view_eye.z) / outside.z * outside;
+    picture = around_eye(on_lids.xy, picture);
+#endif
+#if PART >= 1
+    float to_cornea = to_ball(view_eye, outside, cornea);
     vec3 on_cornea = view_eye + to_cornea * outside;
-    vec3 on_globe = view_eye + to_globe * outside;
     float cornea_rho = to_cornea > 0.0 ? length(on_cornea.xy) : 100.0;
-    float white = smoothstep(limbus_radius - 0.42, limbus_radius + 0.22, cornea_rho);
+    vec4 grain = texture(detail_map, on_cornea.xy * 0.07);
+    float ragged = cornea_rho + 0.22 * (grain.r - 0.5);
+    float white = smoothstep(limbus_radius - 0.55, limbus_radius + 0.20, ragged);
 
     // Inside: iris, or the pupil with the lens; an instrument before or behind the iris.
+    vec3 entry = at_plane(gl_FragCoord.xy);
+    vec3 inside = inside_direction(entry);
     float to_iris = (iris_z - entry.z) / inside.z;
     vec3 on_iris = entry + to_iris * inside;
     float iris_rho = length(on_iris.xy);
-    float soft = max(0.02, 0.8 * fwidth(iris_rho));
-    float iris_share = smoothstep(pupil_radius - soft, pupil_radius + soft, iris_rho);
     vec4 tool = texelFetch(inner_tools, pixel, 0);
     float tool_depth = texelFetch(stop, pixel, 0).r + dot(view_axis, reference - view_plane);
-    float tool_at = tool_depth / dot(inside, view_axis);
+    float before_iris = tool.a * step(tool_depth / dot(inside, view_axis), to_iris);
+    vec3 iris = iris_colour(on_iris, iris_rho) * (1.0 - 0.55 * shade.r);
+    vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
+#if PART == 2
+    vec3 deep = pupil_colour(inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
+                capsule(entry, inside) * (1.0 - 0.92 * tool.a);
+    deep *= 1.0 - 0.40 * smoothstep(pupil_radius - 0.35, pupil_radius, iris_rho);
+    float soft = max(0.015, 0.8 * pixel_mm);
+    inner = mix(deep, inner, smoothstep(pupil_radius - soft, pupil_radius + soft, iris_rho));
+#endif
 
-    float veil;
-    vec3 rim = capsule(entry, inside, veil);
-    vec3 deep = pupil_colour(entry, inside, tool) + rim * (1.0 - 0.9 * tool.a);
-    deep *= 1.0 - 0.28 * smoothstep(pupil_radius - 0.55, pupil_radius, iris_rho);
-    float shadow = textureLod(inner_tools, place + vec2(0.012, -0.016), 3.0).a;
-    vec3 iris = iris_colour(on_iris, iris_rho) * (1.0 - 0.45 * shadow);
-    iris = iris * (1.0 - tool.a * step(tool_at, to_iris)) + tool.rgb * step(tool_at, to_iris);
-    vec3 inner = mix(deep, iris, iris_share);
-
-    // Cornea: arcus of age, wound, reflections.
-    float arcus = exp(-pow((cornea_rho - limbus_radius + 0.72) / 0.20, 2.0));
-    inner = mix(inner, vec3(0.60, 0.60, 0.58) * lamp, 0.20 * arcus);
+    // Cornea: the pale ring of age, the wound, the tear film.
+    float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
+    inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
     vec2 cut = wound(on_cornea);
     inner = inner * (1.0 - cut.y) + cut.x * lamp;
-
-    vec3 picture = mix(inner, to_globe > 0.0 ? sclera_colour(on_globe, outside) : vec3(0.02), white);
-    vec3 n = normalize(on_cornea - cornea.xyz);
-    vec3 mirror = reflect(outside, n);
+    picture = mix(inner, picture, white);
+    vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
+    vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
     float clear = (1.0 - white) * step(0.0, to_cornea);
-    picture += clear * (3.2 * lamps_in(on_cornea, mirror, 0.008) + 0.05 * lamps_in(on_cornea, mirror, 0.05)) * lamp;
-    picture += clear * 0.006 * lamp;
+    picture += clear * (2.6 * lamps.x + 0.05 * lamps.y + 0.005 + 0.010 * smoothstep(0.55, 0.9, grain.b)) * lamp;
+#endif
 
     vec4 over = texelFetch(outer_tools, pixel, 0);
-    float cast_shadow = textureLod(outer_tools, place + vec2(0.02, -0.03), 4.0).a;
-    picture *= 1.0 - 0.35 * cast_shadow;
+    picture *= 1.0 - 0.50 * shade.g;
     picture = picture * (1.0 - over.a) + over.rgb;
-
     vec2 off = (2.0 * place - 1.0) * vec2(view_size.x / view_size.y, 1.0);
-    picture *= 1.0 - 0.42 * smoothstep(0.75, 1.65, length(off));
+    picture *= 1.0 - 0.5 * smoothstep(0.7, 1.75, length(off));
     colour = vec4(photographed(picture), 1.0);
 }

@@ -1,6 +1,7 @@
 // Light that reaches the fundus: mean of exp(-optical depth) over the pupil, in one pixel. Instruments block it.
 uniform sampler2D optical_depth;
 uniform sampler2D stop;
+uniform vec3 extinction_tint;
 uniform vec2 pupil_centre;  // in pixels
 uniform vec2 pupil_reach;
 out vec4 colour;
@@ -15,7 +16,7 @@ void main() {
             ivec2 at = ivec2(floor(pupil_centre + offset * pupil_reach));
             if (dot(offset, offset) <= 1.0 && all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size))) {
                 bool open = texelFetch(stop, at, 0).r > 1000.0;
-                sum += open ? exp(-stretch(vec2(at) + 0.5) * texelFetch(optical_depth, at, 0).rgb) : vec3(0.0);
+                sum += open ? exp(-stretch(vec2(at) + 0.5) * extinction_tint * texelFetch(optical_depth, at, 0).rgb) : vec3(0.0);
                 count += 1.0;
             }
         }

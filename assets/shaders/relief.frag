@@ -1,18 +1,24 @@
-// Smooths the distance to the lens along one direction, so that tetrahedra do not show as facets.
+// Smooths the depth of the lens's first surface along one direction, so that tetrahedra do not show as facets: red over
+// a short way, green over a long one.
 in vec2 place;
 uniform sampler2D source;
-uniform vec2 direction;  // one standard deviation, in texture coordinates
+uniform vec2 direction;  // one standard deviation of the short way, in texture coordinates
+uniform int first;       // 1: the source holds the bare depth in red
 out vec4 colour;
 
 void main() {
-    float sum = 0.0;
-    float total = 0.0;
+    vec2 sum = vec2(0.0);
+    vec2 total = vec2(0.0);
     for (int i = -4; i <= 4; ++i) {
-        float far = 0.5 * float(i);
-        float distance = texture(source, place + far * direction).r;
-        float weight = distance < 1000.0 ? exp(-0.5 * far * far) : 0.0;
-        sum += weight * (weight > 0.0 ? distance : 0.0);
+        vec2 way = vec2(0.5, 2.2) * float(i);
+        float near = texture(source, place + way.x * direction).r;
+        vec2 wide = texture(source, place + way.y * direction).rg;
+        float far = first == 1 ? wide.r : wide.g;
+        vec2 there = vec2(near < 1000.0 ? 1.0 : 0.0, far < 1000.0 ? 1.0 : 0.0);
+        vec2 weight = exp(-0.5 * vec2(0.25, 0.25) * float(i * i)) * there;
+        sum += weight * mix(vec2(0.0), vec2(near, far), there);
         total += weight;
     }
-    colour = vec4(total > 0.0 ? sum / total : 10000.0, 0.0, 0.0, 1.0);
+    vec2 smoothed = sum / max(total, vec2(1e-6));
+    colour = vec4(mix(vec2(10000.0), smoothed, step(vec2(1e-6), total)), 0.0, 1.0);
 }

@@ -2,7 +2,10 @@
 in vec3 world;
 in vec3 normal;
 in vec3 body;
+flat in vec3 along;  // of the shaft
 uniform vec3 camera;
+uniform vec3 lamp_way;  // towards the lamps
+uniform int encoded;    // 1: light as screens expect it, 0: linear
 uniform int finish;    // titanium, bore, sleeve, steel
 uniform int medium;    // 0: all of it, 1: only inside the eye, 2: only outside
 uniform vec4 cornea;   // centre and radius of the ball of the cornea
@@ -12,13 +15,15 @@ out vec4 colour;
 
 // What a mirror at the instrument sees: lamps above, a pale ceiling, blue drapes, a dark horizon.
 vec3 surroundings(vec3 way) {
-    float up = way.z;
+    float up = dot(way, lamp_way);
     vec3 light = mix(vec3(0.02, 0.03, 0.04), vec3(0.16, 0.22, 0.27), smoothstep(-0.6, 0.1, up));
     light = mix(light, vec3(0.50, 0.52, 0.54), smoothstep(0.15, 0.75, up));
-    light += vec3(2.6, 2.5, 2.35) * smoothstep(0.945, 0.995, dot(way, normalize(vec3(0.06, 0.10, 1.0))));
+    light += vec3(2.6, 2.5, 2.35) * smoothstep(0.945, 0.995, up);
     light *= 0.85 + 0.3 * smoothstep(-0.3, 0.3, sin(5.0 * way.x + 1.3));
     return light;
 }
+
+vec3 shown(vec3 light) { return encoded == 1 ? pow(clamp(light, 0.0, 1.0), vec3(1.0 / 2.2)) : light; }
 
 void main() {
     bool inside = distance(world, cornea.xyz) < cornea.w || distance(world, globe.xyz) < globe.w;
@@ -39,13 +44,18 @@ void main() {
         vec3 silicone = vec3(0.24, 0.47, 0.78) * (0.25 + 0.75 * facing) + 0.03 * rings;
         float ribs = 0.93 + 0.07 * sin(9.0 * body.z);
         vec3 shine = 0.055 * mirror + 0.25 * graze * mirror;
-        colour = vec4(silicone * ribs * wall + shine, wall);
+        colour = vec4(shown(silicone * ribs + shine / wall) * wall, wall);
         return;
     }
+    // Brushed around: a bright line along the side that faces the lamp.
+    vec3 halfway = toward + lamp_way;
+    halfway = normalize(halfway - dot(halfway, along) * along);
+    float slant = dot(halfway, normalize(n - 0.98 * dot(n, along) * along));
+    mirror += vec3(1.0, 0.97, 0.90) * (0.85 * pow(clamp(slant, 0.0, 1.0), 26.0) + 0.10);
     vec3 metal = finish == 3 ? vec3(0.72, 0.73, 0.75) : vec3(0.66, 0.63, 0.60);
     vec3 light = mix(metal, vec3(1.0), graze) * mirror * (0.92 + 0.16 * rings);
     if (finish == 1) {
         light *= 0.10;
     }
-    colour = vec4(light, 1.0);
+    colour = vec4(shown(light), 1.0);
 }

@@ -6,6 +6,7 @@ uniform mat4 world_from_body;
 out vec3 world;
 out vec3 normal;
 out vec3 body;
+flat out vec3 along;
 
 void main() {
     vec4 moved = world_from_body * vec4(position, 1.0);
@@ -13,4 +14,5 @@ void main() {
     world = moved.xyz;
     normal = mat3(world_from_body) * direction;
     body = position;
+    along = mat3(world_from_body) * vec3(0.0, 0.0, 1.0);
 }

@@ -64,17 +64,44 @@ Result<DepthPass> DepthPass::create(int width, int height) {
 DepthPass::DepthPass(Program faces, Program distance, int width, int height)
     : faces_(std::move(faces)), distance_(std::move(distance)), vertices_({3, 3}) {
     sum_ = make_single_target(width, height, GL_RGBA32F, GL_NEAREST);
+    grey_sum_ = make_single_target(width, height, GL_R32F, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, *grey_sum_.colours[0].name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_RED);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_RED);
     stop_ = make_single_target(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE, true);
 }
 
-void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view) {
+void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
+                     const PixelRect& tool_area, const PixelRect& body_area) {
+    find_tint(*frame.model);
     reference_ = middle_of(frame);
     stream_.clear();
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         append_signed_faces(frame.model->solids[i], frame.solids[i], fine_, stream_);
     }
-    draw_tools(frame, tools, view);
+    {
+        const Scissor scissor(tool_area);
+        draw_tools(frame, tools, view);
+    }
+    const Scissor scissor(body_area);
     draw_faces(view);
+}
+
+void DepthPass::find_tint(const WorldModel& model) {
+    Vec3 strongest = Vec3::Zero();
+    for (const SolidModel& solid : model.solids) {
+        for (const Material& material : solid.materials) {
+            strongest = material.extinction.norm() > strongest.norm() ? material.extinction : strongest;
+        }
+    }
+    grey_ = strongest.x() > 0.0;
+    for (const SolidModel& solid : model.solids) {
+        for (const Material& material : solid.materials) {
+            const double off = material.extinction.cross(strongest).norm();
+            grey_ = grey_ && off <= 1e-12 * strongest.squaredNorm();
+        }
+    }
+    tint_ = grey_ ? Vec3(strongest / strongest.x()) : Vec3(Vec3::Ones());
 }
 
 void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view) {
@@ -99,7 +126,7 @@ void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tool
 }
 
 void DepthPass::draw_faces(const View& view) {
-    sum_.bind();
+    optical_depth().bind();
     const std::array<GLfloat, 4> none{};
     glClearBufferfv(GL_COLOR, 0, none.data());
     glEnable(GL_BLEND);

@@ -47,7 +47,8 @@ Texture make_texture(int width, int height, GLenum format, GLenum filter, GLenum
     glBindTexture(GL_TEXTURE_2D, *texture.name);
     const bool single = format == GL_R32F || format == GL_R8;
     const bool bytes = format == GL_RGBA8 || format == GL_R8 || format == GL_RG8;
-    const GLenum channels = single ? GL_RED : format == GL_RG8 ? GL_RG : GL_RGBA;
+    const bool two = format == GL_RG8 || format == GL_RG32F;
+    const GLenum channels = single ? GL_RED : two ? GL_RG : GL_RGBA;
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, channels,
                  bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));

@@ -66,11 +66,11 @@ LensFront::LensFront(Program front, Program blur, int width, int height)
     : front_program_(std::move(front)),
       blur_program_(std::move(blur)),
       front_(make_single_target(width, height, GL_RGBA32F, GL_NEAREST, GL_CLAMP_TO_EDGE, true)),
-      half_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_R32F, GL_NEAREST)),
-      smooth_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_R32F, GL_LINEAR)),
+      half_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RG32F, GL_NEAREST)),
+      smooth_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RG32F, GL_LINEAR)),
       vertices_({3, 3}) {}
 
-void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference) {
+void LensFront::collect(const Frame& frame) {
     stream_.clear();
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         const SolidModel& model = frame.model->solids[i];
@@ -88,7 +88,12 @@ void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference
             {model.fine.tets, model.fine.neighbours, fine_, rest_},
             [&](int t) { return state.fraction[t] > still_there; }, stream_);
     }
+}
+
+void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference, const PixelRect& area) {
+    collect(frame);
     front_.bind();
+    const Scissor scissor(area);
     const std::array<GLfloat, 4> nothing{no_stop, 0.0F, 0.0F, 0.0F};
     const GLfloat farthest = 1.0F;
     glDepthMask(GL_TRUE);
@@ -104,16 +109,19 @@ void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference
     vertices_.draw();
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
+    const Scissor half_scissor(halved(area));
     smooth(smoothing_mm / pixel_mm(view, reference));
 }
 
 void LensFront::smooth(double deviation_pixels) {
     blur_program_.use();
     half_.bind();
+    blur_program_.set("first", 1);
     blur_program_.set("source", front_.colours[0], 0);
     blur_program_.set("direction", Vec2(deviation_pixels / front_.width, 0.0));
     cover_target();
     smooth_.bind();
+    blur_program_.set("first", 0);
     blur_program_.set("source", half_.colours[0], 0);
     blur_program_.set("direction", Vec2(0.0, deviation_pixels / front_.height));
     cover_target();

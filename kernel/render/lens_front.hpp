@@ -4,6 +4,7 @@
 
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
+#include "render/pixel_rect.hpp"
 #include "render/view.hpp"
 
 namespace rhexis {
@@ -13,15 +14,17 @@ public:
     static Result<LensFront> create(int width, int height);
 
     /// Depths are measured as in DepthPass, from the plane through `reference`.
-    void draw(const Frame& frame, const View& view, const Vec3& reference);
+    /// Within `area`, what lies outside is stale.
+    void draw(const Frame& frame, const View& view, const Vec3& reference, const PixelRect& area);
 
     /// RGBA32F: depth (beyond 1000: nothing there), and where that tissue lay at rest.
     [[nodiscard]] const Texture& surface() const { return front_.colours[0]; }
-    /// R32F, half size: depth, smoothed.
+    /// RG32F, half size: depth, smoothed over a short and a long way.
     [[nodiscard]] const Texture& relief() const { return smooth_.colours[0]; }
 
 private:
     LensFront(Program front, Program blur, int width, int height);
+    void collect(const Frame& frame);
     void smooth(double deviation_pixels);
 
     Program front_program_;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/microscope_view.hpp"
 
+#include <algorithm>
+
 namespace rhexis {
 
 namespace {
+
+constexpr double softening_mm = 0.055;  ///< standard deviation: tissue scatters, and facets should not show
+constexpr int area_margin = 10;         ///< [pixels] that smoothing reaches beyond the pupil
 
 /// Centre of the pupil and its reach sideways and upwards, in pixels from the bottom left.
 struct PupilOnScreen {
@@ -21,12 +26,52 @@ PupilOnScreen pupil_on_screen(const EyeAnatomy& eye, const View& inner) {
     return pupil;
 }
 
+void set_anatomy(const Program& program, const EyeAnatomy& eye) {
+    program.set("cornea", cornea_ball(eye));
+    program.set("globe", globe_ball(eye));
+    program.set("limbus_radius", eye.limbus_radius);
+    program.set("limbus_z", eye.limbus_z);
+    program.set("iris_z", eye.iris_z);
+    program.set("pupil_radius", eye.pupil_radius);
+    program.set("sclera_extent", sclera_extent_mm);
+    program.set("incision", eye.incision);
+    program.set("incision_width", eye.incision_width);
+}
+
+void set_bag(const Program& program, const Frame& frame) {
+    program.set("has_bag", frame.bags.empty() ? 0 : 1);
+    if (!frame.bags.empty()) {
+        const BagModel& bag = frame.model->bags[0];
+        program.set("bag_from_world", Mat4(matrix_of(frame.bags[0].pose).inverse()));
+        program.set("bag_shape", Vec3(bag.shape.radius, bag.shape.anterior, bag.shape.posterior));
+        program.set("opening_radius", bag.opening_radius);
+    }
+}
+
+Result<Program> build_part(const char* define) {
+    return Program::build({"fullscreen.vert"}, {define, "view.glsl", "microscope.frag"});
+}
+
 }  // namespace
+
+EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner) {
+    EyeAreas areas;
+    areas.cornea = united(rect_around_circle(outer, eye.limbus_radius + 0.5, eye.limbus_z, 2),
+                          rect_around_circle(outer, 0.5 * eye.limbus_radius, eye.cornea_apex_z, 2));
+    areas.pupil = rect_around_circle(inner, eye.pupil_radius + 0.05, eye.iris_z, area_margin);
+    // The pupil's part draws everything that the cornea's does, so it may reach beyond.
+    areas.cornea = united(areas.cornea, areas.pupil);
+    return areas;
+}
 
 Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     Result<Program> light = Program::build({"fullscreen.vert"}, {"view.glsl", "pupil_light.frag"});
-    Result<Program> compose = Program::build({"fullscreen.vert"}, {"view.glsl", "microscope.frag"});
-    for (const Result<Program>* program : {&light, &compose}) {
+    Result<Program> soften = Program::build({"fullscreen.vert"}, {"soften.frag"});
+    Result<Program> shadows = Program::build({"fullscreen.vert"}, {"shadows.frag"});
+    Result<Program> white = build_part("part_white.glsl");
+    Result<Program> iris = build_part("part_iris.glsl");
+    Result<Program> pupil = build_part("part_pupil.glsl");
+    for (const Result<Program>* program : {&light, &soften, &shadows, &white, &iris, &pupil}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -39,19 +84,24 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     if (!front.ok()) {
         return front.error();
     }
-    return MicroscopeView(std::move(light).value(), std::move(compose).value(), std::move(painter).value(),
-                          std::move(front).value(), width, height);
+    return MicroscopeView(
+        Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value()},
+        std::array<Program, 3>{std::move(white).value(), std::move(iris).value(), std::move(pupil).value()},
+        std::move(painter).value(), std::move(front).value(), width, height);
 }
 
-MicroscopeView::MicroscopeView(Program light, Program compose, EyePainter painter, LensFront front, int width,
-                               int height)
-    : light_program_(std::move(light)),
-      compose_program_(std::move(compose)),
+MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 3> parts, EyePainter painter, LensFront front,
+                               int width, int height)
+    : steps_(std::move(steps)),
+      parts_(std::move(parts)),
       eye_painter_(std::move(painter)),
       front_(std::move(front)),
       inside_(width, height),
       outside_(width, height),
       light_(make_single_target(1, 1, GL_RGBA32F, GL_NEAREST)),
+      across_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_NEAREST)),
+      soft_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_LINEAR)),
+      shadows_(make_single_target((width + 7) / 8, (height + 7) / 8, GL_RGBA8, GL_LINEAR)),
       picture_(make_single_target(width, height, GL_RGBA8, GL_NEAREST)) {}
 
 void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools,
@@ -61,29 +111,71 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
         textures_.emplace(eye_painter_.paint(eye));
         painted_limbus_ = eye.limbus_radius;
     }
-    front_.draw(frame, inner, depth.reference());
+    const EyeAreas areas = eye_areas(eye, outer, inner);
+    front_.draw(frame, inner, depth.reference(), areas.pupil);
     inside_.draw(painter, frame, tools, inner, Medium::inside, eye, detail);
     outside_.draw(painter, frame, tools, outer, Medium::outside, eye, detail);
     gather_light(frame, inner, depth);
-    compose(frame, inner, depth, detail);
+    soften(inner, depth, areas.pupil);
+    cast_shadows(inner);
+    const std::array<std::vector<PixelRect>, 3> where{without(whole(inner), areas.cornea),
+                                                      without(areas.cornea, areas.pupil), {areas.pupil}};
+    picture_.bind();
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        compose(parts_[part], frame, inner, depth, detail);
+        for (const PixelRect& rect : where[part]) {
+            const Scissor scissor(rect);
+            cover_target();
+        }
+    }
 }
 
 void MicroscopeView::gather_light(const Frame& frame, const View& inner, const DepthPass& depth) {
     const PupilOnScreen pupil = pupil_on_screen(*frame.eye, inner);
+    const Program& program = steps_.light;
     light_.bind();
-    light_program_.use();
-    set_view(light_program_, inner);
-    light_program_.set("optical_depth", depth.optical_depth().colours[0], 0);
-    light_program_.set("stop", depth.stop(), 1);
-    light_program_.set("pupil_centre", pupil.centre);
-    light_program_.set("pupil_reach", pupil.reach);
+    program.use();
+    set_view(program, inner);
+    program.set("optical_depth", depth.optical_depth().colours[0], 0);
+    program.set("stop", depth.stop(), 1);
+    program.set("extinction_tint", depth.tint());
+    program.set("pupil_centre", pupil.centre);
+    program.set("pupil_reach", pupil.reach);
     cover_target();
 }
 
-void MicroscopeView::compose(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail) {
-    const EyeAnatomy& eye = *frame.eye;
-    const Program& program = compose_program_;
-    picture_.bind();
+void MicroscopeView::soften(const View& inner, const DepthPass& depth, const PixelRect& area) {
+    const double pixels = softening_mm / pixel_mm(inner, depth.reference());
+    const Program& program = steps_.soften;
+    const Scissor scissor(halved(area));
+    program.use();
+    program.set("stop", depth.stop(), 1);
+    across_.bind();
+    program.set("source", depth.optical_depth().colours[0], 0);
+    program.set("direction", Vec2(pixels / inner.width, 0.0));
+    cover_target();
+    soft_.bind();
+    program.set("source", across_.colours[0], 0);
+    program.set("direction", Vec2(0.0, pixels / inner.height));
+    cover_target();
+}
+
+/// The lamp stands a little to the left and above: shadows fall to the right and below, further on what lies deeper.
+void MicroscopeView::cast_shadows(const View& inner) {
+    const double mm = 1.0 / pixel_mm(inner, Vec3::Zero());
+    const Vec2 one_mm(mm / inner.width, mm / inner.height);
+    const Program& program = steps_.shadows;
+    shadows_.bind();
+    program.use();
+    program.set("inner_tools", inside_.picture(), 0);
+    program.set("outer_tools", outside_.picture(), 1);
+    program.set("inner_shift", Vec2(one_mm.cwiseProduct(Vec2(0.28, -0.25))));
+    program.set("outer_shift", Vec2(one_mm.cwiseProduct(Vec2(0.45, -0.45))));
+    cover_target();
+}
+
+void MicroscopeView::compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
+                             const Texture& detail) const {
     program.use();
     set_view(program, inner);
     program.set("optical_depth", depth.optical_depth().colours[0], 0);
@@ -95,26 +187,15 @@ void MicroscopeView::compose(const Frame& frame, const View& inner, const DepthP
     program.set("pupil_light", light_.colours[0], 6);
     program.set("iris_map", textures_->iris, 7);
     program.set("sclera_map", textures_->sclera, 8);
-    program.set("detail_map", detail, 9);
+    program.set("sclera_relief", textures_->relief, 9);
+    program.set("detail_map", detail, 10);
+    program.set("soft_depth", soft_.colours[0], 11);
+    program.set("shadows", shadows_.colours[0], 12);
+    program.set("extinction_tint", depth.tint());
     program.set("reference", depth.reference());
-    program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, eye.iris_z)));
-    program.set("cornea", cornea_ball(eye));
-    program.set("globe", globe_ball(eye));
-    program.set("limbus_radius", eye.limbus_radius);
-    program.set("iris_z", eye.iris_z);
-    program.set("pupil_radius", eye.pupil_radius);
-    program.set("sclera_extent", sclera_extent_mm);
-    program.set("incision", eye.incision);
-    program.set("incision_width", eye.incision_width);
-    const bool has_bag = !frame.bags.empty();
-    program.set("has_bag", has_bag ? 1 : 0);
-    if (has_bag) {
-        const BagModel& bag = frame.model->bags[0];
-        program.set("bag_from_world", Mat4(matrix_of(frame.bags[0].pose).inverse()));
-        program.set("bag_shape", Vec3(bag.shape.radius, bag.shape.anterior, bag.shape.posterior));
-        program.set("opening_radius", bag.opening_radius);
-    }
-    cover_target();
+    program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, frame.eye->iris_z)));
+    set_anatomy(program, *frame.eye);
+    set_bag(program, frame);
 }
 
 }  // namespace rhexis

@@ -2,6 +2,7 @@
 // The picture of an eye: its surfaces, the lens by its optical depth, the instruments, light and lamps put together.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "render/depth_pass.hpp"
@@ -10,6 +11,13 @@
 #include "render/tool_layer.hpp"
 
 namespace rhexis {
+
+/// Where in the picture cornea and pupil can show.
+struct EyeAreas {
+    PixelRect cornea;
+    PixelRect pupil;
+};
+EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner);
 
 class MicroscopeView {
 public:
@@ -23,17 +31,30 @@ public:
     [[nodiscard]] const Target& picture() const { return picture_; }  ///< RGBA8
 
 private:
-    MicroscopeView(Program light, Program compose, EyePainter painter, LensFront front, int width, int height);
+    /// Smaller pictures on the way to the whole one.
+    struct Steps {
+        Program light;
+        Program soften;
+        Program shadows;
+    };
+    MicroscopeView(Steps steps, std::array<Program, 3> parts, EyePainter painter, LensFront front, int width,
+                   int height);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
-    void compose(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail);
+    void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
+    void cast_shadows(const View& inner);
+    void compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
+                 const Texture& detail) const;
 
-    Program light_program_;
-    Program compose_program_;
+    Steps steps_;
+    std::array<Program, 3> parts_;  ///< see microscope.frag
     EyePainter eye_painter_;
     LensFront front_;
     ToolLayer inside_;
     ToolLayer outside_;
-    Target light_;  ///< one pixel
+    Target light_;    ///< one pixel
+    Target across_;   ///< optical depth softened sideways, half size
+    Target soft_;     ///< and upwards
+    Target shadows_;  ///< an eighth of the size
     Target picture_;
     std::optional<EyeTextures> textures_;
     double painted_limbus_ = 0.0;  ///< that the textures were made for

@@ -146,7 +146,8 @@ Image Renderer::draw(const Frame& frame, const Camera& camera) {
         return picture_of(passes.bare.picture());
     }
     const View inner = view_into(frame, camera, parts_->width, parts_->height);
-    passes.depth.draw(frame, parts_->tools, inner);
+    const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
+    passes.depth.draw(frame, parts_->tools, inner, areas.cornea, areas.pupil);
     passes.microscope.draw(passes.painter, frame, parts_->tools, outer, inner, passes.depth, passes.detail);
     return picture_of(passes.microscope.picture());
 }
@@ -168,18 +169,21 @@ OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {
     const int width = parts_->width;
     const int height = parts_->height;
     const View view = view_into(frame, camera, width, height);
-    parts_->passes->depth.draw(frame, parts_->tools, view);
-    parts_->passes->depth.optical_depth().bind();
-    std::vector<float> pixels(4 * static_cast<std::size_t>(width) * height);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+    DepthPass& depth = parts_->passes->depth;
+    depth.draw(frame, parts_->tools, view, whole(view), whole(view));
+    depth.optical_depth().bind();
+    const int channels = depth.grey() ? 1 : 4;
+    std::vector<float> pixels(channels * static_cast<std::size_t>(width) * height);
+    glReadPixels(0, 0, width, height, depth.grey() ? GL_RED : GL_RGBA, GL_FLOAT, pixels.data());
+    const Eigen::Vector3f tint = depth.tint().cast<float>();
     OpticalDepth result{width, height, std::vector<float>(3 * static_cast<std::size_t>(width) * height)};
     const float* from = pixels.data();
     for (int y = height - 1; y >= 0; --y) {
         float* to = &result.tau[3 * static_cast<std::size_t>(y) * width];
-        for (int x = 0; x < width; ++x, from += 4, to += 3) {
+        for (int x = 0; x < width; ++x, from += channels, to += 3) {
             const float stretch = from[0] == 0.0F ? 0.0F : static_cast<float>(pixel_ray(view, x, y).stretch);
             for (int c = 0; c < 3; ++c) {
-                to[c] = stretch * from[c];
+                to[c] = stretch * tint[c] * from[depth.grey() ? 0 : c];
             }
         }
     }

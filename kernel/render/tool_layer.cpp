@@ -8,6 +8,32 @@
 
 namespace rhexis {
 
+namespace {
+
+/// Boxes around the parts of all instruments that are there.
+PixelRect rect_around_tools(const Frame& frame, const View& view) {
+    PixelRect rect;
+    for (std::size_t i = 0; i < frame.tools.size(); ++i) {
+        if (!frame.tools[i].present) {
+            continue;
+        }
+        for (const RoundedCone& part : drawn_parts(frame.model->tools[i])) {
+            const double radius = std::max(part.radius_a, part.radius_b);
+            std::vector<Vec3> corners;
+            for (const Vec3& end : {part.a, part.b}) {
+                for (int corner = 0; corner < 8; ++corner) {
+                    const Vec3 off((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, ((corner >> 2) & 1) - 0.5);
+                    corners.push_back(frame.tools[i].pose.to_world(end + 2.0 * radius * off));
+                }
+            }
+            rect = united(rect, rect_around(view, corners, 2));
+        }
+    }
+    return rect;
+}
+
+}  // namespace
+
 Vec4 cornea_ball(const EyeAnatomy& eye) { return {0.0, 0.0, eye.cornea_apex_z - eye.cornea_radius, eye.cornea_radius}; }
 
 Vec4 globe_ball(const EyeAnatomy& eye) {
@@ -40,6 +66,11 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
     program_.use();
     program_.set("clip_from_world", view.clip_from_world);
     program_.set("camera", view.eye);
+    const bool bare = medium == Medium::all;
+    const Vec3 lamps = bare ? Vec3(-view.forward + 0.7 * view.up.normalized() - 0.3 * view.right.normalized())
+                            : Vec3(-0.06, 0.10, 1.0);
+    program_.set("lamp_way", Vec3(lamps.normalized()));
+    program_.set("encoded", bare ? 1 : 0);
     program_.set("medium", static_cast<int>(medium));
     program_.set("cornea", eye == nullptr ? Vec4(Vec4::Zero()) : cornea_ball(*eye));
     program_.set("globe", eye == nullptr ? Vec4(Vec4::Zero()) : globe_ball(*eye));
@@ -66,17 +97,19 @@ void ToolPainter::paint_tool(const ToolMesh& mesh, const Pose& pose) {
 }
 
 ToolLayer::ToolLayer(int width, int height)
-    : samples_(make_multisampled_target(width, height, GL_RGBA8)),
-      flat_(make_single_target(width, height, GL_RGBA8, GL_LINEAR_MIPMAP_LINEAR)) {}
+    : drawn_{0, 0, width, height},
+      samples_(make_multisampled_target(width, height, GL_RGBA8)),
+      flat_(make_single_target(width, height, GL_RGBA8, GL_LINEAR)) {}
 
 void ToolLayer::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
                      Medium medium, const EyeAnatomy& eye, const Texture& detail) {
+    const PixelRect now = rect_around_tools(frame, view);
+    const Scissor scissor(united(drawn_, now));
+    drawn_ = now;
     samples_.bind();
     clear_bound_target();
     painter.paint(frame, tools, view, medium, &eye, detail);
     resolve(samples_, flat_);
-    glBindTexture(GL_TEXTURE_2D, *flat_.colours[0].name);
-    glGenerateMipmap(GL_TEXTURE_2D);
 }
 
 }  // namespace rhexis

@@ -4,6 +4,7 @@
 
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
+#include "render/pixel_rect.hpp"
 #include "render/tool_mesh.hpp"
 #include "render/view.hpp"
 
@@ -38,9 +39,10 @@ public:
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
               Medium medium, const EyeAnatomy& eye, const Texture& detail);
 
-    [[nodiscard]] const Texture& picture() const { return flat_.colours[0]; }  ///< with mipmaps
+    [[nodiscard]] const Texture& picture() const { return flat_.colours[0]; }
 
 private:
+    PixelRect drawn_;  ///< what is not empty
     Target samples_;
     Target flat_;
 };

@@ -159,11 +159,19 @@ void append_triangles(const ToolMesh::Part& part, std::vector<float>& stream) {
     }
 }
 
+std::vector<RoundedCone> drawn_parts(const ToolModel& tool) {
+    std::vector<RoundedCone> parts = tool.parts;
+    if (!parts.empty()) {
+        parts.back() = continued(parts.back());
+    }
+    return parts;
+}
+
 ToolMesh tool_mesh(const ToolModel& tool) {
     ToolMesh mesh;
-    const std::size_t last = tool.parts.empty() ? 0 : tool.parts.size() - 1;
-    for (std::size_t i = 0; i < tool.parts.size(); ++i) {
-        const RoundedCone cone = i == last ? continued(tool.parts[i]) : tool.parts[i];
+    const std::vector<RoundedCone> parts = drawn_parts(tool);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const RoundedCone& cone = parts[i];
         if (i == 0 && tool.kind == ToolKind::phaco && tool.bore_radius > 0.0) {
             add_needle(tool, cone, mesh.parts);
         } else {

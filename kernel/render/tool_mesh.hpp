@@ -27,6 +27,9 @@ struct ToolMesh {
 /// mid-air; a phaco tip is a hollow needle cut at its bevel, opening to local +y, in a sleeve.
 ToolMesh tool_mesh(const ToolModel& tool);
 
+/// The parts as they are drawn: the last one continued.
+std::vector<RoundedCone> drawn_parts(const ToolModel& tool);
+
 /// Appends the corners as vertices: place and normal, 3 floats each.
 void append_triangles(const ToolMesh::Part& part, std::vector<float>& stream);
 

@@ -18,13 +18,14 @@ constexpr int most_branches = 900;
 
 /// One vessel that still grows.
 struct Sprout {
-    Vec2 place;
-    double heading;     ///< [rad]
-    double half_width;  ///< [mm]
-    double strength;    ///< 0 to 1
-    double layer;       ///< 0 near the surface, 1 deep
-    double length;      ///< left to grow [mm]
-    int generation;
+    Vec2 place = Vec2::Zero();
+    double heading = 0.0;     ///< now [rad]
+    double course = 0.0;      ///< around which it wavers [rad]
+    double half_width = 0.0;  ///< [mm]
+    double strength = 1.0;    ///< 0 to 1
+    double layer = 0.0;       ///< 0 near the surface, 1 deep
+    double length = 0.0;      ///< left to grow [mm]
+    int generation = 0;
 };
 
 struct Garden {
@@ -64,7 +65,8 @@ void branch(const Sprout& from, Garden& garden) {
     ++garden.branches;
     Sprout twig = from;
     const double side = garden.chance.uniform() < 0.5 ? -1.0 : 1.0;
-    twig.heading += side * spread(garden, 0.35, 0.9);
+    twig.course += side * spread(garden, 0.3, 0.8);
+    twig.heading = twig.course;
     twig.half_width *= spread(garden, 0.55, 0.8);
     twig.strength *= spread(garden, 0.75, 0.98);
     twig.length *= spread(garden, 0.4, 0.9);
@@ -72,23 +74,23 @@ void branch(const Sprout& from, Garden& garden) {
     garden.sprouts.push_back(twig);
 }
 
-/// Wavers, and is drawn towards the cornea, near which it turns to run along the limbus.
-double turn(const Sprout& sprout, double& sway, Garden& garden) {
+/// Turns back to its own course, which bends slowly towards the cornea and, close to it, along the limbus.
+void set_course(Sprout& sprout, Garden& garden) {
     const double radius = sprout.place.norm();
     const double inward = std::atan2(-sprout.place.y(), -sprout.place.x());
-    sway = 0.86 * sway + 0.30 * garden.chance.normal() * (sprout.layer < 0.5 ? 1.0 : 0.5);
-    const double near = std::clamp((garden.limbus_radius + 0.9 - radius) / 0.9, 0.0, 1.0);
-    const double off = wrapped(inward - sprout.heading);
+    const double near = std::clamp((garden.limbus_radius + 0.8 - radius) / 0.8, 0.0, 1.0);
+    const double off = wrapped(inward - sprout.course);
     const double along = off > 0.0 ? off - 0.5 * std::numbers::pi : off + 0.5 * std::numbers::pi;
-    return 0.5 * sway + 0.05 * (1.0 - near) * off + 0.35 * near * along;
+    sprout.course += 0.02 * (1.0 - near) * off + 0.30 * near * along + 0.03 * garden.chance.normal();
+    const double waver = sprout.layer < 0.5 ? 0.24 : 0.08;
+    sprout.heading += 0.22 * wrapped(sprout.course - sprout.heading) + waver * garden.chance.normal();
 }
 
 void grow(Sprout sprout, Garden& garden) {
-    double sway = 0.0;
     Vec2 last_side(-std::sin(sprout.heading), std::cos(sprout.heading));
     last_side *= sprout.half_width;
     while (sprout.length > 0.0 && sprout.half_width > 0.0035) {
-        sprout.heading += turn(sprout, sway, garden);
+        set_course(sprout, garden);
         const Vec2 direction(std::cos(sprout.heading), std::sin(sprout.heading));
         const Vec2 next = sprout.place + step_mm * direction;
         if (next.norm() < garden.limbus_radius - 0.1 || next.norm() > garden.outer_radius + 1.5) {
@@ -106,14 +108,24 @@ void grow(Sprout sprout, Garden& garden) {
     }
 }
 
+/// A vessel that starts at an angle around the eye and leaves it by `slant` from straight inward.
+void sow(Garden& garden, double angle, double radius, double slant, Sprout sprout) {
+    sprout.place = radius * Vec2(std::cos(angle), std::sin(angle));
+    sprout.course = angle + std::numbers::pi + slant;
+    sprout.heading = sprout.course;
+    garden.sprouts.push_back(sprout);
+}
+
 void plant(int count, double layer, double widest, Garden& garden) {
     for (int i = 0; i < count; ++i) {
         const double angle = 2.0 * std::numbers::pi * (i + spread(garden, -0.45, 0.45)) / count;
         const double radius = garden.outer_radius * spread(garden, 0.82, 1.05);
-        const double size = std::pow(garden.chance.uniform(), 2.0);
-        garden.sprouts.push_back({Vec2(radius * std::cos(angle), radius * std::sin(angle)),
-                                  angle + std::numbers::pi + spread(garden, -0.7, 0.7), widest * (0.28 + 0.72 * size),
-                                  spread(garden, 0.45, 0.95), layer, spread(garden, 2.5, 6.5), 0});
+        Sprout sprout;
+        sprout.half_width = widest * (0.28 + 0.72 * std::pow(garden.chance.uniform(), 2.0));
+        sprout.strength = spread(garden, 0.45, 0.95);
+        sprout.layer = layer;
+        sprout.length = spread(garden, 2.5, 6.5);
+        sow(garden, angle, radius, spread(garden, -0.8, 0.8), sprout);
     }
 }
 
@@ -122,9 +134,12 @@ void plant_arcades(int count, Garden& garden) {
     for (int i = 0; i < count; ++i) {
         const double angle = 2.0 * std::numbers::pi * (i + spread(garden, -0.5, 0.5)) / count;
         const double radius = garden.limbus_radius + spread(garden, 0.35, 1.3);
-        garden.sprouts.push_back({Vec2(radius * std::cos(angle), radius * std::sin(angle)),
-                                  angle + std::numbers::pi + spread(garden, -1.3, 1.3), spread(garden, 0.006, 0.014),
-                                  spread(garden, 0.3, 0.6), 0.0, spread(garden, 0.5, 1.4), 2});
+        Sprout sprout;
+        sprout.half_width = spread(garden, 0.006, 0.014);
+        sprout.strength = spread(garden, 0.3, 0.6);
+        sprout.length = spread(garden, 0.5, 1.4);
+        sprout.generation = 2;
+        sow(garden, angle, radius, spread(garden, -1.3, 1.3), sprout);
     }
 }
 

@@ -81,7 +81,24 @@ std::vector<Sample> samples() {
     return all;
 }
 
-Status write_sample(Renderer& renderer, const Sample& sample, const std::string& folder) {
+/// Pictures of one size in rows of two.
+Image sheet_of(const std::vector<Image>& images) {
+    const int width = images[0].width;
+    const int height = images[0].height;
+    Image sheet{2 * width, height * static_cast<int>((images.size() + 1) / 2), {}};
+    sheet.rgb.assign(3 * static_cast<std::size_t>(sheet.width) * sheet.height, 0);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        for (int y = 0; y < height; ++y) {
+            const std::size_t row = (i / 2) * height + y;
+            std::copy_n(&images[i].rgb[3 * static_cast<std::size_t>(y) * width], 3 * width,
+                        &sheet.rgb[3 * (row * sheet.width + (i % 2) * width)]);
+        }
+    }
+    return sheet;
+}
+
+Status write_sample(Renderer& renderer, const Sample& sample, const std::string& folder,
+                    std::vector<Image>& all) {
     renderer.draw(sample.frame, sample.camera);
     const double start = process_cpu_seconds();
     renderer.optical_depth(sample.frame, sample.camera);
@@ -90,6 +107,7 @@ Status write_sample(Renderer& renderer, const Sample& sample, const std::string&
     const double end = process_cpu_seconds();
     std::printf("%-16s lens %6.1f ms, picture %6.1f ms of CPU\n", sample.name, 1e3 * (lens - start),
                 1e3 * (end - lens));
+    all.push_back(image);
     return write_png(image, folder + "/" + sample.name + ".png");
 }
 
@@ -106,11 +124,12 @@ int main(int count, char** words) {
         return 1;
     }
     std::printf("renderer in %.2f s\n", wall_seconds() - start);
+    std::vector<Image> all;
     for (const Sample& sample : samples()) {
-        if (const Status status = write_sample(renderer.value(), sample, folder); !status.ok()) {
+        if (const Status status = write_sample(renderer.value(), sample, folder, all); !status.ok()) {
             std::fprintf(stderr, "%s\n", status.error().text().c_str());
             return 1;
         }
     }
-    return 0;
+    return write_png(sheet_of(all), folder + "/sheet.png").ok() ? 0 : 1;
 }

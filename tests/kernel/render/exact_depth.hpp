@@ -92,7 +92,8 @@ inline ExactDepth exact_depth(const Frame& frame, const View& view) {
 }
 
 /// Pixels within one pixel of a place where the line of sight grazes a face that is drawn: an edge between a face seen
-/// from the front and one seen from behind, or the rim of an instrument.
+/// from the front and one seen from behind, or the edge of a face within 6 degrees of edge-on; or the rim of an
+/// instrument.
 class Silhouette {
 public:
     Silhouette(const Frame& frame, const View& view, const ExactDepth& exact)
@@ -126,11 +127,22 @@ private:
             const Vec2 u = pixel[1] - pixel[0];
             const Vec2 v = pixel[2] - pixel[0];
             const bool front = u.x() * v.y() - u.y() * v.x() < 0.0;
+            const bool grazed = std::abs(facing(corner, pixel[0])) < 0.1;
             for (int k = 0; k < 3; ++k) {
                 Sides& sides = edges_[std::minmax(corner[k], corner[(k + 1) % 3])];
-                (front ? sides.front : sides.back) += 1;
+                sides.front += front || grazed;
+                sides.back += !front || grazed;
             }
         }
+    }
+
+    /// Cosine of the angle between a face's normal and the line of sight.
+    [[nodiscard]] double facing(const std::array<Key, 3>& corner, const Vec2& pixel) const {
+        const Vec3 a(corner[0][0], corner[0][1], corner[0][2]);
+        const Vec3 b(corner[1][0], corner[1][1], corner[1][2]);
+        const Vec3 c(corner[2][0], corner[2][1], corner[2][2]);
+        const Ray ray = pixel_ray(view_, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+        return (b - a).cross(c - a).normalized().dot(ray.direction);
     }
 
     void mark_edges() {

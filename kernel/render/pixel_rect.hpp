@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts of a picture, so that costly drawing stays where it shows.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/view.hpp"
+
+namespace rhexis {
+
+/// Pixels from the bottom left; empty if width or height is 0.
+struct PixelRect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+};
+
+PixelRect whole(const View& view);
+
+/// What all points cover, and `margin` pixels more; clipped to the picture. All of it if a point lies behind the camera.
+PixelRect rect_around(const View& view, std::span<const Vec3> points, int margin);
+
+/// A horizontal circle about the eye's axis.
+PixelRect rect_around_circle(const View& view, double radius, double z, int margin);
+
+/// Smallest that holds both.
+PixelRect united(const PixelRect& a, const PixelRect& b);
+
+/// `outer` without `inner`, in up to four pieces.
+std::vector<PixelRect> without(const PixelRect& outer, const PixelRect& inner);
+
+/// Half the size, rounded outward; for targets of half the size.
+PixelRect halved(const PixelRect& rect);
+
+/// Restricts drawing and clearing as long as it lives.
+class Scissor {
+public:
+    explicit Scissor(const PixelRect& rect);
+    ~Scissor();
+    Scissor(const Scissor&) = delete;
+    Scissor& operator=(const Scissor&) = delete;
+};
+
+}  // namespace rhexis
