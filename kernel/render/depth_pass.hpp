@@ -21,8 +21,8 @@ class DepthPass {
 public:
     static Result<DepthPass> create(int width, int height);
 
-    /// tools: one mesh per frame.model->tools. Instruments are drawn within `tool_area` only, bodies within `body_area`;
-    /// what lies outside is stale.
+    /// tools: one mesh per frame.model->tools. Instruments are drawn within `tool_area` only, bodies within
+    /// `body_area`; what lies outside is stale.
     void draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view, const PixelRect& tool_area,
               const PixelRect& body_area);
 

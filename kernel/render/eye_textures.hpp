@@ -24,8 +24,10 @@ public:
 
 private:
     EyePainter(Program iris, Program vessels, Program sclera, Program relief)
-        : iris_(std::move(iris)), vessels_(std::move(vessels)), sclera_(std::move(sclera)), relief_(std::move(relief)) {
-    }
+        : iris_(std::move(iris)),
+          vessels_(std::move(vessels)),
+          sclera_(std::move(sclera)),
+          relief_(std::move(relief)) {}
     [[nodiscard]] Texture draw_vessels(const EyeAnatomy& eye) const;
 
     Program iris_;

@@ -118,8 +118,8 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     gather_light(frame, inner, depth);
     soften(inner, depth, areas.pupil);
     cast_shadows(inner);
-    const std::array<std::vector<PixelRect>, 3> where{without(whole(inner), areas.cornea),
-                                                      without(areas.cornea, areas.pupil), {areas.pupil}};
+    const std::array<std::vector<PixelRect>, 3> where{
+        without(whole(inner), areas.cornea), without(areas.cornea, areas.pupil), {areas.pupil}};
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         compose(parts_[part], frame, inner, depth, detail);

@@ -40,8 +40,8 @@ PixelRect rect_around(const View& view, std::span<const Vec3> points, int margin
         low = low.cwiseMin(pixel);
         high = high.cwiseMax(pixel);
     }
-    return between(low.x() - margin, view.height - high.y() - margin, high.x() + margin,
-                   view.height - low.y() + margin, view);
+    return between(low.x() - margin, view.height - high.y() - margin, high.x() + margin, view.height - low.y() + margin,
+                   view);
 }
 
 PixelRect rect_around_circle(const View& view, double radius, double z, int margin) {

@@ -21,7 +21,8 @@ struct PixelRect {
 
 PixelRect whole(const View& view);
 
-/// What all points cover, and `margin` pixels more; clipped to the picture. All of it if a point lies behind the camera.
+/// What all points cover, and `margin` pixels more; clipped to the picture. All of it if a point lies behind the
+/// camera.
 PixelRect rect_around(const View& view, std::span<const Vec3> points, int margin);
 
 /// A horizontal circle about the eye's axis.

@@ -5,6 +5,7 @@
 #include "bench/bench_implicit.hpp"
 #include "bench/bench_stability.hpp"
 #include "bench/bench_lens_chart.hpp"
+#include "bench/bench_render.hpp"
 
 namespace rhexis::bench {
 
@@ -18,6 +19,7 @@ std::vector<BenchCase> bench_cases() {
     add(calculix_cases());
     add(stability_cases());
     add(lens_chart_cases());
+    add(render_cases());
     return cases;
 }
 

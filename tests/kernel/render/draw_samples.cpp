@@ -7,7 +7,7 @@
 #include "base/clock.hpp"
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
-#include "scenes.hpp"
+#include "scenes/pictures.hpp"
 
 using namespace rhexis;
 using namespace rhexis::testing;
@@ -19,21 +19,6 @@ struct Sample {
     Frame frame;
     Camera camera;
 };
-
-Frame patient_frame(double grade, double pupil_mm = 7.5) {
-    Patient patient;
-    patient.nuclear_grade = grade;
-    patient.pupil_mm = pupil_mm;
-    return frame_of(make_eye(patient).value());
-}
-
-Frame sculpting(double grade, double floor_z, bool with_tool) {
-    Frame frame = patient_frame(grade);
-    carve_groove(frame.model->solids[0], frame.solids[0], 0.62, -2.2, 2.2, floor_z);
-    frame.tools[0].present = with_tool;
-    frame.tools[0].pose = hand_pose(Vec3(0.1, 0.9, floor_z + 0.25), 0.5);
-    return frame;
-}
 
 /// A bar that sags by hand.
 Frame bare_bar() {
@@ -48,8 +33,7 @@ Frame bare_ball() {
     const Frame made = frame_of(ball(2.0, 3000), Vec3(0.2, 0.3, 0.6), true);
     std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*made.model);
     model->planes.push_back({Vec3(0.0, 0.0, -2.0), Vec3::UnitZ(), 0.3});
-    model->tools.push_back(phaco_model());
-    model->tools.back().kind = ToolKind::probe;
+    model->tools.push_back(make_tool("probe").value());
     Frame frame = frame_of(std::shared_ptr<const WorldModel>(std::move(model)));
     frame.tools[0].present = true;
     frame.tools[0].pose = hand_pose(Vec3(0.0, -0.6, 1.8), 1.0);
@@ -63,10 +47,10 @@ std::vector<Sample> samples() {
         all.push_back({name, std::move(frame), camera});
     };
     eye("whole_no3", patient_frame(3.0));
-    eye("groove_no3", sculpting(3.0, 0.6, false));
-    eye("sculpt_no3", sculpting(3.0, 0.2, true));
-    eye("sculpt_no5", sculpting(5.0, -0.6, true));
-    eye("deep_no4", sculpting(4.0, -1.4, false));
+    eye("groove_no3", sculpted_frame(3.0, 0.6, false));
+    eye("sculpt_no3", sculpted_frame(3.0, 0.2, true));
+    eye("sculpt_no5", sculpted_frame(5.0, -0.6, true));
+    eye("deep_no4", sculpted_frame(4.0, -1.4, false));
     eye("whole_no6_small", patient_frame(6.0, 5.0));
     Camera near = microscope_camera(all[2].frame);
     near.field_mm = 8.0;
@@ -97,8 +81,7 @@ Image sheet_of(const std::vector<Image>& images) {
     return sheet;
 }
 
-Status write_sample(Renderer& renderer, const Sample& sample, const std::string& folder,
-                    std::vector<Image>& all) {
+Status write_sample(Renderer& renderer, const Sample& sample, const std::string& folder, std::vector<Image>& all) {
     renderer.draw(sample.frame, sample.camera);
     const double start = process_cpu_seconds();
     renderer.optical_depth(sample.frame, sample.camera);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include "exact_depth.hpp"
-#include "scenes.hpp"
+#include "scenes/exact_depth.hpp"
+#include "scenes/pictures.hpp"
 
 using namespace rhexis;
 using namespace rhexis::testing;
@@ -11,12 +11,6 @@ namespace {
 
 constexpr int width = 240;
 constexpr int height = 180;
-
-Frame eye_frame(double grade) {
-    Patient patient;
-    patient.nuclear_grade = grade;
-    return frame_of(make_eye(patient).value());
-}
 
 /// Near enough for faces to be larger than pixels.
 Camera near_camera() {
@@ -49,11 +43,11 @@ void check_gates(const DepthError& error) {
 }  // namespace
 
 TEST_CASE("The optical depth of a whole lens behind its cornea is that of exact ray casting") {
-    check_gates(error_of(eye_frame(3.0), near_camera()));
+    check_gates(error_of(patient_frame(3.0), near_camera()));
 }
 
 TEST_CASE("The optical depth of a grooved lens with the instrument inside is that of exact ray casting") {
-    Frame frame = eye_frame(4.0);
+    Frame frame = patient_frame(4.0);
     carve_groove(frame.model->solids[0], frame.solids[0], 0.6, -2.5, 2.0, 0.3);
     for (std::size_t t = 0; t < frame.solids[0].fraction.size(); t += 97) {
         frame.solids[0].fraction[t] *= 0.6;
@@ -64,7 +58,7 @@ TEST_CASE("The optical depth of a grooved lens with the instrument inside is tha
 }
 
 TEST_CASE("The optical depth of a bare lens seen from the side is that of exact ray casting") {
-    Frame frame = eye_frame(3.0);
+    Frame frame = patient_frame(3.0);
     frame.eye.reset();
     Camera camera;
     camera.eye = Vec3(10.0, -15.0, 8.0);
@@ -72,4 +66,46 @@ TEST_CASE("The optical depth of a bare lens seen from the side is that of exact 
     camera.field_mm = 7.0;
     carve_groove(frame.model->solids[0], frame.solids[0], 0.5, -3.0, 3.0, -0.5);
     check_gates(error_of(frame, camera));
+}
+
+TEST_CASE("A lens-shaped body darkens as Beer and Lambert say, within 1 % beyond its faceting") {
+    const HalfEllipsoids shape{4.6, 2.1, 2.1};
+    const double extinction = 0.2;
+    const Frame frame = frame_of(lens_body(shape, 24000), Vec3::Constant(extinction), false);
+    Camera camera;
+    camera.field_mm = 8.0;
+    Renderer renderer = std::move(Renderer::create(width, height)).value();
+    const OpticalDepth picture = renderer.optical_depth(frame, camera);
+    const View view = view_in_air(camera, width, height);
+    // A mesh inscribed in a smooth shape is smaller: its lengths are compared per volume.
+    const double faceting = mesh_volume(frame.model->solids[0].coarse) / shape_volume(shape);
+    CHECK(faceting > 0.97);
+    CHECK(faceting < 1.0);
+    double worst = 0.0;
+    for (int y = 0; y < height; y += 3) {
+        for (int x = 0; x < width; x += 3) {
+            const Ray ray = pixel_ray(view, x, y);
+            const Vec3 scale(1.0 / shape.radius, 1.0 / shape.radius, 1.0 / shape.anterior);
+            const Vec3 o = ray.at_plane.cwiseProduct(scale);
+            const Vec3 v = ray.direction.cwiseProduct(scale);
+            const double square = o.dot(v) * o.dot(v) - v.squaredNorm() * (o.squaredNorm() - 1.0);
+            if (square < 0.3 * v.squaredNorm()) {
+                continue;  // near the rim, where facets are seen edge-on
+            }
+            const double length = 2.0 * std::sqrt(square) / v.squaredNorm();
+            const double expected = std::exp(-extinction * length * faceting);
+            const double drawn = std::exp(-picture.tau[3 * (static_cast<std::size_t>(y) * width + x)]);
+            worst = std::max(worst, std::abs(drawn / expected - 1.0));
+        }
+    }
+    INFO("faceting " << faceting << ", worst " << worst);
+    CHECK(worst < 0.01);
+}
+
+TEST_CASE("Tissues that absorb in different proportions are drawn in three channels, and as exactly") {
+    Frame frame = patient_frame(3.0);
+    std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*frame.model);
+    model->solids[0].materials[0].extinction = Vec3(0.10, 0.35, 0.20);
+    frame.model = std::move(model);
+    check_gates(error_of(frame, near_camera()));
 }

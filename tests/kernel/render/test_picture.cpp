@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "render/renderer.hpp"
-#include "scenes.hpp"
+#include "scenes/pictures.hpp"
 
 using namespace rhexis;
 using namespace rhexis::testing;
@@ -18,12 +18,8 @@ namespace {
 constexpr int width = 160;
 constexpr int height = 120;
 
-Frame eye_frame(double grade) {
-    Patient patient;
-    patient.nuclear_grade = grade;
-    patient.tetrahedra = 1500;
-    return frame_of(make_eye(patient).value());
-}
+/// A coarse mesh is enough for what a picture shows.
+Frame eye_frame(double grade) { return patient_frame(grade, 7.5, 1500); }
 
 Renderer make_renderer() {
     Result<Renderer> renderer = Renderer::create(width, height);

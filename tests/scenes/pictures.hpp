@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes that the tests of the picture share.
+// Frames to draw, for tests and benchmarks of the picture.
 #pragma once
 
 #include <cmath>
@@ -9,20 +9,9 @@
 #include "eye/make_eye.hpp"
 #include "flow/frame.hpp"
 #include "mesh/shapes.hpp"
+#include "tools/instruments.hpp"
 
 namespace rhexis::testing {
-
-inline ToolModel phaco_model() {
-    ToolModel tool;
-    tool.name = "phaco";
-    tool.kind = ToolKind::phaco;
-    tool.parts = {{Vec3(0.0, 0.0, 0.45), Vec3(0.0, 0.0, 6.0), 0.45, 0.45},
-                  {Vec3(0.0, 0.0, 2.2), Vec3(0.0, 0.0, 16.0), 0.65, 0.80},
-                  {Vec3(0.0, 0.0, 16.0), Vec3(0.0, 0.0, 24.0), 0.9, 1.8}};
-    tool.bore_radius = 0.36;
-    tool.bevel = 0.5236;
-    return tool;
-}
 
 /// Tip at `tip`, shaft towards the surgeon (-y) and up by `elevation` [rad]; the bevel looks up.
 inline Pose hand_pose(const Vec3& tip, double elevation) {
@@ -48,10 +37,19 @@ inline Frame frame_of(const EyeModel& eye) {
     std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>();
     model->solids = {eye.lens};
     model->bags = {eye.bag};
-    model->tools = {phaco_model()};
+    model->tools = {make_tool("phaco").value()};
     Frame frame = frame_of(std::shared_ptr<const WorldModel>(std::move(model)));
     frame.eye = std::make_shared<const EyeAnatomy>(eye.anatomy);
     return frame;
+}
+
+/// A patient of this grade at rest, the instrument withdrawn.
+inline Frame patient_frame(double grade, double pupil_mm = 7.5, int tetrahedra = 3000) {
+    Patient patient;
+    patient.nuclear_grade = grade;
+    patient.pupil_mm = pupil_mm;
+    patient.tetrahedra = tetrahedra;
+    return frame_of(make_eye(patient).value());
 }
 
 /// A bare frame of one body of uniform extinction; refined: with 8 children per tetrahedron.
@@ -86,6 +84,15 @@ inline void carve_groove(const SolidModel& model, SolidState& state, double half
             state.fraction[t] = 0.0;
         }
     }
+}
+
+/// A groove down to floor_z, and the instrument in it if asked for.
+inline Frame sculpted_frame(double grade, double floor_z, bool with_tool) {
+    Frame frame = patient_frame(grade);
+    carve_groove(frame.model->solids[0], frame.solids[0], 0.62, -2.2, 2.2, floor_z);
+    frame.tools[0].present = with_tool;
+    frame.tools[0].pose = hand_pose(Vec3(0.1, 0.9, floor_z + 0.25), 0.5);
+    return frame;
 }
 
 }  // namespace rhexis::testing

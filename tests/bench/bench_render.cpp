@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/bench_render.hpp"
+
+#include <algorithm>
+
+#include "base/clock.hpp"
+#include "render/depth_pass.hpp"
+#include "render/gl_context.hpp"
+#include "render/renderer.hpp"
+#include "scenes/exact_depth.hpp"
+#include "scenes/pictures.hpp"
+
+namespace rhexis::bench {
+namespace {
+
+using namespace rhexis::testing;
+
+constexpr int width = 640;
+constexpr int height = 480;
+
+/// CPU time of all threads of the process, the raster threads included, of one call: the least and the median.
+struct Cost {
+    double least_ms = 0.0;
+    double spread = 0.0;
+};
+
+Cost cost_of(int repeats, const std::function<void()>& work) {
+    work();
+    std::vector<double> times;
+    for (int i = 0; i < std::max(3, 3 * repeats); ++i) {
+        const double start = process_cpu_seconds();
+        work();
+        times.push_back(1e3 * (process_cpu_seconds() - start));
+    }
+    std::sort(times.begin(), times.end());
+    return {times.front(), times[times.size() / 2] / times.front() - 1.0};
+}
+
+/// The lens part alone: instruments' depth and signed faces, until the last pixel is there.
+Cost lens_cost(const Frame& frame, const Camera& camera, int repeats) {
+    Result<GlContext> context = GlContext::create();
+    const GlContext::Use use(context.value());
+    Result<DepthPass> pass = DepthPass::create(width, height);
+    std::vector<ToolMesh> tools;
+    for (const ToolModel& tool : frame.model->tools) {
+        tools.push_back(tool_mesh(tool));
+    }
+    const View view = view_through_cornea(camera, width, height, *frame.eye);
+    return cost_of(repeats, [&] {
+        pass.value().draw(frame, tools, view, whole(view), whole(view));
+        glFinish();
+    });
+}
+
+nlohmann::json picture_row(const std::string& name, const Frame& frame, const BenchOptions& options) {
+    const Camera camera = microscope_camera(frame);
+    const Cost lens = lens_cost(frame, camera, options.repeats);
+    Renderer renderer = std::move(Renderer::create(width, height)).value();
+    const Cost picture = cost_of(options.repeats, [&] { static_cast<void>(renderer.draw(frame, camera)); });
+    nlohmann::json row{{"name", "render/" + name},           {"elements", frame.model->solids[0].coarse.tets.size()},
+                       {"pixels", width * height},           {"lens_cpu_ms", lens.least_ms},
+                       {"picture_cpu_ms", picture.least_ms}, {"spread", std::max(lens.spread, picture.spread)}};
+    if (!options.quick) {
+        const View view = view_through_cornea(camera, width, height, *frame.eye);
+        const ExactDepth exact = exact_depth(frame, view);
+        const DepthError error = compare(renderer.optical_depth(frame, camera), exact, Silhouette(frame, view, exact));
+        row["error"] = error.rms;
+        row["error_kind"] = "optical depth, RMS beyond one pixel of a silhouette";
+        row["error_max"] = error.largest;
+        row["error_max_anywhere"] = error.largest_anywhere;
+    }
+    return row;
+}
+
+nlohmann::json run_render(const BenchOptions& options) {
+    if (const Result<Renderer> renderer = Renderer::create(16, 16); !renderer.ok()) {
+        return nlohmann::json::array({{{"name", "render"}, {"skipped", renderer.error().text()}}});
+    }
+    nlohmann::json rows = nlohmann::json::array();
+    rows.push_back(picture_row("whole lens", patient_frame(3.0), options));
+    rows.push_back(picture_row("groove", sculpted_frame(3.0, 0.2, false), options));
+    rows.push_back(picture_row("groove and instrument", sculpted_frame(3.0, 0.2, true), options));
+    return rows;
+}
+
+}  // namespace
+
+std::vector<BenchCase> render_cases() {
+    return {{"render",
+             "CPU ms of the lens part and of a whole picture at 640 x 480, and the error of the optical depth",
+             run_render}};
+}
+
+}  // namespace rhexis::bench
