@@ -270,9 +270,9 @@ int rep(lua_State* L) {
     luaL_Buffer buffer;
     char* out = luaL_buffinitsize(L, &buffer, size);  // memory limit applies here
     for (std::size_t at = 0; at < size; at += unit) {
-        std::memcpy(out + at, text.data(), text.size());
+        std::copy(text.begin(), text.end(), out + at);
         if (at + unit < size) {
-            std::memcpy(out + at + text.size(), between.data(), between.size());
+            std::copy(between.begin(), between.end(), out + at + text.size());
         }
     }
     charge(L, static_cast<long long>(size / 64 + static_cast<std::size_t>(count) / 8));
