@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/depth_pass.hpp"
 
-#include <array>
-
 namespace rhexis {
 
 namespace {
@@ -20,12 +18,17 @@ Vec3 middle_of(const Frame& frame) {
     return count > 0.0 && sum.allFinite() ? Vec3(sum / count) : Vec3(Vec3::Zero());
 }
 
-std::vector<float> triangles_of(const ToolMesh& mesh) {
-    std::vector<float> stream;
-    for (const ToolMesh::Part& part : mesh.parts) {
-        append_triangles(part, stream);
+/// Sends a part of numbers that lie row by row.
+void send(const Texture& texture, const std::vector<float>& numbers, int channels, const PixelRect& area) {
+    if (area.empty()) {
+        return;
     }
-    return stream;
+    glBindTexture(GL_TEXTURE_2D, *texture.name);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, texture.width);
+    const std::size_t first = channels * (static_cast<std::size_t>(area.y) * texture.width + area.x);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, area.x, area.y, area.width, area.height, channels == 1 ? GL_RED : GL_RGB,
+                    GL_FLOAT, &numbers[first]);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 }  // namespace
@@ -49,26 +52,14 @@ void set_view(const Program& program, const View& view) {
     program.set("view_centre", view.centre);
 }
 
-Result<DepthPass> DepthPass::create(int width, int height) {
-    Result<Program> faces = Program::build({"body.vert"}, {"signed_faces.frag"});
-    if (!faces.ok()) {
-        return faces.error();
-    }
-    Result<Program> distance = Program::build({"body.vert"}, {"stop.frag"});
-    if (!distance.ok()) {
-        return distance.error();
-    }
-    return DepthPass(std::move(faces).value(), std::move(distance).value(), width, height);
-}
-
-DepthPass::DepthPass(Program faces, Program distance, int width, int height)
-    : faces_(std::move(faces)), distance_(std::move(distance)), vertices_({3, 3}) {
-    sum_ = make_single_target(width, height, GL_RGBA32F, GL_NEAREST);
-    grey_sum_ = make_single_target(width, height, GL_R32F, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, *grey_sum_.colours[0].name);
+DepthPass::DepthPass(int width, int height)
+    : raster_(width, height),
+      sum_(make_texture(width, height, GL_RGB32F, GL_NEAREST)),
+      grey_sum_(make_texture(width, height, GL_R32F, GL_NEAREST)),
+      stop_(make_texture(width, height, GL_R32F, GL_NEAREST)) {
+    glBindTexture(GL_TEXTURE_2D, *grey_sum_.name);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_G, GL_RED);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_B, GL_RED);
-    stop_ = make_single_target(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE, true);
 }
 
 void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
@@ -79,12 +70,11 @@ void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, con
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         append_signed_faces(frame.model->solids[i], frame.solids[i], fine_, stream_);
     }
-    {
-        const Scissor scissor(tool_area);
-        draw_tools(frame, tools, view);
-    }
-    const Scissor scissor(body_area);
-    draw_faces(view);
+    raster_.look(view, reference_);
+    draw_tools(frame, tools, tool_area);
+    raster_.clear_sum(body_area, grey_ ? 1 : 3);
+    raster_.add(stream_, body_area);
+    send(optical_depth(), raster_.sum(), raster_.channels(), body_area);
 }
 
 void DepthPass::find_tint(const WorldModel& model) {
@@ -104,41 +94,21 @@ void DepthPass::find_tint(const WorldModel& model) {
     tint_ = grey_ ? Vec3(strongest / strongest.x()) : Vec3(Vec3::Ones());
 }
 
-void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view) {
-    stop_.bind();
-    const std::array<GLfloat, 4> nothing{no_stop, 0.0F, 0.0F, 0.0F};
-    const GLfloat farthest = 1.0F;
-    glDepthMask(GL_TRUE);
-    glClearBufferfv(GL_COLOR, 0, nothing.data());
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
-    glEnable(GL_DEPTH_TEST);
-    distance_.use();
-    set_view(distance_, view);
-    distance_.set("reference", reference_);
+void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const PixelRect& area) {
+    raster_.clear_stop(area);
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
-        if (frame.tools[i].present) {
-            distance_.set("world_from_body", matrix_of(frame.tools[i].pose));
-            vertices_.send(triangles_of(tools[i]));
-            vertices_.draw();
+        if (!frame.tools[i].present) {
+            continue;
         }
+        corners_.clear();
+        for (const ToolMesh::Part& part : tools[i].parts) {
+            for (const ToolMesh::Vertex& corner : part.corners) {
+                corners_.push_back(frame.tools[i].pose.to_world(corner.place));
+            }
+        }
+        raster_.stop_at(corners_, area);
     }
-    glDisable(GL_DEPTH_TEST);
-}
-
-void DepthPass::draw_faces(const View& view) {
-    optical_depth().bind();
-    const std::array<GLfloat, 4> none{};
-    glClearBufferfv(GL_COLOR, 0, none.data());
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    faces_.use();
-    set_view(faces_, view);
-    faces_.set("world_from_body", Mat4(Mat4::Identity()));
-    faces_.set("reference", reference_);
-    faces_.set("stop", stop_.colours[0], 0);
-    vertices_.send(stream_);
-    vertices_.draw();
-    glDisable(GL_BLEND);
+    send(stop_, raster_.stop(), 1, area);
 }
 
 }  // namespace rhexis

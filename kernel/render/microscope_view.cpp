@@ -136,7 +136,7 @@ void MicroscopeView::gather_light(const Frame& frame, const View& inner, const D
     light_.bind();
     program.use();
     set_view(program, inner);
-    program.set("optical_depth", depth.optical_depth().colours[0], 0);
+    program.set("optical_depth", depth.optical_depth(), 0);
     program.set("stop", depth.stop(), 1);
     program.set("extinction_tint", depth.tint());
     program.set("pupil_centre", pupil.centre);
@@ -151,7 +151,7 @@ void MicroscopeView::soften(const View& inner, const DepthPass& depth, const Pix
     program.use();
     program.set("stop", depth.stop(), 1);
     across_.bind();
-    program.set("source", depth.optical_depth().colours[0], 0);
+    program.set("source", depth.optical_depth(), 0);
     program.set("direction", Vec2(pixels / inner.width, 0.0));
     cover_target();
     soft_.bind();
@@ -178,7 +178,7 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
                              const Texture& detail) const {
     program.use();
     set_view(program, inner);
-    program.set("optical_depth", depth.optical_depth().colours[0], 0);
+    program.set("optical_depth", depth.optical_depth(), 0);
     program.set("stop", depth.stop(), 1);
     program.set("front", front_.surface(), 2);
     program.set("relief", front_.relief(), 3);

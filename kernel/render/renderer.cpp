@@ -53,10 +53,6 @@ struct Passes {
 };
 
 Result<Passes> make_passes(int width, int height) {
-    Result<DepthPass> depth = DepthPass::create(width, height);
-    if (!depth.ok()) {
-        return depth.error();
-    }
     Result<ToolPainter> painter = ToolPainter::create();
     if (!painter.ok()) {
         return painter.error();
@@ -73,7 +69,7 @@ Result<Passes> make_passes(int width, int height) {
     if (!detail.ok()) {
         return detail.error();
     }
-    return Passes{std::move(depth).value(), std::move(painter).value(), std::move(microscope).value(),
+    return Passes{DepthPass(width, height), std::move(painter).value(), std::move(microscope).value(),
                   std::move(bare).value(), std::move(detail).value()};
 }
 
@@ -171,19 +167,17 @@ OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {
     const View view = view_into(frame, camera, width, height);
     DepthPass& depth = parts_->passes->depth;
     depth.draw(frame, parts_->tools, view, whole(view), whole(view));
-    depth.optical_depth().bind();
-    const int channels = depth.grey() ? 1 : 4;
-    std::vector<float> pixels(channels * static_cast<std::size_t>(width) * height);
-    glReadPixels(0, 0, width, height, depth.grey() ? GL_RED : GL_RGBA, GL_FLOAT, pixels.data());
+    const std::vector<float>& sums = depth.raster().sum();
+    const int channels = depth.raster().channels();
     const Eigen::Vector3f tint = depth.tint().cast<float>();
     OpticalDepth result{width, height, std::vector<float>(3 * static_cast<std::size_t>(width) * height)};
-    const float* from = pixels.data();
+    const float* from = sums.data();
     for (int y = height - 1; y >= 0; --y) {
         float* to = &result.tau[3 * static_cast<std::size_t>(y) * width];
         for (int x = 0; x < width; ++x, from += channels, to += 3) {
             const float stretch = from[0] == 0.0F ? 0.0F : static_cast<float>(pixel_ray(view, x, y).stretch);
             for (int c = 0; c < 3; ++c) {
-                to[c] = stretch * tint[c] * from[depth.grey() ? 0 : c];
+                to[c] = stretch * tint[c] * from[channels == 1 ? 0 : c];
             }
         }
     }

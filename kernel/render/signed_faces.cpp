@@ -7,8 +7,6 @@ namespace rhexis {
 
 namespace {
 
-using Colour = Eigen::Vector3f;
-
 /// One level of a solid's mesh, fine where there is one.
 struct Level {
     const std::vector<std::array<int, 4>>& tets;
@@ -21,23 +19,16 @@ double share_left(const SolidState& state, const Level& level, int t) {
     return level.children == 8 ? state.fraction[t] : static_cast<double>(state.present[t]);
 }
 
-void append_vertex(const Vec3& place, const Colour& change, FaceStream& stream) {
-    stream.insert(stream.end(), {static_cast<float>(place.x()), static_cast<float>(place.y()),
-                                 static_cast<float>(place.z()), change.x(), change.y(), change.z()});
-}
-
 void append_face(const Level& level, int t, int k, const Vec3& change, FaceStream& stream) {
-    const Colour narrow = change.cast<float>();
-    std::array<Vec3, 3> corners;
+    SignedFace face;
     for (int i = 0; i < 3; ++i) {
-        corners[i] = level.nodes[level.tets[t][tet_faces[k][i]]];
-        if (!corners[i].allFinite()) {
+        face.corners[i] = level.nodes[level.tets[t][tet_faces[k][i]]];
+        if (!face.corners[i].allFinite()) {
             return;
         }
     }
-    for (const Vec3& corner : corners) {
-        append_vertex(corner, narrow, stream);
-    }
+    face.change = change.cast<float>();
+    stream.push_back(face);
 }
 
 void append_changes(const SolidModel& model, const SolidState& state, const Level& level, FaceStream& stream) {

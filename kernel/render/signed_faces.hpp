@@ -4,15 +4,19 @@
 // enters. Faces between equal densities drop out, so that an untouched lens costs its outer and inner borders only.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "flow/solid.hpp"
 
 namespace rhexis {
 
-/// Triangles as a stream of vertices: position (3 floats), change of extinction (3 floats, the same on all three
-/// corners). Seen from the denser side's outside the corners turn counter-clockwise if the change is positive.
-using FaceStream = std::vector<float>;
+/// Seen from the outside of the tissue that it was made for, the corners turn counter-clockwise.
+struct SignedFace {
+    std::array<Vec3, 3> corners;  ///< [mm]
+    Eigen::Vector3f change;       ///< extinction behind the face less that before it [1/mm]
+};
+using FaceStream = std::vector<SignedFace>;
 
 /// Appends the faces of one solid across which its extinction changes. `fine` is scratch.
 void append_signed_faces(const SolidModel& model, const SolidState& state, std::vector<Vec3>& fine, FaceStream& stream);
