@@ -245,6 +245,7 @@ Result<AttemptResult> attempt(const AttemptOptions& options) {
     }
     SceneDescription scene = host.value().scene();
     scene.threads = options.threads;
+    scene.instruction_set = options.instruction_set;
     Result<Session> session = Session::create(scene, options.exercise.seed);
     if (!session) {
         return session.error();

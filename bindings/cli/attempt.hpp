@@ -22,6 +22,7 @@ struct AttemptOptions {
     ExerciseOptions exercise;
     std::string folder;  ///< receives everything
     int threads = 1;
+    std::string instruction_set;  ///< as SceneDescription has it
     Drawing drawing = Drawing::if_possible;
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress

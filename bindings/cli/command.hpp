@@ -23,6 +23,9 @@ struct Context {
 /// Prints "rhexis: <error>" on stderr, in one line, and returns `status`.
 int complain(const Error& error, int status = bad_input);
 
+/// The option --instruction-set of commands that simulate. Stays empty when it is not given.
+void add_instruction_set(CLI::App& command, std::string& instruction_set);
+
 void add_run(CLI::App& app, Context& context);
 void add_lua(CLI::App& app, Context& context);
 void add_check(CLI::App& app, Context& context);

@@ -94,6 +94,13 @@ int complain(const Error& error, int status) {
     return status;
 }
 
+void add_instruction_set(CLI::App& command, std::string& instruction_set) {
+    command
+        .add_option("--instruction-set", instruction_set,
+                    "Of the kernel's loops; the result does not depend on it [the best of this machine]")
+        ->check(CLI::IsMember({"baseline", "avx2", "avx512"}));
+}
+
 int run_program(int argc, const char* const* argv) {
     Context context;
     CLI::App app(description);

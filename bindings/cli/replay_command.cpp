@@ -36,6 +36,7 @@ struct ReplayOptions {
     bool video = false;
     bool json = false;
     int threads = 0;
+    std::string instruction_set;
 };
 
 nlohmann::json describe(const Recording& recording, const std::string& path) {
@@ -93,7 +94,7 @@ int verified(const Recording& recording, const Verification& result, nlohmann::j
 
 int verify_recording(const Recording& recording, const ReplayOptions& given, nlohmann::json& out) {
     Progress progress("verify", given.json);
-    const Result<Verification> result = verify(recording, given.threads, [&](std::uint64_t step, std::uint64_t of) {
+    const Result<Verification> result = verify(recording, [&](std::uint64_t step, std::uint64_t of) {
         progress.show(static_cast<double>(step) / static_cast<double>(of), "step " + std::to_string(step));
     });
     return result ? verified(recording, result.value(), out) : complain(result.error());
@@ -168,12 +169,19 @@ void print(const nlohmann::json& out) {
     }
 }
 
+/// The result depends on neither.
+void simulate_with(const ReplayOptions& given, SceneDescription& scene) {
+    scene.threads = given.threads > 0 ? given.threads : scene.threads;
+    scene.instruction_set = given.instruction_set;
+}
+
 int replay(ReplayOptions given, const Context& context) {
     given.recording = recording_path(given.recording);
-    const Result<Recording> read = read_recording(given.recording);
+    Result<Recording> read = read_recording(given.recording);
     if (!read) {
         return complain(read.error());
     }
+    simulate_with(given, read.value().header.scene);
     const Recording& recording = read.value();
     nlohmann::json out = describe(recording, given.recording);
     int status = done;
@@ -212,6 +220,7 @@ void add_replay(CLI::App& app, Context& context) {
     command->add_option("--out", given->out, "Folder for the video [replay/ beside the recording]")->needs("--video");
     command->add_option("--threads", given->threads, "Threads to simulate with [as recorded]")
         ->check(CLI::Range(1, 64));
+    add_instruction_set(*command, given->instruction_set);
     command->add_flag("--json", given->json, "Print what was found as JSON");
     command->callback([given, &context] { context.status = replay(*given, context); });
 }

@@ -34,6 +34,7 @@ struct RunOptions {
     bool no_pictures = false;
     std::vector<std::string> set;
     int threads = 1;
+    std::string instruction_set;
     double limit_s = 600.0;
 };
 
@@ -101,6 +102,7 @@ int run(const RunOptions& given, const Context& context) {
     options.exercise = {given.curriculum, given.surgeon, given.seed, std::move(set).value(), context.root};
     options.folder = given.out.empty() ? default_folder(given) : given.out;
     options.threads = given.threads;
+    options.instruction_set = given.instruction_set;
     options.limit_s = given.limit_s;
     options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
     const Result<AttemptResult> result = attempt(options);
@@ -146,6 +148,7 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
+    add_instruction_set(*command, given->instruction_set);
     command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")
         ->check(CLI::Range(0.1, 7200.0))
         ->capture_default_str();

@@ -17,6 +17,7 @@ struct SceneDescription {
     double step_s = 0.01;                    ///< [s], 0.001 to 0.02
     Advance advance = Advance::automatic;    ///< of the lens
     int threads = 1;                         ///< 1 to 64
+    std::string instruction_set;             ///< "": the best; "baseline", "avx2", "avx512": same bits; not recorded
     std::map<std::string, double> settings;  ///< "phaco.power_limit" = 0.6, ...; names and ranges: session/settings.hpp
 };
 

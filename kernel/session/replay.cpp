@@ -84,13 +84,8 @@ Result<Session> session_at(const Recording& recording, std::uint64_t step) {
     return session;
 }
 
-Result<Verification> verify(const Recording& recording, int threads, const ReplayProgress& progress) {
-    Recording header_only;
-    header_only.header = recording.header;
-    if (threads > 0) {
-        header_only.header.scene.threads = threads;
-    }
-    Result<Session> created = session_of(header_only);
+Result<Verification> verify(const Recording& recording, const ReplayProgress& progress) {
+    Result<Session> created = session_of(recording);
     if (!created) {
         return created.error();
     }

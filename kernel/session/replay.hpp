@@ -34,7 +34,8 @@ Result<Session> session_of(const Recording& recording);
 /// step: 0 to the number of steps.
 Result<Session> session_at(const Recording& recording, std::uint64_t step);
 
-/// Simulates from the start with the recorded samples and commands. threads: 0 takes the recorded number.
-Result<Verification> verify(const Recording& recording, int threads, const ReplayProgress& progress);
+/// Simulates from the start with the recorded samples and commands. Threads and instruction set are those of the
+/// recording's scene: change them there to verify with others.
+Result<Verification> verify(const Recording& recording, const ReplayProgress& progress);
 
 }  // namespace rhexis

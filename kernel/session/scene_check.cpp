@@ -13,6 +13,7 @@ namespace {
 
 const std::array<std::string, 4> known_tissues{"lens", "bag", "iris", "cornea"};
 const std::array<std::string, 2> known_instruments{"phaco", "probe"};
+const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -42,6 +43,13 @@ Status check_patient(const Patient& patient) {
     return success();
 }
 
+Status check_instruction_set(const std::string& name) {
+    const bool known = name.empty() || std::find(known_instruction_sets.begin(), known_instruction_sets.end(), name) !=
+                                           known_instruction_sets.end();
+    return known ? success()
+                 : Status(Error{"instruction_set is " + name, "", suggestion(name, known_instruction_sets)});
+}
+
 Status check_settings(const SceneDescription& scene) {
     for (const auto& [name, value] : scene.settings) {
         Status status = check_setting(name, value);
@@ -55,10 +63,11 @@ Status check_settings(const SceneDescription& scene) {
 }  // namespace
 
 Status check_scene(const SceneDescription& scene) {
-    for (const Status& status : {check_patient(scene.patient), check_names("tissues", scene.tissues, known_tissues),
-                                 check_names("instruments", scene.instruments, known_instruments),
-                                 check_range("step_s", scene.step_s, 0.001, 0.02),
-                                 check_range("threads", scene.threads, 1.0, 64.0), check_settings(scene)}) {
+    for (const Status& status :
+         {check_patient(scene.patient), check_names("tissues", scene.tissues, known_tissues),
+          check_names("instruments", scene.instruments, known_instruments),
+          check_range("step_s", scene.step_s, 0.001, 0.02), check_range("threads", scene.threads, 1.0, 64.0),
+          check_instruction_set(scene.instruction_set), check_settings(scene)}) {
         if (!status) {
             return status;
         }

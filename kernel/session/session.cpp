@@ -245,6 +245,7 @@ Result<Session> Session::create(const SceneDescription& scene, std::uint64_t see
     }
     PhysicsSettings settings;
     settings.threads = scene.threads;
+    settings.instruction_set = scene.instruction_set;
     Result<Physics> physics = Physics::create(built.value().world, settings);
     if (!physics) {
         return physics.error();

@@ -11,6 +11,8 @@ expect 2 "there is no option --sead (did you mean --seed" "$rhexis" run groove -
 expect 2 "curriculum is required" "$rhexis" run
 expect 2 "rhexis --help shows what there is" "$rhexis"
 expect 2 "--threads" "$rhexis" run groove --threads 0
+expect 2 "--instruction-set: sse9 not in {baseline,avx2,avx512}" "$rhexis" run groove --instruction-set sse9
+expect 2 "--instruction-set: sse9 not in {baseline,avx2,avx512}" "$rhexis" replay nowhere.rhx --instruction-set sse9
 expect 2 "--set age has no value" "$rhexis" run groove --set age
 
 # Names.

@@ -54,9 +54,9 @@ TEST_SUITE("recording") {
         const std::string path = folder / "recording.rhx";
         record(path, 30, 10);
         CHECK_FALSE(fs::exists(path + ".part"));
-        const Result<Recording> read = read_recording(path);
+        Result<Recording> read = read_recording(path);
         REQUIRE(read.ok());
-        const Recording& recording = read.value();
+        Recording& recording = read.value();
         CHECK(recording.whole);
         CHECK(recording.fault.empty());
         CHECK(recording.steps.size() == 30);
@@ -65,7 +65,9 @@ TEST_SUITE("recording") {
         CHECK(recording.header.identity == R"({"id":"test"})");
         CHECK(recording.steps[4].commands[0].value == 0.8);
         for (const int threads : {1, 2}) {
-            const Result<Verification> verification = verify(recording, threads, no_progress);
+            recording.header.scene.threads = threads;
+            recording.header.scene.instruction_set = threads == 2 ? "baseline" : "";
+            const Result<Verification> verification = verify(recording, no_progress);
             REQUIRE(verification.ok());
             CHECK(verification.value().steps == 30);
             CHECK_FALSE(verification.value().divergence.has_value());
@@ -78,7 +80,7 @@ TEST_SUITE("recording") {
         record(path, 20, 10);
         Recording recording = std::move(read_recording(path)).value();
         recording.steps[11].samples[0].pose.position.z() -= 1e-9;
-        const Result<Verification> verification = verify(recording, 0, no_progress);
+        const Result<Verification> verification = verify(recording, no_progress);
         REQUIRE(verification.ok());
         REQUIRE(verification.value().divergence.has_value());
         CHECK(verification.value().divergence->step == 12);

@@ -39,6 +39,9 @@ TEST_SUITE("session") {
         scene.instruments = {"phaco", "phaco"};
         CHECK(refusal(scene) == "instruments names phaco twice (each once)");
         scene = small_scene();
+        scene.instruction_set = "axv2";
+        CHECK(refusal(scene) == "instruction_set is axv2 (did you mean avx2?)");
+        scene = small_scene();
         scene.settings["phaco.power_limit"] = 1.5;
         CHECK(refusal(scene) == "settings.phaco.power_limit is 1.5 (0 to 1)");
         scene.settings = {{"phaco.powr_limit", 0.5}};
