@@ -29,7 +29,7 @@ constexpr double edge = 0.5;  ///< of its cells [mm]
 /// Where the tool stands after step i, and whether it is there at all.
 Vec3 place_of(Blow blow, int i) {
     if (blow == Blow::down) {
-        return {0.1, 0.05, i % 2 == 1 ? -0.4 : 9.6};
+        return {0.1, 0.05, i % 2 == 1 ? -0.3 : 9.7};
     }
     return {i % 2 == 1 ? 5.0 : -5.0, 0.1, -0.2};
 }

@@ -6,47 +6,11 @@
 #include <numeric>
 
 #include "base/rng.hpp"
-#include "energy/corotational_tet.hpp"
-#include "physics/solid_share.hpp"
 
 namespace rhexis::scenes {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-TetPoints corners(const std::vector<Vec3>& x, const std::array<int, 4>& tet) {
-    return {x[at(tet[0])], x[at(tet[1])], x[at(tet[2])], x[at(tet[3])]};
-}
-
-double inverted_share(const SolidModel& model, const SolidState& state) {
-    int inverted = 0;
-    for (const std::array<int, 4>& tet : model.coarse.tets) {
-        const TetPoints x = corners(state.position, tet);
-        inverted += tet_volume(x[0], x[1], x[2], x[3]) <= 0.0 ? 1 : 0;
-    }
-    return static_cast<double>(inverted) / static_cast<double>(model.coarse.tets.size());
-}
-
-void place_badly(SolidState& state, BadStart start) {
-    Vec3 low = state.position[0];
-    Vec3 high = low;
-    for (const Vec3& x : state.position) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    Rng rng(3, "bad start");
-    for (Vec3& x : state.position) {
-        if (start == BadStart::random) {
-            const Vec3 place(rng.uniform(), rng.uniform(), rng.uniform());
-            x = low + place.cwiseProduct(high - low);
-        } else if (start == BadStart::flat) {
-            // not quite flat: an exactly flat body is in balance
-            x.z() = 0.5 * (low.z() + high.z()) + 1e-3 * rng.uniform();
-        } else {
-            x.z() = -x.z() + 1e-3 * rng.uniform();
-        }
-    }
-}
 
 ExplicitSolid solid_of(const SolidModel& model) { return ExplicitSolid::create(model, "").value(); }
 
@@ -61,43 +25,19 @@ double mass_left(const SolidModel& model, const SolidState& state) {
     return sum;
 }
 
-/// Momentum, angular momentum and their scales.
-struct Motion {
-    Vec3 linear = Vec3::Zero();
-    Vec3 angular = Vec3::Zero();
-    double linear_scale = 0.0;
-    double angular_scale = 0.0;
-    double heat = 0.0;  ///< kinetic energy relative to the mean motion
-};
-
-Motion motion_of(const ExplicitSolid& solid, int nodes) {
-    Motion motion;
-    double mass = 0.0;
-    double kinetic = 0.0;
-    for (int i = 0; i < nodes; ++i) {
-        const double m = solid.mass(i);
-        const Vec3 p = m * solid.velocity(i);
-        mass += m;
-        motion.linear += p;
-        motion.angular += solid.position(i).cross(p);
-        motion.linear_scale += p.norm();
-        motion.angular_scale += solid.position(i).norm() * p.norm();
-        kinetic += 0.5 * p.dot(solid.velocity(i));
+Motion motion_of(const ExplicitSolid& solid, SolidState& state) {
+    solid.store(state);
+    std::vector<double> mass;
+    for (int i = 0; i < static_cast<int>(state.position.size()); ++i) {
+        mass.push_back(solid.mass(i));
     }
-    motion.heat = kinetic - 0.5 * motion.linear.squaredNorm() / mass;
-    return motion;
+    return scenes::motion_of(state, mass);
 }
 
 }  // namespace
 
 double total_energy(const SolidModel& model, const SolidState& state, const ExplicitSolid& solid) {
-    double energy = 0.0;
-    const std::vector<TetStiffness> stiffness = tet_stiffness(model, state);
-    for (std::size_t t = 0; t < stiffness.size(); ++t) {
-        const RestTet rest = rest_tet(corners(model.coarse.nodes, model.coarse.tets[t]));
-        energy += stiffness[t].share * corotational_tet_energy(rest, {stiffness[t].lambda, stiffness[t].mu},
-                                                               corners(state.position, model.coarse.tets[t]));
-    }
+    double energy = elastic_energy(model, state);
     for (std::size_t i = 0; i < state.velocity.size(); ++i) {
         energy += 0.5 * solid.mass(static_cast<int>(i)) * state.velocity[i].squaredNorm();
     }
@@ -188,8 +128,7 @@ Flight fly(SolidModel model, int steps, double share) {
     ExplicitSolid solid = solid_of(model);
     solid.load(state);
     const double dt = share * solid.stable_step();
-    const int nodes = static_cast<int>(state.position.size());
-    const Motion before = motion_of(solid, nodes);
+    const Motion before = motion_of(solid, state);
     constexpr int samples = 1000;
     std::vector<double> energy;
     std::vector<double> heat;
@@ -197,12 +136,11 @@ Flight fly(SolidModel model, int steps, double share) {
         solid.predict(dt, Vec3::Zero(), {});
         solid.move(dt);
         if ((k + 1) % std::max(1, steps / samples) == 0) {
-            solid.store(state);
+            heat.push_back(motion_of(solid, state).heat);
             energy.push_back(total_energy(model, state, solid));
-            heat.push_back(motion_of(solid, nodes).heat);
         }
     }
-    const Motion after = motion_of(solid, nodes);
+    const Motion after = motion_of(solid, state);
     const auto drift = [](const std::vector<double>& series) {
         const auto tenth = static_cast<std::ptrdiff_t>(series.size() / 10);
         const double first = std::accumulate(series.begin(), series.begin() + tenth, 0.0);

@@ -7,14 +7,12 @@
 
 #include "flow/solid.hpp"
 #include "physics/explicit_solid.hpp"
+#include "scenes/measures.hpp"
 
 namespace rhexis::scenes {
 
 /// Elastic plus kinetic energy in double [nJ], with the inertia that the solid is stepped with.
 double total_energy(const SolidModel& model, const SolidState& state, const ExplicitSolid& solid);
-
-/// How far from rest a body starts.
-enum class BadStart { random, flat, mirrored };
 
 struct Recovery {
     double inverted_at_start = 0.0;  ///< share of the elements

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stability gates: what is provoked, what was measured, what it may be. Tests run them short, `rhexis bench
+// stability` long.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rhexis::scenes {
+
+struct Gate {
+    std::string id;         ///< "T14 explicit sticks at 30 degrees"
+    std::string what;       ///< what is measured, with its unit
+    double measured = 0.0;  ///< not a number: failed
+    double limit = 0.0;     ///< largest value that passes
+    [[nodiscard]] bool passed() const { return measured <= limit; }
+};
+using Gates = std::vector<Gate>;
+
+struct GateGroup {
+    const char* id;    ///< "T14"
+    const char* what;  ///< what is provoked
+    /// quick: smaller and shorter, seconds at most.
+    Gates (*run)(bool quick);
+};
+
+/// In the order of their numbers.
+std::span<const GateGroup> stability_gates();
+
+// Parts of the table, by what they provoke.
+Gates gates_of_bad_starts(bool quick);     // T1
+Gates gates_of_big_turns(bool quick);      // T2
+Gates gates_of_stiff_volume(bool quick);   // T3
+Gates gates_of_slivers(bool quick);        // T4
+Gates gates_of_strikes(bool quick);        // T11
+Gates gates_of_inclines(bool quick);       // T14
+Gates gates_of_stale_factors(bool quick);  // T16
+Gates gates_of_deletion(bool quick);       // T17
+Gates gates_of_momentum(bool quick);       // T20
+Gates gates_of_energy(bool quick);         // T21
+Gates gates_of_input(bool quick);          // T22
+
+}  // namespace rhexis::scenes

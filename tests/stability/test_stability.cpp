@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stability gates, short: `rhexis bench stability` runs the long ones.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "scenes/stability_gates.hpp"
+
+using namespace rhexis;
+
+namespace {
+
+void pass(const std::string& id) {
+    const auto groups = scenes::stability_gates();
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.id == id; });
+    REQUIRE(group != groups.end());
+    const scenes::Gates gates = group->run(true);
+    CHECK_FALSE(gates.empty());
+    for (const scenes::Gate& gate : gates) {
+        CHECK_MESSAGE(gate.passed(),
+                      gate.id << ": " << gate.what << ": " << gate.measured << ", at most " << gate.limit);
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("stability") {
+    TEST_CASE("T1: bodies at random, flat or mirrored come back and never gain energy") { pass("T1"); }
+    TEST_CASE("T2: bars turned by 180 degrees settle in few iterations at any step") { pass("T2"); }
+    TEST_CASE("T3: nearly incompressible bodies keep their limits and iterations") { pass("T3"); }
+    TEST_CASE("T4: slivers keep their limits and iterations") { pass("T4"); }
+    TEST_CASE("T11: a tool at 1 cm a step neither tunnels nor ejects nor adds more energy than its work") {
+        pass("T11");
+    }
+    TEST_CASE("T14: below the angle of friction nothing creeps, above it all slides") { pass("T14"); }
+    TEST_CASE("T16: an old preconditioner costs iterations, not accuracy") { pass("T16"); }
+    TEST_CASE("T17: elements are removed to the last one, quietly") { pass("T17"); }
+    TEST_CASE("T20: free flight keeps momentum") { pass("T20"); }
+    TEST_CASE("T21: free flight neither heats nor cools") { pass("T21"); }
+    TEST_CASE("T22: lost samples, spikes and pauses are not caught up with") { pass("T22"); }
+
+    TEST_CASE("a gate fails on what is not a number and on what is too large") {
+        CHECK_FALSE(scenes::Gate{"", "", std::nan(""), 1.0}.passed());
+        CHECK_FALSE(scenes::Gate{"", "", 1.1, 1.0}.passed());
+        CHECK(scenes::Gate{"", "", 1.0, 1.0}.passed());
+    }
+}
