@@ -15,9 +15,12 @@ uniform float limbus_radius;
 uniform float limbus_z;
 uniform float sclera_extent;
 uniform float pixel_mm;  // at the iris
+uniform int has_iris;
+uniform int has_cornea;  // and sclera
 out vec4 colour;
 
 const vec3 lamp = vec3(1.0, 0.965, 0.90);
+const vec3 nothing = vec3(0.012, 0.008, 0.007);  // where a tissue is left out
 
 // Distance along a line to a ball's near side; negative: misses it.
 float to_ball(vec3 from, vec3 way, vec4 ball) {
@@ -68,9 +71,18 @@ vec3 around_eye(vec2 at, vec3 sclera) {
     return mix(picture, steel, 1.0 - smoothstep(1.0 - pixel, 1.0 + pixel, abs(wire)));
 }
 
+// The camera on the microscope, its gain fixed: light of this level stays as it is, what is brighter grows by
+// `contrast` in the logarithm, colours grow by `saturation`, and what would be brighter than `knee` comes out ever closer to white.
+const float mid_grey = 0.20;
+const float contrast = 1.5;
+const float saturation = 1.04;
+const float knee = 0.80;
+
 vec3 photographed(vec3 light) {
-    vec3 curve = light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14);
-    return pow(clamp(curve, 0.0, 1.0), vec3(1.0 / 2.2));
+    float level = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    vec3 value = max(mix(vec3(level), light, saturation), 0.0) * pow(max(level, 1e-4) / mid_grey, contrast - 1.0);
+    value = min(value, knee) + (1.0 - knee) * (1.0 - exp((knee - max(value, knee)) / (1.0 - knee)));
+    return pow(value, vec3(1.0 / 2.2));
 }
 
 #if PART >= 1
@@ -149,21 +161,22 @@ uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 
-const vec3 fundus = vec3(1.0, 0.26, 0.10);
-const vec3 scattered_share = vec3(0.120, 0.085, 0.040);  // of the light that the cataract takes out
-const float fundus_light = 0.95;
+const vec3 fundus = vec3(1.0, 0.30, 0.08);
+const vec3 scattered_share = vec3(0.058, 0.040, 0.018);  // of the light that the cataract takes out
+const float fundus_light = 1.0;
 
 struct LensLook {
     float haze;    // unevenness of what scatters
     float clear;   // and of what absorbs: spokes of the cortex
     float shade;   // of the relief
-    float hollow;  // walls that lie in each other's shade
+    float hollow;  // floor and walls that lie in each other's shade
+    float steep;   // walls bend the light of the fundus away
     float shine;
 };
 
 // Relief and texture of the first surface of the lens.
 LensLook lens_look(ivec2 pixel) {
-    LensLook look = LensLook(1.0, 1.0, 1.0, 0.0, 0.0);
+    LensLook look = LensLook(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
     vec4 first = texelFetch(front, pixel, 0);
     vec2 step_size = vec2(1.0) / vec2(textureSize(relief, 0));
     vec2 left = texture(relief, place - vec2(step_size.x, 0.0)).rg;
@@ -179,6 +192,7 @@ LensLook lens_look(ivec2 pixel) {
     look.shade = clamp(0.10 + 0.98 * dot(n, light), 0.08, 1.4);
     // Deeper than its wider surroundings: a hollow.
     look.hollow = clamp(0.25 * (left.r + right.r + below.r + above.r - left.g - right.g - below.g - above.g), -0.5, 1.0);
+    look.steep = smoothstep(0.35, 0.90, 1.0 - n.z);
     look.shine = pow(clamp(dot(n, normalize(vec3(-0.08, 0.13, 1.0))), 0.0, 1.0), 60.0);
     vec3 rest = first.gba;
     float radius = length(rest.xy);
@@ -202,14 +216,15 @@ vec3 pupil_colour(vec3 way, vec4 tool, float radius) {
     vec3 through = exp(-depth);
     vec3 reaches = texelFetch(pupil_light, ivec2(0), 0).rgb;
     LensLook look = lens_look(pixel);
-    // The fundus is lit through the pupil: the lamp's cone covers its middle best.
-    float cone = 1.0 - 0.55 * pow(radius / pupil_radius, 2.5);
+    // The fundus is lit through the pupil: the lamp's cone covers its middle best,
+    float cone = 1.0 - 0.22 * pow(radius / pupil_radius, 3.0);
+    // and one side a little better than the other.
+    cone *= 1.0 + 0.16 * dot(place - 0.5, vec2(-0.9, 1.6));
     vec3 reflex = fundus * fundus_light * reaches * look.clear * cone;
     float lit = look.shade * (1.0 - 0.65 * max(look.hollow, 0.0)) * look.haze;
     vec3 haze = 0.5 * scattered_share * (1.0 - exp(-2.0 * depth)) * lamp * lit;
-    float wall = 1.0 - 0.28 * clamp(abs(look.hollow), 0.0, 0.6) * (1.3 - look.shade);
-    vec3 behind = reflex * (1.0 - tool.a) * wall + tool.rgb;
-    return haze + behind * through + 0.030 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
+    vec3 behind = reflex * (1.0 - tool.a) * (1.0 - 0.28 * look.steep) + tool.rgb;
+    return haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
 }
 
 // The rim of the capsulorhexis and the sheen of the capsule around it.
@@ -240,7 +255,7 @@ vec3 capsule(vec3 entry, vec3 way) {
     float lit = 0.30 + 0.70 * pow(max(0.0, 0.5 + 0.5 * dot(around, vec2(-0.64, 0.77))), 1.5) + 0.35 * (rough.b - 0.5);
     float veil = smoothstep(-0.01, 0.05, off);
     float sheen = texture(detail_map, at.xy * vec2(0.05, 0.08)).b;
-    return lamp * (0.50 * edge * lit + 0.14 * fold * lit + veil * (0.010 + 0.045 * smoothstep(0.70, 1.0, sheen)));
+    return lamp * (0.34 * edge * lit + 0.10 * fold * lit + veil * (0.006 + 0.030 * smoothstep(0.72, 1.0, sheen)));
 }
 #endif
 
@@ -248,13 +263,17 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 outside = normalize(outside_direction(gl_FragCoord.xy));
     vec2 shade = texture(shadows, place).rg;
-    float to_globe = to_ball(view_eye, outside, globe);
-    vec3 on_globe = view_eye + max(to_globe, 0.0) * outside;
-    vec3 picture = to_globe > 0.0 ? sclera_colour(on_globe, outside) : vec3(0.16, 0.07, 0.06);
-
-#if PART <= 1
-    vec3 on_lids = view_eye + (limbus_z + 1.5 - view_eye.z) / outside.z * outside;
-    picture = around_eye(on_lids.xy, picture);
+#if PART == 2
+    vec3 picture = vec3(0.50, 0.46, 0.42);  // a wide pupil ends where the sclera barely begins
+#else
+    vec3 picture = nothing;
+    if (has_cornea == 1) {
+        float to_globe = to_ball(view_eye, outside, globe);
+        vec3 on_globe = view_eye + max(to_globe, 0.0) * outside;
+        picture = to_globe > 0.0 ? sclera_colour(on_globe, outside) : vec3(0.16, 0.07, 0.06);
+        vec3 on_lids = view_eye + (limbus_z + 1.5 - view_eye.z) / outside.z * outside;
+        picture = around_eye(on_lids.xy, picture);
+    }
 #endif
 #if PART >= 1
     float to_cornea = to_ball(view_eye, outside, cornea);
@@ -273,26 +292,33 @@ void main() {
     vec4 tool = texelFetch(inner_tools, pixel, 0);
     float tool_depth = texelFetch(stop, pixel, 0).r + dot(view_axis, reference - view_plane);
     float before_iris = tool.a * step(tool_depth / dot(inside, view_axis), to_iris);
-    vec3 iris = iris_colour(on_iris, iris_rho) * (1.0 - 0.55 * shade.r);
+    vec3 iris = nothing;
+    if (has_iris == 1 && iris_rho < limbus_radius + 0.25) {
+        iris = iris_colour(on_iris, iris_rho) * (1.0 - 0.55 * shade.r);
+    }
     vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
 #if PART == 2
     vec3 deep = pupil_colour(inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
-    deep *= 1.0 - 0.40 * smoothstep(pupil_radius - 0.35, pupil_radius, iris_rho);
+    deep *= 1.0 - 0.40 * float(has_iris) * smoothstep(pupil_radius - 0.35, pupil_radius, iris_rho);
     float soft = max(0.015, 0.8 * pixel_mm);
     inner = mix(deep, inner, smoothstep(pupil_radius - soft, pupil_radius + soft, iris_rho));
 #endif
 
-    // Cornea: the pale ring of age, the wound, the tear film.
-    float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
-    inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
-    vec2 cut = wound(on_cornea);
-    inner = inner * (1.0 - cut.y) + cut.x * lamp;
-    picture = mix(inner, picture, white);
-    vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
-    vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
-    float clear = (1.0 - white) * step(0.0, to_cornea);
-    picture += clear * (2.6 * lamps.x + 0.05 * lamps.y + 0.005 + 0.010 * smoothstep(0.55, 0.9, grain.b)) * lamp;
+    if (has_cornea == 0) {
+        picture = inner;
+    } else {
+        // Cornea: the pale ring of age, the wound, the tear film.
+        float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
+        inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
+        vec2 cut = wound(on_cornea);
+        inner = inner * (1.0 - cut.y) + cut.x * lamp;
+        picture = mix(inner, picture, white);
+        vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
+        vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
+        float clear = (1.0 - white) * step(0.0, to_cornea);
+        picture += clear * (2.6 * lamps.x + 0.03 * lamps.y + 0.003 + 0.006 * smoothstep(0.55, 0.9, grain.b)) * lamp;
+    }
 #endif
 
     vec4 over = texelFetch(outer_tools, pixel, 0);

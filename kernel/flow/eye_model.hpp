@@ -24,6 +24,8 @@ struct Patient {
 
 /// Surfaces that only the picture and distances need.
 struct EyeAnatomy {
+    bool has_iris = true;         ///< of the tissues that take part
+    bool has_cornea = true;       ///< and with it sclera and lids; without it nothing bends the light
     double cornea_apex_z = 0.0;   ///< front of the cornea on the axis [mm]
     double cornea_radius = 7.63;  ///< front radius of curvature [mm]
     double cornea_back_radius = 6.45;

@@ -72,8 +72,13 @@ Texture EyePainter::draw_vessels(const EyeAnatomy& eye) const {
 
 EyeTextures EyePainter::paint(const EyeAnatomy& eye) const {
     EyeTextures textures;
-    iris_.use();
-    textures.iris = paint_texture(2048, 256, GL_REPEAT);
+    if (eye.has_iris) {
+        iris_.use();
+        textures.iris = paint_texture(2048, 256, GL_REPEAT);
+    }
+    if (!eye.has_cornea) {
+        return textures;
+    }
     const Texture vessels = draw_vessels(eye);
     sclera_.use();
     sclera_.set("half_extent", sclera_extent_mm);

@@ -19,7 +19,7 @@ class EyePainter {
 public:
     static Result<EyePainter> create();
 
-    /// About 0.7 s on one core without a GPU.
+    /// About 0.7 s on one core without a GPU. Empty for what the eye has not.
     [[nodiscard]] EyeTextures paint(const EyeAnatomy& eye) const;
 
 private:

@@ -16,10 +16,14 @@ struct PupilOnScreen {
     Vec2 reach;
 };
 
+/// Through what the lens is seen: the pupil, or all that lies behind the limbus where there is no iris.
+double opening_of(const EyeAnatomy& eye) { return eye.has_iris ? eye.pupil_radius : eye.limbus_radius; }
+
 PupilOnScreen pupil_on_screen(const EyeAnatomy& eye, const View& inner) {
     const Vec3 middle(0.0, 0.0, eye.iris_z);
     PupilOnScreen pupil{pixel_of(inner, middle), Vec2::Zero()};
-    for (const Vec3& rim : {Vec3(eye.pupil_radius, 0.0, 0.0), Vec3(0.0, eye.pupil_radius, 0.0)}) {
+    const double radius = opening_of(eye);
+    for (const Vec3& rim : {Vec3(radius, 0.0, 0.0), Vec3(0.0, radius, 0.0)}) {
         pupil.reach += (pixel_of(inner, middle + rim) - pupil.centre).cwiseAbs();
     }
     pupil.centre.y() = inner.height - pupil.centre.y();
@@ -32,7 +36,9 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("limbus_radius", eye.limbus_radius);
     program.set("limbus_z", eye.limbus_z);
     program.set("iris_z", eye.iris_z);
-    program.set("pupil_radius", eye.pupil_radius);
+    program.set("pupil_radius", opening_of(eye));
+    program.set("has_iris", eye.has_iris ? 1 : 0);
+    program.set("has_cornea", eye.has_cornea ? 1 : 0);
     program.set("sclera_extent", sclera_extent_mm);
     program.set("incision", eye.incision);
     program.set("incision_width", eye.incision_width);
@@ -48,8 +54,21 @@ void set_bag(const Program& program, const Frame& frame) {
     }
 }
 
+/// Two triangles for each rectangle, as shares of the picture.
+std::vector<float> triangles_of(const std::vector<PixelRect>& rects, const View& view) {
+    std::vector<float> corners;
+    for (const PixelRect& rect : rects) {
+        const float left = static_cast<float>(rect.x) / static_cast<float>(view.width);
+        const float right = static_cast<float>(rect.x + rect.width) / static_cast<float>(view.width);
+        const float low = static_cast<float>(rect.y) / static_cast<float>(view.height);
+        const float high = static_cast<float>(rect.y + rect.height) / static_cast<float>(view.height);
+        corners.insert(corners.end(), {left, low, right, low, right, high, left, low, right, high, left, high});
+    }
+    return corners;
+}
+
 Result<Program> build_part(const char* define) {
-    return Program::build({"fullscreen.vert"}, {define, "view.glsl", "microscope.frag"});
+    return Program::build({"part.vert"}, {define, "view.glsl", "microscope.frag"});
 }
 
 }  // namespace
@@ -58,7 +77,7 @@ EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner) 
     EyeAreas areas;
     areas.cornea = united(rect_around_circle(outer, eye.limbus_radius + 0.5, eye.limbus_z, 2),
                           rect_around_circle(outer, 0.5 * eye.limbus_radius, eye.cornea_apex_z, 2));
-    areas.pupil = rect_around_circle(inner, eye.pupil_radius + 0.05, eye.iris_z, area_margin);
+    areas.pupil = rect_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, area_margin);
     // The pupil's part draws everything that the cornea's does, so it may reach beyond.
     areas.cornea = united(areas.cornea, areas.pupil);
     return areas;
@@ -102,31 +121,33 @@ MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 3> parts, EyePai
       across_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_NEAREST)),
       soft_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_LINEAR)),
       shadows_(make_single_target((width + 7) / 8, (height + 7) / 8, GL_RGBA8, GL_LINEAR)),
-      picture_(make_single_target(width, height, GL_RGBA8, GL_NEAREST)) {}
+      picture_(make_single_target(width, height, GL_RGBA8, GL_NEAREST)),
+      rectangles_({2}) {}
 
 void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools,
                           const View& outer, const View& inner, const DepthPass& depth, const Texture& detail) {
     const EyeAnatomy& eye = *frame.eye;
-    if (!textures_ || painted_limbus_ != eye.limbus_radius) {
+    const PaintedFor wanted{eye.limbus_radius, eye.has_iris, eye.has_cornea};
+    if (!textures_ || painted_for_ != wanted) {
         textures_.emplace(eye_painter_.paint(eye));
-        painted_limbus_ = eye.limbus_radius;
+        painted_for_ = wanted;
     }
     const EyeAreas areas = eye_areas(eye, outer, inner);
     front_.draw(frame, inner, depth.reference(), areas.pupil);
-    inside_.draw(painter, frame, tools, inner, Medium::inside, eye, detail);
-    outside_.draw(painter, frame, tools, outer, Medium::outside, eye, detail);
+    inside_.draw(painter, frame, tools, inner, Medium::inside, areas.cornea, eye, detail);
+    outside_.draw(painter, frame, tools, outer, Medium::outside, whole(outer), eye, detail);
     gather_light(frame, inner, depth);
     soften(inner, depth, areas.pupil);
     cast_shadows(inner);
-    const std::array<std::vector<PixelRect>, 3> where{
-        without(whole(inner), areas.cornea), without(areas.cornea, areas.pupil), {areas.pupil}};
+    const std::vector<PixelRect> cornea = bands_around_circle(outer, eye.limbus_radius + 0.4, eye.limbus_z, 2);
+    const std::vector<PixelRect> pupil = bands_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, 2);
+    const std::array<std::vector<PixelRect>, 3> where{without(without(bands_of(inner), cornea), pupil),
+                                                      without(cornea, pupil), pupil};
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         compose(parts_[part], frame, inner, depth, detail);
-        for (const PixelRect& rect : where[part]) {
-            const Scissor scissor(rect);
-            cover_target();
-        }
+        rectangles_.send(triangles_of(where[part], inner));
+        rectangles_.draw();
     }
 }
 

@@ -37,6 +37,13 @@ private:
         Program soften;
         Program shadows;
     };
+    /// What the textures were made for.
+    struct PaintedFor {
+        double limbus_radius = 0.0;
+        bool iris = false;
+        bool cornea = false;
+        bool operator==(const PaintedFor&) const = default;
+    };
     MicroscopeView(Steps steps, std::array<Program, 3> parts, EyePainter painter, LensFront front, int width,
                    int height);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
@@ -56,8 +63,9 @@ private:
     Target soft_;     ///< and upwards
     Target shadows_;  ///< an eighth of the size
     Target picture_;
+    VertexStream rectangles_;
     std::optional<EyeTextures> textures_;
-    double painted_limbus_ = 0.0;  ///< that the textures were made for
+    PaintedFor painted_for_;
 };
 
 }  // namespace rhexis

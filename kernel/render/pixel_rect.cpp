@@ -12,6 +12,8 @@ namespace rhexis {
 
 namespace {
 
+constexpr int band_rows = 16;
+
 PixelRect between(double left, double bottom, double right, double top, const View& view) {
     const auto clipped = [](double value, int most) {
         return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
@@ -66,20 +68,68 @@ PixelRect united(const PixelRect& a, const PixelRect& b) {
     return rect;
 }
 
-std::vector<PixelRect> without(const PixelRect& outer, const PixelRect& inner) {
-    if (inner.empty()) {
-        return {outer};
+PixelRect intersected(const PixelRect& a, const PixelRect& b) {
+    const int x = std::max(a.x, b.x);
+    const int y = std::max(a.y, b.y);
+    return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
+}
+
+std::vector<PixelRect> bands_of(const View& view) {
+    std::vector<PixelRect> bands;
+    for (int y = 0; y < view.height; y += band_rows) {
+        bands.push_back({0, y, view.width, std::min(band_rows, view.height - y)});
     }
-    const int right = inner.x + inner.width;
-    const int top = inner.y + inner.height;
-    const std::array<PixelRect, 4> pieces{{{outer.x, outer.y, outer.width, inner.y - outer.y},
-                                           {outer.x, top, outer.width, outer.y + outer.height - top},
-                                           {outer.x, inner.y, inner.x - outer.x, inner.height},
-                                           {right, inner.y, outer.x + outer.width - right, inner.height}}};
-    std::vector<PixelRect> result;
-    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(result),
-                 [](const PixelRect& piece) { return !piece.empty(); });
-    return result;
+    return bands;
+}
+
+std::vector<PixelRect> bands_around_circle(const View& view, double radius, double z, int margin) {
+    constexpr int corners = 192;
+    std::array<Vec2, corners + 1> rim;
+    double apart = 0.0;  // of neighbours, in rows
+    for (int i = 0; i <= corners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / corners;
+        const Vec3 point(radius * std::cos(angle), radius * std::sin(angle), z);
+        if (!((view.clip_from_world * point.homogeneous()).w() > 1e-6)) {
+            return bands_of(view);
+        }
+        rim[i] = pixel_of(view, point);
+        rim[i].y() = view.height - rim[i].y();
+        apart = std::max(apart, i > 0 ? std::abs(rim[i].y() - rim[i - 1].y()) : 0.0);
+    }
+    std::vector<PixelRect> bands;
+    for (PixelRect band : bands_of(view)) {
+        double left = view.width;
+        double right = 0.0;
+        for (const Vec2& place : rim) {
+            if (place.y() > band.y - apart - margin && place.y() < band.y + band.height + apart + margin) {
+                left = std::min(left, place.x() - margin);
+                right = std::max(right, place.x() + margin);
+            }
+        }
+        const PixelRect reach = between(left, band.y, right, band.y + band.height, view);
+        if (!reach.empty()) {
+            bands.push_back(reach);
+        }
+    }
+    return bands;
+}
+
+std::vector<PixelRect> without(const std::vector<PixelRect>& outer, const std::vector<PixelRect>& inner) {
+    std::vector<PixelRect> pieces;
+    auto hole = inner.begin();
+    for (const PixelRect& band : outer) {
+        hole = std::find_if(hole, inner.end(), [&](const PixelRect& one) { return one.y >= band.y; });
+        const bool cut = hole != inner.end() && hole->y == band.y;
+        const int from = cut ? std::max(hole->x, band.x) : band.x + band.width;
+        const int to = cut ? hole->x + hole->width : band.x + band.width;
+        for (const PixelRect& piece : {PixelRect{band.x, band.y, from - band.x, band.height},
+                                       PixelRect{to, band.y, band.x + band.width - to, band.height}}) {
+            if (!piece.empty()) {
+                pieces.push_back(piece);
+            }
+        }
+    }
+    return pieces;
 }
 
 PixelRect halved(const PixelRect& rect) {

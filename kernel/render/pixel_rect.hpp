@@ -28,11 +28,21 @@ PixelRect rect_around(const View& view, std::span<const Vec3> points, int margin
 /// A horizontal circle about the eye's axis.
 PixelRect rect_around_circle(const View& view, double radius, double z, int margin);
 
+/// Rows of the picture, a band of them each: as much of each as a horizontal circle about the eye's axis can cover, and
+/// `margin` pixels more. Bands of two circles in one picture lie on the same rows.
+std::vector<PixelRect> bands_around_circle(const View& view, double radius, double z, int margin);
+
+/// The whole picture in such bands.
+std::vector<PixelRect> bands_of(const View& view);
+
+/// What both hold.
+PixelRect intersected(const PixelRect& a, const PixelRect& b);
+
 /// Smallest that holds both.
 PixelRect united(const PixelRect& a, const PixelRect& b);
 
-/// `outer` without `inner`, in up to four pieces.
-std::vector<PixelRect> without(const PixelRect& outer, const PixelRect& inner);
+/// Bands without bands that lie on the same rows.
+std::vector<PixelRect> without(const std::vector<PixelRect>& outer, const std::vector<PixelRect>& inner);
 
 /// Half the size, rounded outward; for targets of half the size.
 PixelRect halved(const PixelRect& rect);

@@ -22,9 +22,10 @@ Status check_size(int width, int height) {
                  "1 to " + std::to_string(largest) + " each way"};
 }
 
-/// Light that the cornea bends, or none.
+/// Light that the cornea bends, or no cornea.
 View view_into(const Frame& frame, const Camera& camera, int width, int height) {
-    return frame.eye ? view_through_cornea(camera, width, height, *frame.eye) : view_in_air(camera, width, height);
+    return frame.eye && frame.eye->has_cornea ? view_through_cornea(camera, width, height, *frame.eye)
+                                              : view_in_air(camera, width, height);
 }
 
 /// Rows from the top, without the fourth channel.

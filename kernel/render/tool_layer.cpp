@@ -10,8 +10,20 @@ namespace rhexis {
 
 namespace {
 
-/// Boxes around the parts of all instruments that are there.
-PixelRect rect_around_tools(const Frame& frame, const View& view) {
+bool in_ball(const Vec4& ball, const Vec3& point, double margin) {
+    return (point - ball.head<3>()).norm() < ball.w() + margin;
+}
+
+/// Whether some of a ball around a point lies in this medium.
+bool reaches(Medium medium, const EyeAnatomy& eye, const Vec3& point, double radius) {
+    const double margin = medium == Medium::inside ? radius : -radius;
+    const bool inside = in_ball(cornea_ball(eye), point, margin) || in_ball(globe_ball(eye), point, margin);
+    return inside == (medium == Medium::inside);
+}
+
+/// Boxes around what of the instruments lies in this medium.
+PixelRect rect_around_tools(const Frame& frame, const View& view, Medium medium, const EyeAnatomy& eye) {
+    constexpr int pieces = 16;
     PixelRect rect;
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (!frame.tools[i].present) {
@@ -19,14 +31,21 @@ PixelRect rect_around_tools(const Frame& frame, const View& view) {
         }
         for (const RoundedCone& part : drawn_parts(frame.model->tools[i])) {
             const double radius = std::max(part.radius_a, part.radius_b);
-            std::vector<Vec3> corners;
-            for (const Vec3& end : {part.a, part.b}) {
-                for (int corner = 0; corner < 8; ++corner) {
-                    const Vec3 off((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, ((corner >> 2) & 1) - 0.5);
-                    corners.push_back(frame.tools[i].pose.to_world(end + 2.0 * radius * off));
+            const Vec3 step = (part.b - part.a) / pieces;
+            const double reach = radius + 0.5 * step.norm();
+            for (int piece = 0; piece < pieces; ++piece) {
+                const Vec3 middle = frame.tools[i].pose.to_world(part.a + (piece + 0.5) * step);
+                if (!reaches(medium, eye, middle, reach)) {
+                    continue;
                 }
+                std::array<Vec3, 16> corners;
+                for (int corner = 0; corner < 16; ++corner) {
+                    const Vec3 off((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, ((corner >> 2) & 1) - 0.5);
+                    const Vec3 end = part.a + (piece + (corner >> 3)) * step;
+                    corners[corner] = frame.tools[i].pose.to_world(end + 2.0 * radius * off);
+                }
+                rect = united(rect, rect_around(view, corners, 2));
             }
-            rect = united(rect, rect_around(view, corners, 2));
         }
     }
     return rect;
@@ -102,8 +121,8 @@ ToolLayer::ToolLayer(int width, int height)
       flat_(make_single_target(width, height, GL_RGBA8, GL_LINEAR)) {}
 
 void ToolLayer::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
-                     Medium medium, const EyeAnatomy& eye, const Texture& detail) {
-    const PixelRect now = rect_around_tools(frame, view);
+                     Medium medium, const PixelRect& area, const EyeAnatomy& eye, const Texture& detail) {
+    const PixelRect now = intersected(rect_around_tools(frame, view, medium, eye), area);
     const Scissor scissor(united(drawn_, now));
     drawn_ = now;
     samples_.bind();

@@ -36,8 +36,9 @@ class ToolLayer {
 public:
     ToolLayer(int width, int height);
 
+    /// Within `area` only.
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
-              Medium medium, const EyeAnatomy& eye, const Texture& detail);
+              Medium medium, const PixelRect& area, const EyeAnatomy& eye, const Texture& detail);
 
     [[nodiscard]] const Texture& picture() const { return flat_.colours[0]; }
 

@@ -41,6 +41,8 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     }
     set_up_bag(eye.value().bag, all_settings(scene));
     eye.value().lens.advance = scene.advance;
+    eye.value().anatomy.has_iris = has_tissue(scene, "iris");
+    eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
     std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
     if (has_tissue(scene, "lens")) {
         world->solids.push_back(eye.value().lens);

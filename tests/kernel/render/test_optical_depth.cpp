@@ -23,8 +23,8 @@ DepthError error_of(const Frame& frame, const Camera& camera) {
     Result<Renderer> renderer = Renderer::create(width, height);
     REQUIRE(renderer.ok());
     const OpticalDepth picture = renderer.value().optical_depth(frame, camera);
-    const View view =
-        frame.eye ? view_through_cornea(camera, width, height, *frame.eye) : view_in_air(camera, width, height);
+    const View view = frame.eye && frame.eye->has_cornea ? view_through_cornea(camera, width, height, *frame.eye)
+                                                         : view_in_air(camera, width, height);
     const ExactDepth exact = exact_depth(frame, view);
     return compare(picture, exact);
 }
@@ -42,6 +42,14 @@ void check_gates(const DepthError& error) {
 
 TEST_CASE("The optical depth of a whole lens behind its cornea is that of exact ray casting") {
     check_gates(error_of(patient_frame(3.0), near_camera()));
+}
+
+TEST_CASE("Without a cornea, nothing bends the light on its way to the lens") {
+    Frame frame = patient_frame(3.0);
+    std::shared_ptr<EyeAnatomy> eye = std::make_shared<EyeAnatomy>(*frame.eye);
+    eye->has_cornea = false;
+    frame.eye = std::move(eye);
+    check_gates(error_of(frame, near_camera()));
 }
 
 TEST_CASE("The optical depth of a grooved lens with the instrument inside is that of exact ray casting") {

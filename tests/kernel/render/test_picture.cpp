@@ -100,8 +100,53 @@ TEST_CASE("A groove brightens as it deepens") {
         }
         INFO("grade " << grade << ", luminance " << luminances.front() << " to " << luminances.back());
         CHECK(rank_correlation(depths, luminances) >= 0.95);
-        CHECK(luminances.back() > luminances.front() + 10.0);
+        CHECK(luminances.back() > 1.15 * luminances.front());
     }
+}
+
+TEST_CASE("Tissues that take no part are not drawn") {
+    Renderer renderer = make_renderer();
+    const Frame all = eye_frame(3.0);
+    const Camera camera = microscope_camera(all);
+    const auto drawn = [&](bool iris, bool cornea) {
+        Frame frame = all;
+        std::shared_ptr<EyeAnatomy> eye = std::make_shared<EyeAnatomy>(*all.eye);
+        eye->has_iris = iris;
+        eye->has_cornea = cornea;
+        frame.eye = std::move(eye);
+        return renderer.draw(frame, camera);
+    };
+    // Right of the pupil, grey-blue iris; the red reflex where there is none.
+    const auto redness = [](const Image& image) {
+        return mean_around(image, 0.745, 0.5, 0.01, 0.02, 0) / (1.0 + mean_around(image, 0.745, 0.5, 0.01, 0.02, 2));
+    };
+    const auto white = [](const Image& image) { return mean_around(image, 0.08, 0.5, 0.04, 0.04, 1); };
+    const auto brightest_in_pupil = [](const Image& image) {
+        int brightest = 0;
+        for (int y = 45; y < 55; ++y) {
+            for (int x = 65; x < 95; ++x) {
+                brightest = std::max(brightest, int{image.rgb[3 * (y * width + x) + 2]});
+            }
+        }
+        return brightest;
+    };
+    const Image whole_eye = drawn(true, true);
+    const Image without_iris = drawn(false, true);
+    const Image without_cornea = drawn(true, false);
+    const Image lens_alone = drawn(false, false);
+    CHECK(redness(whole_eye) < 1.5);
+    CHECK(redness(without_iris) > 2.0);
+    CHECK(redness(without_cornea) < 1.5);
+    CHECK(redness(lens_alone) > 2.0);
+    for (const Image& image : {whole_eye, without_iris}) {
+        CHECK(white(image) > 90.0);
+        CHECK(brightest_in_pupil(image) > 200);  // the lamps' reflexes in the cornea
+    }
+    for (const Image& image : {without_cornea, lens_alone}) {
+        CHECK(white(image) < 30.0);
+        CHECK(brightest_in_pupil(image) < 120);
+    }
+    CHECK(drawn(true, true).rgb == whole_eye.rgb);
 }
 
 TEST_CASE("The same frame gives the same pixels twice, also from a second renderer in between") {

@@ -169,6 +169,8 @@ TEST_SUITE("session") {
         const Session session = make_session(scene);
         CHECK(session.world().solids.empty());
         CHECK(session.world().bags.empty());
+        CHECK(session.frame().eye->has_iris);
+        CHECK_FALSE(session.frame().eye->has_cornea);
         for (const MeasureInfo& info : session.schema()) {
             CHECK(info.name.find("lens.") != 0);
             CHECK(info.name.find("groove.") != 0);
