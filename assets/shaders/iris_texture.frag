@@ -51,9 +51,10 @@ void main() {
     reflectance += fray * vec3(0.16, 0.13, 0.085) * (0.25 + 1.2 * coarse);
 
     // Crypts, most of them along the collarette, and the dark layer that shows in them.
-    float crypt = gaps(vec2(around, outward), 26, 0.36, 0.10, vec2(0.016, 0.10), 61u);
-    crypt = max(crypt, 0.8 * gaps(vec2(around, outward), 38, 0.74, 0.20, vec2(0.008, 0.06), 64u));
-    reflectance = mix(reflectance, vec3(0.030, 0.034, 0.040) + 0.10 * reflectance, 0.85 * crypt);
+    vec2 frayed = vec2(around, outward) + vec2(0.0035, 0.05) * (clouds(vec2(around * 150.0, outward * 6.0), ivec2(150, 32), 2, 66u) - 0.5);
+    float crypt = gaps(frayed, 26, 0.36, 0.10, vec2(0.016, 0.10), 61u);
+    crypt = max(crypt, 0.8 * gaps(frayed, 38, 0.74, 0.20, vec2(0.008, 0.06), 64u));
+    reflectance = mix(reflectance, vec3(0.030, 0.034, 0.040) + 0.22 * reflectance, 0.70 * crypt);
 
     // Furrows of contraction: arcs that break off.
     for (int i = 0; i < 3; ++i) {

@@ -162,8 +162,8 @@ uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 
 const vec3 fundus = vec3(1.0, 0.30, 0.08);
-const vec3 scattered_share = vec3(0.058, 0.040, 0.018);  // of the light that the cataract takes out
-const float fundus_light = 1.0;
+const vec3 scattered_share = vec3(0.066, 0.046, 0.020);  // of the light that the cataract takes out
+const float fundus_light = 0.90;
 
 struct LensLook {
     float haze;    // unevenness of what scatters
@@ -200,10 +200,10 @@ LensLook lens_look(ivec2 pixel) {
     vec4 fine = texture(detail_map, rest.xy * 0.13 + 0.05 * rest.z);
     vec4 coarse = texture(detail_map, rest.xy * 0.045);
     float spokes = textureLod(detail_map, vec2(around * 3.0, 0.018 * radius + 0.31), 0.0).b;
-    float in_cortex = smoothstep(2.2, 3.6, radius) * smoothstep(0.0, 0.5, rest.z + 1.0);
-    float spoke = smoothstep(0.66, 0.93, spokes + 0.10 * (fine.g - 0.5)) * (0.25 + 0.75 * in_cortex);
+    float in_cortex = smoothstep(2.5, 3.6, radius) * smoothstep(0.0, 0.5, rest.z + 1.0);
+    float spoke = smoothstep(0.66, 0.93, spokes + 0.10 * (fine.g - 0.5)) * (0.16 + 0.84 * in_cortex);
     look.haze = 0.72 + 0.30 * coarse.r + 0.35 * (fine.a - 0.5) + 0.16 * fine.g + 0.75 * spoke;
-    look.clear = (1.0 - 0.50 * spoke) * (0.90 + 0.20 * coarse.g) * (0.96 + 0.10 * (fine.g - 0.5));
+    look.clear = (1.0 - 0.38 * spoke) * (0.90 + 0.20 * coarse.g) * (0.96 + 0.10 * (fine.g - 0.5));
     return look;
 }
 
@@ -217,7 +217,7 @@ vec3 pupil_colour(vec3 way, vec4 tool, float radius) {
     vec3 reaches = texelFetch(pupil_light, ivec2(0), 0).rgb;
     LensLook look = lens_look(pixel);
     // The fundus is lit through the pupil: the lamp's cone covers its middle best,
-    float cone = 1.0 - 0.22 * pow(radius / pupil_radius, 3.0);
+    float cone = 1.0 - 0.06 * pow(radius / pupil_radius, 3.0);
     // and one side a little better than the other.
     cone *= 1.0 + 0.16 * dot(place - 0.5, vec2(-0.9, 1.6));
     vec3 reflex = fundus * fundus_light * reaches * look.clear * cone;
@@ -300,7 +300,7 @@ void main() {
 #if PART == 2
     vec3 deep = pupil_colour(inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
-    deep *= 1.0 - 0.40 * float(has_iris) * smoothstep(pupil_radius - 0.35, pupil_radius, iris_rho);
+    deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(pupil_radius - 0.20, pupil_radius, iris_rho);
     float soft = max(0.015, 0.8 * pixel_mm);
     inner = mix(deep, inner, smoothstep(pupil_radius - soft, pupil_radius + soft, iris_rho));
 #endif

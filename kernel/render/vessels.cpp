@@ -14,6 +14,7 @@ namespace rhexis {
 namespace {
 
 constexpr double step_mm = 0.09;
+constexpr double fade_mm = 0.9;
 constexpr int most_branches = 900;
 
 /// One vessel that still grows.
@@ -25,6 +26,7 @@ struct Sprout {
     double strength = 1.0;    ///< 0 to 1
     double layer = 0.0;       ///< 0 near the surface, 1 deep
     double length = 0.0;      ///< left to grow [mm]
+    double grown = 0.0;       ///< since it came up from deeper tissue [mm]
     int generation = 0;
 };
 
@@ -45,12 +47,15 @@ void add_piece(const Vec2& from, const Vec2& to, const Vec2& side_from, const Ve
         Vec2 place;
         double across;
     };
+    // Vessels come up from deeper tissue, and go down again: no blunt ends.
+    const double strength =
+        sprout.strength * std::clamp(sprout.grown / fade_mm, 0.0, 1.0) * std::clamp(sprout.length / fade_mm, 0.0, 1.0);
     const std::array<Corner, 4> corners{
         {{from - side_from, -1.0}, {from + side_from, 1.0}, {to + side_to, 1.0}, {to - side_to, -1.0}}};
     for (int i : {0, 1, 2, 0, 2, 3}) {
         const Corner& corner = corners[i];
         for (double value :
-             {corner.place.x(), corner.place.y(), corner.across, sprout.length, sprout.strength, sprout.layer}) {
+             {corner.place.x(), corner.place.y(), corner.across, sprout.length, strength, sprout.layer}) {
             garden.ribbons.push_back(static_cast<float>(value));
         }
     }
@@ -70,6 +75,7 @@ void branch(const Sprout& from, Garden& garden) {
     twig.half_width *= spread(garden, 0.55, 0.8);
     twig.strength *= spread(garden, 0.75, 0.98);
     twig.length *= spread(garden, 0.4, 0.9);
+    twig.grown = fade_mm;
     ++twig.generation;
     garden.sprouts.push_back(twig);
 }
@@ -96,12 +102,13 @@ void grow(Sprout sprout, Garden& garden) {
         if (next.norm() < garden.limbus_radius - 0.1 || next.norm() > garden.outer_radius + 1.5) {
             return;
         }
-        sprout.half_width *= 0.9955;
+        sprout.half_width *= 0.993;
         const Vec2 side = sprout.half_width * Vec2(-direction.y(), direction.x());
         add_piece(sprout.place, next, last_side, side, sprout, garden);
         last_side = side;
         sprout.place = next;
         sprout.length -= step_mm;
+        sprout.grown += step_mm;
         if (garden.chance.uniform() < (sprout.generation < 3 ? 0.045 : 0.02)) {
             branch(sprout, garden);
         }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <numeric>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "render/image_file.hpp"
+#include "render/mp4_boxes.hpp"
 
 namespace rhexis {
 
@@ -54,34 +52,9 @@ Status check_writable(const std::string& path) {
     return success();
 }
 
-/// An MP4 file is a row of boxes: 4 bytes of length, 4 letters. It is whole if they end with the file and one of them
-/// is the index. (Looked at first, because the codec libraries write to stderr about a file that was cut off.)
-bool has_index(const std::string& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const std::streamoff end = file ? static_cast<std::streamoff>(file.tellg()) : 0;
-    bool found = false;
-    std::streamoff place = 0;
-    while (place < end) {
-        std::array<unsigned char, 16> head{};
-        file.seekg(place);
-        file.read(reinterpret_cast<char*>(head.data()), 8);
-        std::uint64_t length = (std::uint64_t{head[0]} << 24) | (head[1] << 16) | (head[2] << 8) | head[3];
-        if (length == 1) {  // a 64-bit length follows the letters
-            file.read(reinterpret_cast<char*>(head.data()) + 8, 8);
-            length = std::accumulate(head.begin() + 8, head.end(), std::uint64_t{0},
-                                     [](std::uint64_t sum, unsigned char byte) { return (sum << 8) | byte; });
-        }
-        if (!file || length < 8 || length > static_cast<std::uint64_t>(end - place)) {
-            return false;
-        }
-        found = found || std::memcmp(head.data() + 4, "moov", 4) == 0;
-        place += static_cast<std::streamoff>(length);
-    }
-    return found;
-}
-
 int readable_frames(const std::string& path) {
-    if (!has_index(path)) {
+    // The codec libraries write to stderr about a file that was cut off.
+    if (!is_whole_mp4(path)) {
         return 0;
     }
     cv::VideoCapture video(path, cv::CAP_FFMPEG);
@@ -181,9 +154,14 @@ Status VideoFile::finish() {
             "only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) + " pictures can be read back",
             parts_->path);
     }
-    if (std::rename(parts_->part.c_str(), parts_->path.c_str()) != 0) {
-        return cannot_write(std::strerror(errno), parts_->path);
+    const std::string ordered = parts_->part + ".tmp";
+    const Status written = write_index_first(parts_->part, ordered);
+    if (!written.ok() || std::rename(ordered.c_str(), parts_->path.c_str()) != 0) {
+        const std::string why = written.ok() ? std::strerror(errno) : written.error().what;
+        std::remove(ordered.c_str());
+        return cannot_write(why, parts_->path);
     }
+    std::remove(parts_->part.c_str());
     parts_->part.clear();
     return success();
 }

@@ -164,6 +164,15 @@ local function pictures(w, report, images)
     w("</div></section>")
 end
 
+-- The video lies beside the page: too large to hold, and some browsers lack its codec.
+local function video(w, report)
+    local file = report.video
+    if type(file) ~= "string" or not file:find("^[%w_-]+%.mp4$") then return end
+    w('<section class="video"><h2>Video</h2><video controls preload="metadata" src="', file, '"></video>',
+        '<p class="soft small">If it does not play here, open <a href="', file, '">', file,
+        "</a>, which lies beside this page, in any player.</p></section>")
+end
+
 local function chart_section(w, report, series)
     local html = charts.html(report, series)
     if html == "" then return end
@@ -225,6 +234,7 @@ function report_page.html(report, series, images)
     scores.section(w, report.osacss)
     time_line(w, report)
     pictures(w, report, images or {})
+    video(w, report)
     chart_section(w, report, series)
     background(w, report)
     w("</main></body></html>\n")

@@ -45,6 +45,7 @@ td ul { margin:0; padding-left:1.1rem; } td li { margin:.15rem 0; }
 .tag { font-size:.8rem; font-weight:600; padding:.05rem .5rem; border-radius:6px; color:#fff; vertical-align:.1em; }
 figure { margin:0; break-inside:avoid; }
 figure img { width:100%; border-radius:8px; display:block; background:#000; }
+video { width:100%; max-width:40rem; border-radius:8px; display:block; background:#000; }
 figcaption { font-size:.86rem; margin-top:.35rem; }
 .pictures { display:grid; grid-template-columns:repeat(auto-fill,minmax(17rem,1fr)); gap:1.1rem; }
 .charts { display:grid; grid-template-columns:repeat(auto-fit,minmax(26rem,1fr)); gap:1.25rem; }
@@ -55,7 +56,7 @@ footer { color:var(--soft); font-size:.82rem; padding:0 .5rem 1rem; }
 code { font-family:ui-monospace,"Liberation Mono",monospace; font-size:.8rem; overflow-wrap:anywhere; }
 @media (max-width:40rem) { .head { grid-template-columns:1fr; } .charts { grid-template-columns:1fr; }
   body { padding:.6rem; } th,td { padding:.4rem .3rem; } }
-@media print { html { background:#fff; font-size:11pt; } body { max-width:none; padding:0; }
+@media print { .video { display:none; } html { background:#fff; font-size:11pt; } body { max-width:none; padding:0; }
   header,section { border:0; padding:.4rem 0; } tr,.event,figure { break-inside:avoid; }
   * { -webkit-print-color-adjust:exact; print-color-adjust:exact; }
   .charts { grid-template-columns:1fr 1fr; } .pictures { grid-template-columns:repeat(3,1fr); } }

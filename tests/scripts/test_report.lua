@@ -64,6 +64,20 @@ local function series()
         ["phaco.ultrasound"] = { unit = "bool", values = on } } }
 end
 
+case("a video beside the report can be played and opened, and only a plain name is one", function()
+    local told = full()
+    if report.html(told, series(), {}):find("<video", 1, true) then error("a video where there is none") end
+    told.video = "video.mp4"
+    local html = report.html(told, series(), {})
+    check_balance(html)
+    holds(html, 'src="video.mp4"')
+    holds(html, '<a href="video.mp4">')
+    for _, name in ipairs({ 'x.mp4"><script>', "../../etc/video.mp4", "http://far/away.mp4", "video.avi" }) do
+        told.video = name
+        if report.html(told, series(), {}):find("<video", 1, true) then error("taken for a video: " .. name) end
+    end
+end)
+
 case("a full report holds score, reasons, errors, pictures and charts, all escaped", function()
     local html = report.html(full(), series(), { ["frames/001.png"] = "aGVsbG8=" })
     check_balance(html)

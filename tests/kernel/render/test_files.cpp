@@ -5,10 +5,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "render/image_file.hpp"
+#include "render/mp4_boxes.hpp"
 
 using namespace rhexis;
 
@@ -112,6 +114,9 @@ TEST_CASE("A video holds the pictures that were added, and appears only when it 
     CHECK_FALSE(video.value().add(ramp(32, 32)).ok());
     REQUIRE(video.value().finish().ok());
     CHECK(folder.files() == 1);
+    std::ifstream file(folder / "film.mp4", std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    CHECK(bytes.find("moov") < bytes.find("mdat"));  // a browser plays it while it loads
     cv::VideoCapture read(folder / "film.mp4");
     REQUIRE(read.isOpened());
     CHECK(read.get(cv::CAP_PROP_FPS) == doctest::Approx(25.0));
@@ -122,6 +127,23 @@ TEST_CASE("A video holds the pictures that were added, and appears only when it 
         ++frames;
     }
     CHECK(frames == 12);
+}
+
+TEST_CASE("A video that was cut off is not taken for a whole one") {
+    const Folder folder;
+    Result<VideoFile> video = VideoFile::create(folder / "film.mp4", 64, 48, 25.0);
+    REQUIRE(video.ok());
+    REQUIRE(video.value().add(ramp(64, 48)).ok());
+    REQUIRE(video.value().finish().ok());
+    CHECK(is_whole_mp4(folder / "film.mp4"));
+    REQUIRE(write_index_first(folder / "film.mp4", folder / "again.mp4").ok());
+    CHECK(std::filesystem::file_size(folder / "again.mp4") == std::filesystem::file_size(folder / "film.mp4"));
+    const std::uintmax_t size = std::filesystem::file_size(folder / "film.mp4");
+    for (const std::uintmax_t left : {size - 1, size / 2, std::uintmax_t{5}, std::uintmax_t{0}}) {
+        std::filesystem::resize_file(folder / "film.mp4", left);
+        CHECK_FALSE(is_whole_mp4(folder / "film.mp4"));
+        CHECK_FALSE(write_index_first(folder / "film.mp4", folder / "again.mp4").ok());
+    }
 }
 
 TEST_CASE("A video that is never finished leaves no file") {
