@@ -74,7 +74,7 @@ vec3 around_eye(vec2 at, vec3 sclera) {
 // The camera on the microscope, its gain fixed: light of this level stays as it is, what is brighter grows by
 // `contrast` in the logarithm, colours grow by `saturation`, and what would be brighter than `knee` comes out ever closer to white.
 const float mid_grey = 0.20;
-const float contrast = 1.5;
+const float contrast = 1.65;
 const float saturation = 1.04;
 const float knee = 0.80;
 
@@ -162,8 +162,8 @@ uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 
 const vec3 fundus = vec3(1.0, 0.30, 0.08);
-const vec3 scattered_share = vec3(0.066, 0.046, 0.020);  // of the light that the cataract takes out
-const float fundus_light = 0.90;
+const vec3 scattered_share = vec3(0.054, 0.034, 0.013);  // of the light that the cataract takes out
+const float fundus_light = 0.86;
 
 struct LensLook {
     float haze;    // unevenness of what scatters
