@@ -204,9 +204,10 @@ Result<AttemptResult> Attempt::write_results() {
     result.report = make_report(input);
     result.script_error = script_error_;
     result.recording = writer_.file();
-    Status status = write_whole_file(options_.folder + "/report.json", result.report.dump(2) + "\n");
+    // the report last: where it stands, all that it speaks of is there
+    Status status = write_whole_file(options_.folder + "/series.json", series_.json().dump() + "\n");
     if (status) {
-        status = write_whole_file(options_.folder + "/series.json", series_.json().dump() + "\n");
+        status = write_whole_file(options_.folder + "/report.json", result.report.dump(2) + "\n");
     }
     if (!status) {
         return status.error();

@@ -23,6 +23,9 @@ constexpr const char* help =
     "\n"
     "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.";
 
+constexpr double shortest_limit = 0.1;  // [s] simulated
+constexpr double longest_limit = 7200.0;
+
 struct RunOptions {
     std::string curriculum;
     std::string surgeon = "expert";
@@ -94,6 +97,9 @@ void print_summary(const RunOptions& given, const std::string& folder, const Att
 }
 
 int run(const RunOptions& given, const Context& context) {
+    if (const Status status = check_range("--limit", given.limit_s, shortest_limit, longest_limit); !status) {
+        return complain(status.error());
+    }
     Result<std::map<std::string, std::string>> set = settings_of(given);
     if (!set) {
         return complain(set.error());
@@ -149,9 +155,7 @@ void add_run(CLI::App& app, Context& context) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     add_instruction_set(*command, given->instruction_set);
-    command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")
-        ->check(CLI::Range(0.1, 7200.0))
-        ->capture_default_str();
+    command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")->capture_default_str();
     command->callback([given, &context] { context.status = run(*given, context); });
 }
 

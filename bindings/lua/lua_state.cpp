@@ -84,7 +84,10 @@ Error error_from_message(const std::string& message) {
 
 void load_text(lua_State* L, const std::string& text, const std::string& chunk) {
     const std::string name = "@" + chunk;
-    // "t": precompiled code could break the interpreter, so only text is taken.
+    if (text.starts_with('\x1b')) {
+        luaL_error(L, "%s:1: is precompiled, only text is taken", chunk.c_str());
+    }
+    // "t": precompiled code could break the interpreter.
     if (luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
         lua_error(L);
     }

@@ -98,6 +98,8 @@ Result<nlohmann::json> parse(const std::string& text, const std::string& path) {
     } catch (const nlohmann::json::parse_error& error) {
         return Error{"is not JSON", path + ":" + std::to_string(line_of(text, error.byte > 0 ? error.byte - 1 : 0)),
                      "an object such as {\"age\": 68, \"nuclear_grade\": 3}"};
+    } catch (const nlohmann::json::out_of_range&) {
+        return Error{"holds a number beyond all range", path, "at most 1e308"};
     }
 }
 

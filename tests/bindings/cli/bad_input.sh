@@ -13,6 +13,9 @@ expect 2 "rhexis --help shows what there is" "$rhexis"
 expect 2 "--threads" "$rhexis" run groove --threads 0
 expect 2 "--instruction-set: sse9 not in {baseline,avx2,avx512}" "$rhexis" run groove --instruction-set sse9
 expect 2 "--instruction-set: sse9 not in {baseline,avx2,avx512}" "$rhexis" replay nowhere.rhx --instruction-set sse9
+expect 2 "--limit is nan (0.1 to 7200)" "$rhexis" run groove --no-pictures --out "$work/out" --limit nan
+expect 2 "--limit is 0.01 (0.1 to 7200)" "$rhexis" run groove --no-pictures --out "$work/out" --limit 0.01
+expect 2 "--seed = abc" "$rhexis" run groove --seed abc
 expect 2 "--set age has no value" "$rhexis" run groove --set age
 
 # Names.
@@ -24,11 +27,18 @@ expect 2 "goal.lenght_mm" "$rhexis" run groove --set goal.lenght_mm=3 "${quick[@
 expect 2 "patient.age" "$rhexis" run groove "${quick[@]}" --set patient.age=12
 expect 2 "patient.pupil_mm" "$rhexis" run groove "${quick[@]}" --set patient.pupil_mm=nan
 expect 2 "settings.phaco.power_limit is 7 (0 to 1)" "$rhexis" run groove "${quick[@]}" --set phaco.power_limit=7
+expect 2 "phaco.power_limit must be a number" "$rhexis" run groove "${quick[@]}" --set phaco.power_limit=nan
+expect 2 "goal.length_mm must be a number" "$rhexis" run groove "${quick[@]}" --set goal.length_mm=inf
+expect 2 "goal.length_mm" "$rhexis" run groove "${quick[@]}" --set goal.length_mm=99
 expect 2 "step_s" "$rhexis" run groove "${quick[@]}" --set step_s=1
 echo '{"age": 300}' >"$work/patient.json"
 expect 2 "age is 300" "$rhexis" run groove "${quick[@]}" --patient "$work/patient.json"
 echo '{"aeg": 30}' >"$work/patient.json"
 expect 2 "aeg" "$rhexis" run groove "${quick[@]}" --patient "$work/patient.json"
+echo '{"age": 1e999}' >"$work/patient.json"
+expect 2 "patient.json: holds a number beyond all range" "$rhexis" run groove "${quick[@]}" --patient "$work/patient.json"
+head -c 100000 /dev/zero | tr '\0' '[' >"$work/patient.json"
+expect 2 "patient.json:1: is not JSON" "$rhexis" run groove "${quick[@]}" --patient "$work/patient.json"
 echo '{' >"$work/patient.json"
 expect 2 "patient.json" "$rhexis" run groove "${quick[@]}" --patient "$work/patient.json"
 expect 2 "nowhere.json" "$rhexis" run groove "${quick[@]}" --patient "$work/nowhere.json"
@@ -44,6 +54,26 @@ L
 expect 2 "curriculum.lua:3:" "$rhexis" run "$broken" "${quick[@]}"
 expect 1 "curriculum.lua:3:" "$rhexis" check "$broken"
 [ ! -e "$work/out/report.json" ] || fail "an exercise that never started left a report"
+
+# Scripts that go wrong while they are read: nothing is begun.
+never_starts() { # never_starts TEXT 'CURRICULUM'
+    local folder
+    folder=$(printf '%b' "$2" | exercise wrong)
+    expect 2 "$1" "$rhexis" run "$folder" "${quick[@]}"
+    expect 1 "$1" "$rhexis" check "$folder"
+    [ ! -e "$work/out" ] || fail "an exercise that could not be read left $(ls "$work/out")"
+}
+rm -rf "$work/out"
+never_starts "wrong/curriculum.lua:3: '}' expected" 'return exercise {\n  title = "x"\n  tissues = {},\n}\n'
+never_starts "wrong/curriculum.lua:2: stopped: used up its budget" 'local x = 1\nwhile true do end\n'
+never_starts "wrong/curriculum.lua:1: stopped: needs more memory" 'local t = {} while true do t[#t + 1] = ("x"):rep(1e6) .. #t end\n'
+never_starts "wrong/curriculum.lua:1: stopped: needs more memory" 'local function f() return f() + 1 end f()\n'
+never_starts "wrong/curriculum.lua:2: patient: age must be a number" 'return exercise { title = "x", tissues = {}, instruments = {},\n  patient = { age = 0 / 0 }, steps = { step "a" { done = "time_s > 1" } } }\n'
+never_starts "wrong/curriculum.lua:1: is precompiled" '\x1bLua\n'
+never_starts "a curriculum must end with: return exercise" 'return 7\n'
+never_starts "error with a table instead of a message" 'error({})\n'
+mkdir "$work/nothing"
+expect 2 "nothing: the folder holds no curriculum.lua" "$rhexis" run "$work/nothing" "${quick[@]}"
 
 small() { # small NAME 'BODY OF THE CONDITION'
     exercise "$1" <<L
@@ -85,12 +115,61 @@ echo 'error("no")' >"$work/raises.lua"
 expect 1 "raises.lua:1: no" "$rhexis" lua "$work/raises.lua"
 expect 2 "nowhere.lua" "$rhexis" lua "$work/nowhere.lua"
 
+# Meshes: the element, and the line of the file.
+mesh() { # mesh NODES OF ITS SECOND TETRAHEDRON
+    cat <<M
+# vtk DataFile Version 2.0
+two tetrahedra
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 5 double
+0 0 0  1 0 0  0 1 0  0 0 1  1 1 1
+CELLS 2 10
+4 0 1 2 3
+4 $*
+CELL_TYPES 2
+10 10
+M
+}
+echo 'print(rhexis.mesh.read(arg[1]):info().tetrahedra)' >"$work/mesh.lua"
+mesh 1 2 3 4 >"$work/good.vtk"
+expect 0 "" "$rhexis" lua "$work/mesh.lua" "$work/good.vtk"
+mesh 2 1 3 4 >"$work/inverted.vtk"
+expect 1 "inverted.vtk:9: tetrahedron 1 is inverted" "$rhexis" lua "$work/mesh.lua" "$work/inverted.vtk"
+mesh 1 2 3 9 >"$work/far.vtk"
+expect 1 "far.vtk:9: tetrahedron 1" "$rhexis" lua "$work/mesh.lua" "$work/far.vtk"
+mesh 1 2 3 4 | head -c 150 >"$work/cut.vtk"
+expect 1 "cut.vtk:" "$rhexis" lua "$work/mesh.lua" "$work/cut.vtk"
+head -c 5000 /dev/urandom >"$work/noise.vtk"
+expect 1 "noise.vtk:" "$rhexis" lua "$work/mesh.lua" "$work/noise.vtk"
+expect 1 "nowhere.vtk" "$rhexis" lua "$work/mesh.lua" "$work/nowhere.vtk"
+
 # Recordings.
 expect 2 "cannot read: No such file" "$rhexis" replay "$work/nowhere.rhx"
 head -c 5000 /dev/urandom >"$work/foreign.rhx"
 expect 2 "this is not a recording" "$rhexis" replay "$work/foreign.rhx"
+: >"$work/empty.rhx"
+expect 2 "empty.rhx: the file is empty" "$rhexis" replay "$work/empty.rhx" --verify
 printf 'rhexis recording 7\n....' >"$work/other.rhx"
 expect 2 "format version 7" "$rhexis" replay "$work/other.rhx" --verify
 expect 2 "there is no" "$rhexis" bench no_such_benchmark
 expect 2 "report.json" "$rhexis" report "$work"
+echo '{' >"$work/report.json"
+expect 2 "this is no JSON object" "$rhexis" report "$work"
+echo '{}' >"$work/report.json"
+expect 2 "the report is not of schema 1" "$rhexis" report "$work"
+
+# No device to draw with (the run itself: run_and_replay.sh).
+blind=(env __EGL_VENDOR_LIBRARY_DIRS=/nonexistent __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent)
+cat >"$work/draw.lua" <<'L'
+local scene = rhexis.scene.create()
+scene:add_solid { mesh = rhexis.mesh.bar() }
+local view = { eye = { 4, -60, 25 }, target = { 4, 1, 0 }, up = { 0, 0, 1 }, field = 8 }
+rhexis.render.draw(scene, { camera = view }):write_png(arg[1])
+L
+expect 0 "" "$rhexis" lua "$work/draw.lua" "$work/picture.png"
+rm "$work/picture.png"
+expect 1 "draw.lua:4:" "${blind[@]}" "$rhexis" lua "$work/draw.lua" "$work/picture.png"
+expect 1 "draw.lua:4:" "$rhexis" lua "$work/draw.lua" "$work/no_such_folder/picture.png"
+[ ! -e "$work/picture.png" ] || fail "a picture without a device"
 finished

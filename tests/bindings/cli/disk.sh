@@ -10,6 +10,25 @@ expect 2 "cannot make this folder" "$rhexis" run groove "${small[@]}" --out /pro
 touch "$work/file"
 expect 2 "$work/file" "$rhexis" run groove "${small[@]}" --out "$work/file"
 
+# Something stands where a file is to go, seen only when the run has come so far.
+blocked() { # blocked FILE STATUS TEXT ARGUMENT...
+    local out=$work/blocked file=$1
+    rm -rf "$out"
+    mkdir -p "$out/$file/full"
+    shift
+    expect "$1" "$2" "$rhexis" run groove --limit 0.3 --set patient.tetrahedra=500 --out "$out" "${@:3}"
+    [ -d "$out/$file/full" ] || fail "$file: what stood there is gone"
+    [ -z "$(find "$out" -name '*.part' ! -name recording.rhx.part)" ] || fail "$file: half-written files are left"
+    [ "$file" = report.html ] || [ ! -f "$out/report.json" ] || fail "$file: a run that failed left a report"
+}
+blocked frames/01-start.png 2 "01-start.png: cannot write the picture"
+blocked video.mp4 2 "video.mp4: cannot write the video" --video
+blocked recording.rhx.part 2 "recording.rhx.part" --no-pictures
+blocked recording.rhx 2 "recording.rhx" --no-pictures
+blocked report.json 2 "report.json" --no-pictures
+blocked series.json 2 "series.json" --no-pictures
+blocked report.html 2 "no report.html" --no-pictures
+
 # A limit on the size of files stands for a disk that fills up (the signal that comes with it is ignored).
 limited() { (trap '' XFSZ; ulimit -f "$1"; shift; exec "$@"); }
 export -f limited

@@ -70,6 +70,7 @@ TEST_SUITE("eye") {
         CHECK(fault("[1, 2]").find(": is not a JSON object") == 0);
         CHECK(fault("").find(":1: is not JSON") == 0);
         CHECK(fault(R"({"age": "old"})") == ": age is not a number (20 to 95 years)");
+        CHECK(fault(R"({"age": 1e999})") == ": holds a number beyond all range (at most 1e308)");
         CHECK(fault(R"({"age": 130})") == ": age is 130 (20 to 95 years)");
         CHECK(fault(R"({"pupil": 7})").find(": unknown field \"pupil\"") == 0);
         CHECK(fault(R"({"pupil_m": 7})").find("did you mean 'pupil_mm'?") != std::string::npos);
