@@ -89,12 +89,10 @@ nlohmann::json run_memory(const BenchOptions& options) {
     const std::string out = folder.path / "out";
     std::filesystem::create_directories(empty);
     nlohmann::json rows = nlohmann::json::array();
+    const std::string limit = options.quick ? "3" : "600";
     const auto measure = [&](const std::string& name, std::vector<std::string> arguments) {
         if (arguments[0] == "run") {
             arguments.insert(arguments.end(), {"--out", out});
-        }
-        if (options.quick && arguments[0] == "run") {
-            arguments.insert(arguments.end(), {"--limit", "3"});
         }
         const double peak = peak_mb(arguments);
         rows.push_back({{"name", "memory/" + name}, {"peak", peak}, {"unit", "MB"}, {"passed", std::isfinite(peak)}});
@@ -106,8 +104,8 @@ nlohmann::json run_memory(const BenchOptions& options) {
     }
     const double program = measure("program", {"lua", idle});
     const double bare = measure("empty_scene", {"run", empty, "--surgeon", "none"});
-    const double groove = measure("groove", {"run", "groove"});
-    const double blind = measure("groove_without_pictures", {"run", "groove", "--no-pictures"});
+    const double groove = measure("groove", {"run", "groove", "--limit", limit});
+    const double blind = measure("groove_without_pictures", {"run", "groove", "--no-pictures", "--limit", "3"});
     rows.push_back(difference("groove_over_empty_scene", groove, bare));
     rows.push_back(difference("groove_without_pictures_over_program", blind, program));
     return rows;
