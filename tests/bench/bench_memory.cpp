@@ -68,8 +68,9 @@ struct Folder {
     }
 };
 
+/// Nothing to be simulated, and the same picture but for the lens: what a picture needs is not what a scene needs.
 constexpr const char* empty_exercise =
-    "return exercise { title = \"Nothing\", tissues = {}, instruments = { \"phaco\" },\n"
+    "return exercise { title = \"Nothing\", tissues = { \"iris\", \"cornea\" }, instruments = { \"phaco\" },\n"
     "    steps = { step \"wait\" { done = \"time_s >= 1\" } } }\n";
 
 /// Long enough to be watched.
