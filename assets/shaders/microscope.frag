@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The eye under the operating microscope. Lamps lie close to the line of sight. Inside the eye the pixel's line is bent
 // once, at the cornea (see View in kernel/render/view.hpp).
-// The picture is put together in three parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea
-// shows, 2 where the pupil does. Each part draws what the ones before it do, and more.
+// The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea shows,
+// 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the middle of the pupil,
+// where neither iris nor wound nor limbus can show.
 in vec2 place;
 uniform sampler2D sclera_map;
 uniform sampler2D sclera_relief;
@@ -81,7 +82,8 @@ const float knee = 0.80;
 vec3 photographed(vec3 light) {
     float level = dot(light, vec3(0.2126, 0.7152, 0.0722));
     vec3 value = max(mix(vec3(level), light, saturation), 0.0) * pow(max(level, 1e-4) / mid_grey, contrast - 1.0);
-    value = min(value, knee) + (1.0 - knee) * (1.0 - exp((knee - max(value, knee)) / (1.0 - knee)));
+    vec3 over = max(value - knee, 0.0);
+    value = min(value, knee) + (1.0 - knee) * over / (1.0 - knee + over);
     return pow(value, vec3(1.0 / 2.2));
 }
 
@@ -149,7 +151,7 @@ vec2 wound(vec3 at) {
 }
 #endif
 
-#if PART == 2
+#if PART >= 2
 uniform sampler2D optical_depth;
 uniform sampler2D soft_depth;
 uniform sampler2D front;
@@ -263,7 +265,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 outside = normalize(outside_direction(gl_FragCoord.xy));
     vec2 shade = texture(shadows, place).rg;
-#if PART == 2
+#if PART >= 2
     vec3 picture = vec3(0.50, 0.46, 0.42);  // a wide pupil ends where the sclera barely begins
 #else
     vec3 picture = nothing;
@@ -280,8 +282,12 @@ void main() {
     vec3 on_cornea = view_eye + to_cornea * outside;
     float cornea_rho = to_cornea > 0.0 ? length(on_cornea.xy) : 100.0;
     vec4 grain = texture(detail_map, on_cornea.xy * 0.07);
+#if PART == 3
+    float white = 0.0;
+#else
     float ragged = cornea_rho + 0.22 * (grain.r - 0.5);
     float white = smoothstep(limbus_radius - 0.55, limbus_radius + 0.20, ragged);
+#endif
 
     // Inside: iris, or the pupil with the lens; an instrument before or behind the iris.
     vec3 entry = at_plane(gl_FragCoord.xy);
@@ -290,6 +296,7 @@ void main() {
     vec3 on_iris = entry + to_iris * inside;
     float iris_rho = length(on_iris.xy);
     vec4 tool = texelFetch(inner_tools, pixel, 0);
+#if PART < 3
     float tool_depth = texelFetch(stop, pixel, 0).r + dot(view_axis, reference - view_plane);
     float before_iris = tool.a * step(tool_depth / dot(inside, view_axis), to_iris);
     vec3 iris = nothing;
@@ -297,22 +304,29 @@ void main() {
         iris = iris_colour(on_iris, iris_rho) * (1.0 - 0.55 * shade.r);
     }
     vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
-#if PART == 2
+#endif
+#if PART >= 2
     vec3 deep = pupil_colour(inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
     deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(pupil_radius - 0.20, pupil_radius, iris_rho);
+#if PART == 3
+    vec3 inner = deep;
+#else
     float soft = max(0.015, 0.8 * pixel_mm);
     inner = mix(deep, inner, smoothstep(pupil_radius - soft, pupil_radius + soft, iris_rho));
+#endif
 #endif
 
     if (has_cornea == 0) {
         picture = inner;
     } else {
+#if PART < 3
         // Cornea: the pale ring of age, the wound, the tear film.
         float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
         inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
         vec2 cut = wound(on_cornea);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
+#endif
         picture = mix(inner, picture, white);
         vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
         vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);

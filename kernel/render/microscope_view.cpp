@@ -19,6 +19,14 @@ struct PupilOnScreen {
 /// Through what the lens is seen: the pupil, or all that lies behind the limbus where there is no iris.
 double opening_of(const EyeAnatomy& eye) { return eye.has_iris ? eye.pupil_radius : eye.limbus_radius; }
 
+/// Within this, at the iris, neither its edge nor the wound nor the limbus can show. [mm]
+double core_radius(const EyeAnatomy& eye) {
+    const double magnified = 1.15;  // by the cornea, at most
+    const double wound = eye.incision_width > 0.0 ? 1.075 * eye.incision.head<2>().norm() - 0.35 : eye.limbus_radius;
+    const double clear = std::min(wound, eye.limbus_radius - 1.5) / magnified;
+    return std::min(opening_of(eye) - 0.25, clear);
+}
+
 PupilOnScreen pupil_on_screen(const EyeAnatomy& eye, const View& inner) {
     const Vec3 middle(0.0, 0.0, eye.iris_z);
     PupilOnScreen pupil{pixel_of(inner, middle), Vec2::Zero()};
@@ -90,7 +98,8 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     Result<Program> white = build_part("part_white.glsl");
     Result<Program> iris = build_part("part_iris.glsl");
     Result<Program> pupil = build_part("part_pupil.glsl");
-    for (const Result<Program>* program : {&light, &soften, &shadows, &white, &iris, &pupil}) {
+    Result<Program> core = build_part("part_core.glsl");
+    for (const Result<Program>* program : {&light, &soften, &shadows, &white, &iris, &pupil, &core}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -103,13 +112,13 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     if (!front.ok()) {
         return front.error();
     }
-    return MicroscopeView(
-        Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value()},
-        std::array<Program, 3>{std::move(white).value(), std::move(iris).value(), std::move(pupil).value()},
-        std::move(painter).value(), std::move(front).value(), width, height);
+    return MicroscopeView(Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value()},
+                          std::array<Program, 4>{std::move(white).value(), std::move(iris).value(),
+                                                 std::move(pupil).value(), std::move(core).value()},
+                          std::move(painter).value(), std::move(front).value(), width, height);
 }
 
-MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 3> parts, EyePainter painter, LensFront front,
+MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front,
                                int width, int height)
     : steps_(std::move(steps)),
       parts_(std::move(parts)),
@@ -141,8 +150,9 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     cast_shadows(inner);
     const std::vector<PixelRect> cornea = bands_around_circle(outer, eye.limbus_radius + 0.4, eye.limbus_z, 2);
     const std::vector<PixelRect> pupil = bands_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, 2);
-    const std::array<std::vector<PixelRect>, 3> where{without(without(bands_of(inner), cornea), pupil),
-                                                      without(cornea, pupil), pupil};
+    const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(eye), eye.iris_z);
+    const std::array<std::vector<PixelRect>, 4> where{without(without(bands_of(inner), cornea), pupil),
+                                                      without(cornea, pupil), without(pupil, core), core};
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         compose(parts_[part], frame, inner, depth, detail);

@@ -44,7 +44,7 @@ private:
         bool cornea = false;
         bool operator==(const PaintedFor&) const = default;
     };
-    MicroscopeView(Steps steps, std::array<Program, 3> parts, EyePainter painter, LensFront front, int width,
+    MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front, int width,
                    int height);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
@@ -53,7 +53,7 @@ private:
                  const Texture& detail) const;
 
     Steps steps_;
-    std::array<Program, 3> parts_;  ///< see microscope.frag
+    std::array<Program, 4> parts_;  ///< see microscope.frag
     EyePainter eye_painter_;
     LensFront front_;
     ToolLayer inside_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace rhexis {
 
@@ -24,6 +25,33 @@ PixelRect between(double left, double bottom, double right, double top, const Vi
     rect.width = clipped(std::ceil(right), view.width) - rect.x;
     rect.height = clipped(std::ceil(top), view.height) - rect.y;
     return rect;
+}
+
+/// Where a horizontal circle about the eye's axis shows.
+struct Rim {
+    std::array<Vec2, 193> places;  ///< pixels from the bottom left; the last is the first again
+    double apart = 0.0;            ///< of neighbours, in rows
+
+    /// Whether a place lies in these rows or next to one that does.
+    [[nodiscard]] bool near(const Vec2& place, const PixelRect& band, double margin) const {
+        return place.y() > band.y - apart - margin && place.y() < band.y + band.height + apart + margin;
+    }
+};
+
+/// None if some of the circle lies behind the camera.
+std::optional<Rim> rim_of(const View& view, double radius, double z) {
+    Rim rim;
+    for (std::size_t i = 0; i < rim.places.size(); ++i) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / (rim.places.size() - 1.0);
+        const Vec3 point(radius * std::cos(angle), radius * std::sin(angle), z);
+        if (!((view.clip_from_world * point.homogeneous()).w() > 1e-6)) {
+            return std::nullopt;
+        }
+        rim.places[i] = pixel_of(view, point);
+        rim.places[i].y() = view.height - rim.places[i].y();
+        rim.apart = std::max(rim.apart, i > 0 ? std::abs(rim.places[i].y() - rim.places[i - 1].y()) : 0.0);
+    }
+    return rim;
 }
 
 }  // namespace
@@ -83,30 +111,50 @@ std::vector<PixelRect> bands_of(const View& view) {
 }
 
 std::vector<PixelRect> bands_around_circle(const View& view, double radius, double z, int margin) {
-    constexpr int corners = 192;
-    std::array<Vec2, corners + 1> rim;
-    double apart = 0.0;  // of neighbours, in rows
-    for (int i = 0; i <= corners; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / corners;
-        const Vec3 point(radius * std::cos(angle), radius * std::sin(angle), z);
-        if (!((view.clip_from_world * point.homogeneous()).w() > 1e-6)) {
-            return bands_of(view);
-        }
-        rim[i] = pixel_of(view, point);
-        rim[i].y() = view.height - rim[i].y();
-        apart = std::max(apart, i > 0 ? std::abs(rim[i].y() - rim[i - 1].y()) : 0.0);
+    const std::optional<Rim> rim = rim_of(view, radius, z);
+    if (!rim) {
+        return bands_of(view);
     }
     std::vector<PixelRect> bands;
-    for (PixelRect band : bands_of(view)) {
+    for (const PixelRect& band : bands_of(view)) {
         double left = view.width;
         double right = 0.0;
-        for (const Vec2& place : rim) {
-            if (place.y() > band.y - apart - margin && place.y() < band.y + band.height + apart + margin) {
+        for (const Vec2& place : rim->places) {
+            if (rim->near(place, band, margin)) {
                 left = std::min(left, place.x() - margin);
                 right = std::max(right, place.x() + margin);
             }
         }
         const PixelRect reach = between(left, band.y, right, band.y + band.height, view);
+        if (!reach.empty()) {
+            bands.push_back(reach);
+        }
+    }
+    return bands;
+}
+
+std::vector<PixelRect> bands_within_circle(const View& view, double radius, double z) {
+    const std::optional<Rim> rim = radius > 0.0 ? rim_of(view, radius, z) : std::nullopt;
+    std::vector<PixelRect> bands;
+    if (!rim) {
+        return bands;
+    }
+    const auto [lowest, highest] = std::minmax_element(rim->places.begin(), rim->places.end(),
+                                                       [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    const double middle = 0.5 * (lowest->x() + highest->x());
+    for (const PixelRect& band : bands_of(view)) {
+        if (band.y < lowest->y() || band.y + band.height > highest->y()) {
+            continue;
+        }
+        double left = 0.0;
+        double right = view.width;
+        for (const Vec2& place : rim->places) {
+            if (rim->near(place, band, 0.0)) {
+                (place.x() < middle ? left : right) =
+                    place.x() < middle ? std::max(left, place.x()) : std::min(right, place.x());
+            }
+        }
+        const PixelRect reach = between(left + 1.0, band.y, right - 1.0, band.y + band.height, view);
         if (!reach.empty()) {
             bands.push_back(reach);
         }

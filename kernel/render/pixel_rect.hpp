@@ -32,6 +32,9 @@ PixelRect rect_around_circle(const View& view, double radius, double z, int marg
 /// `margin` pixels more. Bands of two circles in one picture lie on the same rows.
 std::vector<PixelRect> bands_around_circle(const View& view, double radius, double z, int margin);
 
+/// The same, of what the circle covers for certain.
+std::vector<PixelRect> bands_within_circle(const View& view, double radius, double z);
+
 /// The whole picture in such bands.
 std::vector<PixelRect> bands_of(const View& view);
 
