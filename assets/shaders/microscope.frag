@@ -265,8 +265,8 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 outside = normalize(outside_direction(gl_FragCoord.xy));
     vec2 shade = texture(shadows, place).rg;
-#if PART >= 2
-    vec3 picture = vec3(0.50, 0.46, 0.42);  // a wide pupil ends where the sclera barely begins
+#if PART == 3
+    vec3 picture = nothing;
 #else
     vec3 picture = nothing;
     if (has_cornea == 1) {
