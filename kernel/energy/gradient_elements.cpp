@@ -35,7 +35,7 @@ void rest_shape(const TetMesh& mesh, ElementDomains& domains) {
 /// The tetrahedra of each element, by element.
 std::vector<std::vector<int>> members(const TetMesh& mesh, Formulation formulation) {
     std::vector<std::vector<int>> result;
-    if (formulation == Formulation::linear) {
+    if (formulation != Formulation::edge_smoothed) {
         for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
             result.push_back({static_cast<int>(t)});
         }
@@ -68,7 +68,7 @@ std::vector<int> element_nodes(const TetMesh& mesh, const ElementDomains& domain
 
 void fill_element(const TetMesh& mesh, const ElementDomains& domains, const std::vector<TetStiffness>& stiffness, int e,
                   GradientElements& elements) {
-    const double part = domains.formulation == Formulation::linear ? 1.0 : 1.0 / 6.0;
+    const double part = domains.formulation == Formulation::edge_smoothed ? 1.0 / 6.0 : 1.0;
     const int begin = elements.first[at(e)];
     const int end = elements.first[at(e) + 1];
     for (int k = begin; k < end; ++k) {
@@ -82,7 +82,7 @@ void fill_element(const TetMesh& mesh, const ElementDomains& domains, const std:
         const TetStiffness& own = stiffness[at(t)];
         const double weight = part * own.share * domains.rest_volume[at(t)];
         volume += weight;
-        lambda += weight * own.lambda;
+        lambda += weight * (domains.formulation == Formulation::nodal_pressure ? -2.0 / 3.0 * own.mu : own.lambda);
         mu += weight * own.mu;
         for (int corner = 0; corner < 4; ++corner) {
             const int node = mesh.tets[at(t)][at(corner)];

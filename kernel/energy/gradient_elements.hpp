@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of constant deformation gradient, made from a tetrahedral mesh in one of two ways. Everything that knows the
-// corotational energy of a gradient can step both.
+// Elements of constant deformation gradient, made from a tetrahedral mesh. Everything that knows the corotational energy
+// of a gradient can step them.
 //
 //   F = sum_a x_a (x) b_a,  f_a = -V P(F) b_a,  K_ab = V (b_a . dP/dF . b_b)
 //
@@ -8,6 +8,8 @@
 // edge_smoothed:  one element per edge: the gradient is the volume mean over the tetrahedra around the edge, each
 //                 giving a sixth of its volume to each of its edges [He2013]. Same nodes, same energy; it takes most
 //                 of the shear and part of the volume locking out of linear tetrahedra.
+// nodal_pressure: linear, but the elements keep the part of the energy that changes shape (lambda = -2/3 mu); the part
+//                 that changes volume is one of node patches (energy/nodal_pressure.hpp).
 #pragma once
 
 #include <vector>
@@ -16,7 +18,7 @@
 
 namespace rhexis {
 
-enum class Formulation { linear, edge_smoothed };
+enum class Formulation { linear, edge_smoothed, nodal_pressure };
 
 /// What a tetrahedron contributes: Lame parameters [Pa] and the share of its volume that still carries load (0: none).
 struct TetStiffness {

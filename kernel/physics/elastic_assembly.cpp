@@ -26,6 +26,10 @@ void singular_rotation(const double* gradient, double* rotation) {
 }  // namespace
 
 Result<ElasticAssembly> ElasticAssembly::create(const SolidModel& model, const elastic_kernel::Kernel& kernel) {
+    if (model.formulation == Formulation::nodal_pressure) {
+        return Error{"pressure at nodes cannot be stepped implicitly", model.name,
+                     "formulation linear or edge-smoothed"};
+    }
     ElasticAssembly result(model, kernel);
     for (int e = 0; e < result.elements_.count(); ++e) {
         const int nodes = result.elements_.first[at(e) + 1] - result.elements_.first[at(e)];

@@ -16,11 +16,12 @@ inline constexpr int lanes = 16;
 struct alignas(64) Group {
     float gradient[6][lanes];        ///< upper triangle of the inverse rest edges, by columns [1/mm]
     float twice_mu[lanes];           ///< -2 mu V [nJ]: negative, so that forces need no sign
-    float lambda[lanes];             ///< -lambda V [nJ]
+    float lambda[lanes];             ///< -lambda V [nJ]; with pressure at nodes 2/3 mu V
+    float quarter[lanes];            ///< V / 4 [mm^3]; used with pressure at nodes only
     std::uint32_t offset[4][lanes];  ///< of node a in positions and forces: 4 * node
 };
 
-/// Arrays of 4 values per node: x, y, z, unused.
+/// Arrays of 4 values per node: x, y, z, and one that the elements may use between two steps.
 struct Nodes {
     int count = 0;
     double* position = nullptr;            ///< [mm]
@@ -31,11 +32,24 @@ struct Nodes {
     const double* weight_share = nullptr;  ///< weight over inertia [-]
 };
 
+/// Elements whose pressure comes from their nodes (energy/nodal_pressure.hpp).
+struct NodalTask {
+    const Group* groups = nullptr;
+    int count = 0;
+    int nodes = 0;
+    const float* pressure = nullptr;  ///< per node k_n / V_n [Pa / mm^3]
+    float* trace = nullptr;           ///< scratch: 16 per group
+    float* probe = nullptr;           ///< its fourth values are overwritten
+    float* force = nullptr;           ///< its fourth values must be zero
+};
+
 /// One instruction set.
 struct Kernel {
     const char* name;
     /// Adds the elastic force of every group at nodes.probe to nodes.force.
     void (*add_forces)(const Group* groups, int count, const float* probe, float* force);
+    /// The same for elements whose pressure comes from their nodes.
+    void (*add_nodal_forces)(const NodalTask& task);
     /// v = (v + dt (force / m + share * gravity)) * decay, then force = 0. gravity: 4 values, the last 0.
     void (*accelerate)(const Nodes& nodes, double dt, const double* gravity, double decay);
     /// x += dt v, probe = x + lag v.

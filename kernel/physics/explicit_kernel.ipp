@@ -103,13 +103,18 @@ inline void add_rows(float* to, const std::uint32_t* offset, Lanes value) {
     reinterpret_cast<Lanes>(_mm_unpackhi_pd(reinterpret_cast<__m128d>(a), reinterpret_cast<__m128d>(b)))
 #endif
 
-/// Four rows of (x, y, z, -) per 128-bit block become x, y and z of 4 lanes.
+/// Four rows of (x, y, z, w) per 128-bit block become x, y and z of 4 lanes.
 inline Vector turn(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
     const Lanes xy01 = RHEXIS_LOW(r0, r1);
     const Lanes xy23 = RHEXIS_LOW(r2, r3);
     const Lanes z01 = RHEXIS_HIGH(r0, r1);
     const Lanes z23 = RHEXIS_HIGH(r2, r3);
     return {RHEXIS_PAIR_LOW(xy01, xy23), RHEXIS_PAIR_HIGH(xy01, xy23), RHEXIS_PAIR_LOW(z01, z23)};
+}
+
+/// The same for w alone.
+inline Lanes turn_fourth(Lanes r0, Lanes r1, Lanes r2, Lanes r3) {
+    return RHEXIS_PAIR_HIGH(RHEXIS_HIGH(r0, r1), RHEXIS_HIGH(r2, r3));
 }
 
 struct Rows {
@@ -208,12 +213,12 @@ inline void find_traces(Strain* s) {
 }
 
 /// The factors of the stress, in a pass of their own for the sake of its division. Volume is in the moduli, and their
-/// sign is turned: forces come out as they are added.
-inline void compute_factors(const Group& group, int lane, Strain& s) {
+/// sign is turned: forces come out as they are added. pressure: V times what the nodes add to lambda (f - 3) [nJ].
+inline void compute_factors(const Group& group, int lane, Lanes pressure, Strain& s) {
     const Lanes f2 = s.f * s.f;
     const Lanes twice_mu = load(group.twice_mu + lane);
     const Lanes slope = larger((f2 - s.i1) * s.f - s.j2, s.least);
-    const Lanes k = (twice_mu - load(group.lambda + lane) * (s.f - 3.0F)) / slope;
+    const Lanes k = (twice_mu - load(group.lambda + lane) * (s.f - 3.0F) + pressure) / slope;
     s.a = twice_mu - k * (f2 + s.i1);
     s.k2 = k + k;
     s.kf = s.k2 * s.f;
@@ -254,7 +259,7 @@ inline void add_batch(const Group* groups, int first, const float* probe, float*
     find_traces<batch>(strain);
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
-        compute_factors(groups[element / lanes], element % lanes, strain[b]);
+        compute_factors(groups[element / lanes], element % lanes, Lanes{}, strain[b]);
     }
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
@@ -270,6 +275,84 @@ void add_forces(const Group* groups, int count, const float* probe, float* force
     }
     for (; element < count * lanes; element += width) {
         add_batch<1>(groups, element, probe, force);
+    }
+}
+
+// --- pressure at nodes ----------------------------------------------------------------------------------------------
+
+/// Traces of a batch, kept, and their volume changes, added to the fourth values of the forces.
+template <int batch>
+inline void gather_volume(const NodalTask& task, int first) {
+    Strain strain[batch];
+    for (int b = 0; b < batch; ++b) {
+        const int element = first + b * width;
+        compute_strain(task.groups[element / lanes], element % lanes, task.probe, strain[b]);
+    }
+    find_traces<batch>(strain);
+    for (int b = 0; b < batch; ++b) {
+        const int element = first + b * width;
+        const Group& group = task.groups[element / lanes];
+        const int lane = element % lanes;
+        *reinterpret_cast<Lanes*>(task.trace + element) = strain[b].f;
+        const Lanes change = load(group.quarter + lane) * (strain[b].f - 3.0F);
+        for (int a = 0; a < 4; ++a) {
+            for (int l = 0; l < width; ++l) {
+                task.force[group.offset[a][lane + l] + 3] += change[l];
+            }
+        }
+    }
+}
+
+/// Sum of the pressures at the nodes of each element, from the fourth values of the probe.
+inline Lanes sum_pressures(const Group& group, int lane, const float* probe) {
+    Lanes sum{};
+    for (int a = 0; a < 4; ++a) {
+        const std::uint32_t* const n = group.offset[a] + lane;
+        sum += turn_fourth(rows(probe, n), rows(probe, n + 1), rows(probe, n + 2), rows(probe, n + 3));
+    }
+    return sum;
+}
+
+template <int batch>
+inline void add_nodal_batch(const NodalTask& task, int first) {
+    Strain strain[batch];
+    for (int b = 0; b < batch; ++b) {
+        const int element = first + b * width;
+        compute_strain(task.groups[element / lanes], element % lanes, task.probe, strain[b]);
+        strain[b].f = load(task.trace + element);
+        strain[b].least = 2e-3F * (strain[b].i1 * root(3.0F * strain[b].i1));
+    }
+    for (int b = 0; b < batch; ++b) {
+        const int element = first + b * width;
+        const Group& group = task.groups[element / lanes];
+        const int lane = element % lanes;
+        compute_factors(group, lane, load(group.quarter + lane) * sum_pressures(group, lane, task.probe), strain[b]);
+    }
+    for (int b = 0; b < batch; ++b) {
+        const int element = first + b * width;
+        add_force(task.groups[element / lanes], element % lanes, strain[b], task.force);
+    }
+}
+
+void add_nodal_forces(const NodalTask& task) {
+    constexpr int batch = RHEXIS_BATCH;
+    const int end = task.count * lanes;
+    int element = 0;
+    for (; element + batch * width <= end; element += batch * width) {
+        gather_volume<batch>(task, element);
+    }
+    for (; element < end; element += width) {
+        gather_volume<1>(task, element);
+    }
+    for (int i = 0; i < task.nodes; ++i) {
+        task.probe[4 * i + 3] = task.pressure[i] * task.force[4 * i + 3];
+    }
+    element = 0;
+    for (; element + batch * width <= end; element += batch * width) {
+        add_nodal_batch<batch>(task, element);
+    }
+    for (; element < end; element += width) {
+        add_nodal_batch<1>(task, element);
     }
 }
 

@@ -8,7 +8,7 @@
 namespace rhexis::explicit_kernel {
 namespace {
 #include "physics/explicit_kernel.ipp"
-constexpr Kernel kernel{"baseline", add_forces, accelerate, move};
+constexpr Kernel kernel{"baseline", add_forces, add_nodal_forces, accelerate, move};
 }  // namespace
 const Kernel* baseline() { return &kernel; }
 }  // namespace rhexis::explicit_kernel

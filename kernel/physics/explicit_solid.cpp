@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 
+#include "energy/nodal_pressure.hpp"
 #include "physics/explicit_groups.hpp"
 #include "physics/explicit_kernel.hpp"
 #include "physics/solid_share.hpp"
@@ -116,10 +117,12 @@ struct ExplicitSolid::Parts {
     // state
     Array<double> position, velocity;
     Array<float> probe, force;
+    Array<float> trace;  ///< scratch of nodal pressure
     // what follows from the elements that are left
     std::vector<std::uint8_t> present;
     std::vector<double> fraction;
     Array<double> inverse_mass, weight_share;
+    Array<float> pressure;  ///< per node k / V of its patch; empty unless pressure is at nodes
     std::vector<double> mass;
     bool elements_known = false;
     double limit = 0.0;  ///< [s]; 0: not known
@@ -129,7 +132,9 @@ struct ExplicitSolid::Parts {
     void allocate();
     void fill_lane(int t, const TetStiffness& stiffness);
     void set_masses(const NodeMass& left);
+    void set_pressures(const std::vector<TetStiffness>& stiffness);
     void set_elements(const SolidState& state);
+    void add_forces(Array<float>& place, Array<float>& pull);
     double compute_limit();
 };
 
@@ -158,7 +163,10 @@ void ExplicitSolid::Parts::fill_lane(int t, const TetStiffness& stiffness) {
     const bool gone = !(stiffness.share > 0.0);
     const double volume = stiffness.share * rest[at(t)].volume;
     group.twice_mu[lane] = gone ? 0.0F : static_cast<float>(-2.0 * volume * stiffness.mu);
-    group.lambda[lane] = gone ? 0.0F : static_cast<float>(-volume * stiffness.lambda);
+    const bool nodal = model->formulation == Formulation::nodal_pressure;
+    const double lambda = nodal ? -2.0 / 3.0 * stiffness.mu : stiffness.lambda;
+    group.lambda[lane] = gone ? 0.0F : static_cast<float>(-volume * lambda);
+    group.quarter[lane] = gone ? 0.0F : static_cast<float>(0.25 * volume);
     for (int a = 0; a < 4; ++a) {
         const int node = gone ? node_count() + a : model->coarse.tets[at(t)][at(a)];
         group.offset[a][lane] = static_cast<std::uint32_t>(4 * node);
@@ -188,6 +196,18 @@ void ExplicitSolid::Parts::set_masses(const NodeMass& left) {
     }
 }
 
+void ExplicitSolid::Parts::set_pressures(const std::vector<TetStiffness>& stiffness) {
+    std::vector<double> volume;
+    for (const RestShape& shape : rest) {
+        volume.push_back(shape.volume);
+    }
+    const NodePatches patches = node_patches(model->coarse, volume, stiffness);
+    for (int i = 0; i < node_count(); ++i) {
+        const double own = patches.volume[at(i)];
+        pressure[at(i)] = own > 0.0 ? static_cast<float>(patches.bulk[at(i)] / own) : 0.0F;
+    }
+}
+
 void ExplicitSolid::Parts::set_elements(const SolidState& state) {
     if (elements_known && present == state.present && fraction == state.fraction) {
         return;
@@ -199,8 +219,22 @@ void ExplicitSolid::Parts::set_elements(const SolidState& state) {
         fill_lane(static_cast<int>(t), stiffness[t]);
     }
     set_masses(node_mass(*model, state, stiffness));
+    if (model->formulation == Formulation::nodal_pressure) {
+        set_pressures(stiffness);
+    }
     elements_known = true;
     limit = 0.0;
+}
+
+/// Elastic forces at `place`, added to `pull`, whose fourth values are zero before and anything after.
+void ExplicitSolid::Parts::add_forces(Array<float>& place, Array<float>& pull) {
+    const int count = static_cast<int>(groups.size());
+    if (model->formulation == Formulation::linear) {
+        kernel->add_forces(groups.data(), count, place.data(), pull.data());
+        return;
+    }
+    kernel->add_nodal_forces(
+        {groups.data(), count, node_count(), pressure.data(), trace.data(), place.data(), pull.data()});
 }
 
 /// The product K u at rest by differencing the kernel's own force: at rest, because the limit must depend on nothing
@@ -227,7 +261,7 @@ double ExplicitSolid::Parts::compute_limit() {
                 const double u = sign * amplitude * scale[i] * x[k];
                 place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] + u);
             }
-            kernel->add_forces(groups.data(), static_cast<int>(groups.size()), place.data(), pull.data());
+            add_forces(place, pull);
             for (Eigen::Index k = 0; k < x.size(); ++k) {
                 const auto i = static_cast<std::size_t>(k / 3);
                 const double f = pull[4 * i + static_cast<std::size_t>(k % 3)];
@@ -245,8 +279,9 @@ ExplicitSolid::~ExplicitSolid() = default;
 ExplicitSolid::ExplicitSolid(ExplicitSolid&&) noexcept = default;
 
 Result<ExplicitSolid> ExplicitSolid::create(const SolidModel& model, std::string_view instruction_set) {
-    if (model.formulation != Formulation::linear) {
-        return Error{"edge-smoothed elements cannot be stepped explicitly", model.name, "formulation linear"};
+    if (model.formulation == Formulation::edge_smoothed) {
+        return Error{"edge-smoothed elements cannot be stepped explicitly", model.name,
+                     "formulation linear or nodal pressure"};
     }
     const Result<const Kernel*> kernel = choose_kernel(instruction_set);
     if (!kernel.ok()) {
@@ -276,6 +311,10 @@ Result<ExplicitSolid> ExplicitSolid::create(const SolidModel& model, std::string
         }
     }
     parts->groups.assign(at(assignment.groups), empty);
+    if (model.formulation == Formulation::nodal_pressure) {
+        parts->trace.assign(at(assignment.groups * lanes), 0.0F);
+        parts->pressure.assign(at(parts->node_count()), 0.0F);
+    }
     const SolidState rest = rest_state(model);
     parts->rest_inertia = node_mass(model, rest, tet_stiffness(model, rest)).inertia;
     ExplicitSolid solid(std::move(parts));
@@ -315,7 +354,7 @@ double ExplicitSolid::stable_step() {
 
 void ExplicitSolid::predict(double dt, const Vec3& gravity, std::span<const Vec3> external) {
     Parts& p = *parts_;
-    p.kernel->add_forces(p.groups.data(), static_cast<int>(p.groups.size()), p.probe.data(), p.force.data());
+    p.add_forces(p.probe, p.force);
     for (std::size_t i = 0; i < external.size(); ++i) {
         const double rate = dt * p.inverse_mass[i];
         for (std::size_t k = 0; k < 3; ++k) {

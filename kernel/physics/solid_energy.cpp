@@ -2,6 +2,7 @@
 #include "physics/solid_energy.hpp"
 
 #include "energy/corotational.hpp"
+#include "energy/nodal_pressure.hpp"
 #include "physics/solid_share.hpp"
 
 namespace rhexis {
@@ -40,6 +41,8 @@ double SolidEnergy::kinetic(const SolidModel& model, const SolidState& state) {
 
 double SolidEnergy::elastic(const SolidModel& model, const SolidState& state) {
     update(model, state);
+    const bool nodal = domains_.formulation == Formulation::nodal_pressure;
+    std::vector<double> theta(nodal ? model.coarse.tets.size() : 0, 0.0);
     double sum = 0.0;
     for (int e = 0; e < elements_.count(); ++e) {
         if (!(elements_.volume[e] > 0.0)) {
@@ -50,8 +53,15 @@ double SolidEnergy::elastic(const SolidModel& model, const SolidState& state) {
         for (int k = elements_.first[e]; k < elements_.first[e + 1]; ++k) {
             gradient += (state.position[elements_.node[k]] - origin) * elements_.gradient[k].transpose();
         }
-        sum += elements_.volume[e] *
-               corotational_energy(corotational_point(gradient), {elements_.lambda[e], elements_.mu[e]});
+        const CorotationalPoint point = corotational_point(gradient);
+        sum += elements_.volume[e] * corotational_energy(point, {elements_.lambda[e], elements_.mu[e]});
+        if (nodal) {
+            theta[e] = point.trace - 3.0;
+        }
+    }
+    if (nodal) {
+        const NodePatches patches = node_patches(model.coarse, domains_.rest_volume, stiffness_);
+        sum += nodal_pressure_energy(model.coarse, domains_.rest_volume, stiffness_, patches, theta);
     }
     return sum;
 }

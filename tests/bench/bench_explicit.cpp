@@ -63,16 +63,23 @@ nlohmann::json run_step(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     const std::vector<int> sizes = options.quick ? std::vector<int>{1000} : std::vector<int>{1000, 3000, 12000, 24000};
     for (const int size : sizes) {
-        const SolidModel model = scenes::default_eye(size).lens;
+        SolidModel model = scenes::default_eye(size).lens;
+        model.formulation = Formulation::linear;
+        SolidModel nodal = model;
+        nodal.formulation = Formulation::nodal_pressure;
         const SolidState state = stirred(model);
         const MatrixFreeProduct product(model, state);
         std::vector<Vec3> y;
         std::vector<ExplicitSolid> solids;
-        for (const char* set : {"avx512", "avx2", "baseline"}) {
-            Result<ExplicitSolid> solid = ExplicitSolid::create(model, set);
-            if (solid.ok()) {
-                solids.push_back(std::move(solid).value());
-                solids.back().load(state);
+        std::vector<std::string> names;
+        for (const SolidModel* kind : {&model, &nodal}) {
+            for (const char* set : {"avx512", "avx2", "baseline"}) {
+                Result<ExplicitSolid> solid = ExplicitSolid::create(*kind, set);
+                if (solid.ok()) {
+                    solids.push_back(std::move(solid).value());
+                    solids.back().load(state);
+                    names.push_back(std::string(kind == &nodal ? "nodal/" : "linear/") + set);
+                }
             }
         }
         std::vector<std::function<void()>> turns{[&] { product.apply(state.position, y); }};
@@ -86,7 +93,7 @@ nlohmann::json run_step(const BenchOptions& options) {
         const std::vector<Timing> timings = time_interleaved(turns, options.repeats);
         for (std::size_t k = 0; k < solids.size(); ++k) {
             rows.push_back(step_row(model, solids[k], timings[k + 1], timings[0]));
-            rows.back()["name"] = "explicit/" + std::to_string(size) + "/" + std::string(solids[k].instruction_set());
+            rows.back()["name"] = "explicit/" + std::to_string(size) + "/" + names[k];
         }
     }
     return rows;
