@@ -120,6 +120,18 @@ void place_tools(std::span<const ToolState> tools, double s, PartnerPoses& poses
     }
 }
 
+bool within_opening(const BagModel& bag, const Vec3& local) {
+    return local.z() > 0.0 && local.head<2>().squaredNorm() < bag.opening_radius * bag.opening_radius;
+}
+
+Gap bag_gap(const BagModel& bag, const Vec3& local) {
+    if (within_opening(bag, local)) {
+        return {};
+    }
+    const SurfaceDistance found = bag_distance(bag.shape, local);
+    return found.distance > bag_wall ? Gap{} : Gap{-found.distance, -found.normal};
+}
+
 Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point) {
     if (partner == ContactPartner::plane) {
         const PlaneModel& plane = model.planes[index];
@@ -130,15 +142,8 @@ Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, cons
         const ShapeDistance found = tool_distance(model.tools[index], local);
         return {found.distance, pose.orientation * found.normal};
     }
-    const BagModel& bag = model.bags[index];
-    if (local.z() > 0.0 && local.head<2>().squaredNorm() < bag.opening_radius * bag.opening_radius) {
-        return {};
-    }
-    const SurfaceDistance found = bag_distance(bag.shape, local);
-    if (found.distance > bag_wall) {
-        return {};
-    }
-    return {-found.distance, pose.orientation * -found.normal};
+    const Gap found = bag_gap(model.bags[index], local);
+    return {found.gap, pose.orientation * found.normal};
 }
 
 bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {

@@ -54,6 +54,12 @@ struct Gap {
 };
 Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point);
 
+/// Gap and normal of a point in a bag's frame, both in that frame.
+Gap bag_gap(const BagModel& bag, const Vec3& local);
+
+/// Whether a point in a bag's frame is in front of the equator and seen through the opening: there is no wall.
+bool within_opening(const BagModel& bag, const Vec3& local);
+
 /// True if the candidate is certainly apart from its partner, found without measuring.
 bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point);
 

@@ -2,25 +2,25 @@
 #include "physics/explicit_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace rhexis {
 
 namespace {
 
-constexpr int sweeps = 4;
+constexpr int most_sweeps = 3;
+constexpr double settled = 0.1;            ///< change of velocity in a sweep that ends them [mm/s]
 constexpr double fastest_ejection = 20.0;  ///< at which penetration is undone, so that it throws nothing [mm/s]
+constexpr double fastest_push = 5.0;       ///< change of velocity in a substep that no contact may sleep through [mm/s]
 constexpr double anchor_pull = 0.2;        ///< share of the drift from the anchor undone in a substep
 constexpr double presliding = 1e-4;        ///< of the size of a tetrahedron: a contact keeps its anchor within this
+constexpr double spare_arm = 1.0;          ///< that a vertex may come nearer to the end of its arm in a step [mm]
+constexpr double flat_square = 3e-5;       ///< (5.5 um)^2: over it a wall of radius 0.8 mm departs from its plane by
+                                           ///< 0.02 um [mm^2]
 
-Vec3 place(const SurfaceVertex& vertex, const ExplicitSolid& solid) {
-    const Vec3 first = solid.position(vertex.nodes[0]);
-    return vertex.nodes[1] < 0 ? first : Vec3(0.5 * (first + solid.position(vertex.nodes[1])));
-}
-
-Vec3 pace(const SurfaceVertex& vertex, const ExplicitSolid& solid) {
-    const Vec3 first = solid.velocity(vertex.nodes[0]);
-    return vertex.nodes[1] < 0 ? first : Vec3(0.5 * (first + solid.velocity(vertex.nodes[1])));
-}
+Eigen::Map<const Vec3> row(const double* values, int node) { return Eigen::Map<const Vec3>(values + 4L * node); }
+Eigen::Map<Vec3> row(double* values, int node) { return Eigen::Map<Vec3>(values + 4L * node); }
 
 /// New contacts anchor where they are; those that slid drag their anchor behind by no more than the slack. A contact
 /// that opens by less than the slack keeps its anchor: a resting body trembles within it and must not creep.
@@ -37,161 +37,233 @@ void move_anchor(const Pose& pose, const Vec3& point, const Vec3& normal, bool s
 
 }  // namespace
 
-void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surface, ContactCandidates& candidates,
-                            const ExplicitSolid& solid) {
+const ExplicitContact::Drift& ExplicitContact::Drifts::of(ContactPartner partner, int index) const {
+    switch (partner) {
+        case ContactPartner::tool:
+            return tools[index];
+        case ContactPartner::bag:
+            return bags[index];
+        case ContactPartner::plane:
+            break;
+    }
+    return still;
+}
+
+void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
+                            ContactCandidates& candidates, ExplicitSolid& solid) {
     model_ = &model;
     surface_ = &surface;
     candidates_ = &candidates;
-    mass_.clear();
-    int last = -1;
-    for (const ContactCandidate& candidate : candidates) {
-        for (int node : surface.vertices()[candidate.vertex].nodes) {
-            mass_.push_back(node < 0 ? 0.0 : solid.mass(node));
-            last = std::max(last, node);
-        }
+    rows_ = solid.rows();
+    drifts_.tools.assign(poses.tools.size(), Drift{});
+    drifts_.bags.assign(poses.bags.size(), Drift{});
+    for (std::size_t i = 0; i < poses.tools.size(); ++i) {
+        drifts_.tools[i].last = poses.tools[i];
     }
-    local_of_.assign(static_cast<std::size_t>(last + 1), -1);
+    for (std::size_t i = 0; i < poses.bags.size(); ++i) {
+        drifts_.bags[i].last = poses.bags[i];
+    }
+    watches_.assign(candidates.size(), Watch{});
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+        const std::array<int, 2>& nodes = surface.vertices()[candidates[c].vertex].nodes;
+        watches_[c].nodes = {nodes[0], nodes[1] < 0 ? nodes[0] : nodes[1]};
+    }
 }
 
-int ExplicitContact::local_node(int node, const ExplicitSolid& solid) {
-    if (node < 0) {
-        return -1;
+/// Chords, not arcs: the same to third order in a substep, and without trigonometry.
+void ExplicitContact::follow_partners(const PartnerPoses& after) {
+    const auto follow = [](const Pose& now, Drift& drift) {
+        drift.shift += (now.position - drift.last.position).norm();
+        drift.turn += 2.0 * (now.orientation * drift.last.orientation.conjugate()).vec().norm();
+        drift.last = now;
+    };
+    for (std::size_t i = 0; i < drifts_.tools.size(); ++i) {
+        follow(after.tools[i], drifts_.tools[i]);
     }
-    if (local_of_[node] < 0) {
-        local_of_[node] = static_cast<int>(nodes_.size());
-        nodes_.push_back(node);
-        velocity_.push_back(solid.velocity(node));
+    for (std::size_t i = 0; i < drifts_.bags.size(); ++i) {
+        follow(after.bags[i], drifts_.bags[i]);
     }
-    return local_of_[node];
+}
+
+/// Relative to the partner's, at the start of the arm.
+template <typename Active, typename Body>
+inline Vec3 velocity_of(const Active& active, const Body& body, const double* velocity) {
+    const Vec3 own = 0.5 * (row(velocity, active.nodes[0]) + row(velocity, active.nodes[1]));
+    return own - body.velocity - body.angular_velocity.cross(active.arm);
+}
+
+template <typename Active, typename Body>
+inline void push(const Active& active, const Vec3& impulse, Body& body, double* velocity) {
+    row(velocity, active.nodes[0]) += active.share[0] * impulse;
+    row(velocity, active.nodes[1]) += active.share[1] * impulse;
+    body.velocity -= body.response * impulse;
+    body.angular_velocity -= body.turning_response * active.arm.cross(impulse);
+}
+
+Vec3 ExplicitContact::place(const Watch& watch) const {
+    return 0.5 * (row(rows_.position, watch.nodes[0]) + row(rows_.position, watch.nodes[1]));
+}
+
+Vec3 ExplicitContact::pace(const Watch& watch) const {
+    const double* const velocity = rows_.velocity;
+    return 0.5 * (row(velocity, watch.nodes[0]) + row(velocity, watch.nodes[1]));
+}
+
+bool ExplicitContact::asleep(const Watch& watch, const ContactCandidate& candidate, const Vec3& point) const {
+    const Drift& drift = drifts_.of(candidate.partner, candidate.index);
+    const double left = watch.free - (drift.shift - watch.shift) - (drift.turn - watch.turn) * watch.arm;
+    return left > 0.0 && (point - watch.start).squaredNorm() < left * left;
+}
+
+Gap ExplicitContact::measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
+                             Watch& watch) const {
+    if (candidate.partner != ContactPartner::bag) {
+        return measure_gap(*model_, candidate.partner, candidate.index, pose, point);
+    }
+    const BagModel& bag = model_->bags[candidate.index];
+    const Vec3 local = pose.to_body(point);
+    if (!watch.flat || (local - watch.foot).squaredNorm() > flat_square || within_opening(bag, local)) {
+        watch.plane = bag_gap(bag, local);
+        watch.foot = local;
+        watch.flat = std::isfinite(watch.plane.gap);
+        return {watch.plane.gap, pose.orientation * watch.plane.normal};
+    }
+    return {watch.plane.gap + watch.plane.normal.dot(local - watch.foot), pose.orientation * watch.plane.normal};
+}
+
+/// Lets a candidate sleep that is farther than `near` from acting.
+void ExplicitContact::rest(const Gap& gap, double near, const Pose& pose, const Vec3& point,
+                           const ContactCandidate& candidate, Watch& watch) const {
+    const Drift& drift = drifts_.of(candidate.partner, candidate.index);
+    watch.start = point;
+    watch.free = gap.gap - near;
+    watch.shift = drift.shift;
+    watch.turn = drift.turn;
+    watch.arm = (point - pose.position).norm() + spare_arm;
 }
 
 void ExplicitContact::set_masses(Active& active) const {
-    double response = active.weight * (active.share[0] + active.share[1]);
-    double turning = 0.0;
-    double all_turning = 0.0;
-    if (active.bag >= 0) {
-        const BagInertia& bag = bag_response_[active.bag];
-        response += 1.0 / bag.mass;
-        turning = active.arm.cross(active.normal).squaredNorm() / bag.turning;
-        all_turning = active.arm.squaredNorm() / bag.turning;
-    }
+    const Body& body = bodies_[active.body];
+    const double own = (active.nodes[0] == active.nodes[1] ? 1.0 : 0.5) * (active.share[0] + active.share[1]);
+    const double response = own + body.response;
+    const double turning = active.arm.cross(active.normal).squaredNorm() * body.turning_response;
+    const double all_turning = active.arm.squaredNorm() * body.turning_response;
     active.normal_mass = response > 0.0 ? 1.0 / (response + turning) : 0.0;
     active.tangent_mass = response > 0.0 ? 1.0 / (response + all_turning) : 0.0;
 }
 
-void ExplicitContact::collect(double dt, const PartnerPoses& before, const PartnerPoses& after,
-                              const ExplicitSolid& solid) {
+void ExplicitContact::activate(int index, double dt, const Gap& gap, const Pose& old_pose, const Pose& pose,
+                               const Vec3& point) {
+    const ContactCandidate& candidate = (*candidates_)[index];
+    const Watch& watch = watches_[index];
+    Active active;
+    active.candidate = index;
+    active.nodes = watch.nodes;
+    active.share = {0.5 * rows_.inverse_mass[watch.nodes[0]], 0.5 * rows_.inverse_mass[watch.nodes[1]]};
+    active.friction = candidate.spring.friction;
+    active.normal = gap.normal;
+    const bool carried_along = candidate.partner == ContactPartner::tool;
+    const Vec3 carried = carried_along ? Vec3(pose.to_world(old_pose.to_body(point)) - point) : Vec3(Vec3::Zero());
+    const double advance = gap.normal.dot(carried);
+    active.normal_target = (advance + std::min(-gap.gap - advance, dt * fastest_ejection)) / dt;
+    Vec3 wanted = carried / dt;
+    if (candidate.touching) {
+        const Vec3 old_anchor = old_pose.to_world(candidate.anchor);
+        const Vec3 anchor = carried_along ? pose.to_world(candidate.anchor) : old_anchor;
+        wanted = (anchor - old_anchor + anchor_pull * (old_anchor - point)) / dt;
+    }
+    active.tangent_target = wanted - active.normal.dot(wanted) * active.normal;
+    if (candidate.partner == ContactPartner::bag) {
+        active.body = 1 + candidate.index;
+        active.arm = point - pose.position;
+    }
+    set_masses(active);
+    if (candidate.touching) {
+        const double push = std::max(0.0, candidate.force.dot(active.normal));
+        active.normal_impulse = dt * push;
+        const Vec3 across = candidate.force - candidate.force.dot(active.normal) * active.normal;
+        active.tangent_impulse = dt * project_on_disc(across, active.friction * push);
+    }
+    active_.push_back(active);
+}
+
+void ExplicitContact::collect(double dt, const PartnerPoses& before, const PartnerPoses& after) {
     active_.clear();
-    nodes_.clear();
-    velocity_.clear();
     for (std::size_t c = 0; c < candidates_->size(); ++c) {
         ContactCandidate& candidate = (*candidates_)[c];
-        const SurfaceVertex& vertex = surface_->vertices()[candidate.vertex];
-        const Vec3 point = place(vertex, solid);
+        Watch& watch = watches_[c];
+        const Vec3 point = place(watch);
+        if (asleep(watch, candidate, point)) {
+            continue;
+        }
         const Pose pose = after.of(candidate.partner, candidate.index);
-        if (surely_apart(candidate, pose, point)) {
-            candidate.touching = false;
-            continue;
-        }
-        const Gap gap = measure_gap(*model_, candidate.partner, candidate.index, pose, point);
+        const Gap gap = measure(candidate, pose, point, watch);
         // Anything that could close within this substep, whatever the others do to it
-        if (!(gap.gap < 2.0 * dt * (pace(vertex, solid).norm() + fastest_ejection))) {
+        const double near = 2.0 * dt * (pace(watch).norm() + fastest_push);
+        if (gap.gap < near) {
+            watch.free = 0.0;
+            activate(static_cast<int>(c), dt, gap, before.of(candidate.partner, candidate.index), pose, point);
+        } else {
             candidate.touching = false;
-            continue;
+            rest(gap, near, pose, point, candidate, watch);
         }
-        Active active;
-        active.candidate = static_cast<int>(c);
-        for (std::size_t k = 0; k < 2; ++k) {
-            active.nodes[k] = local_node(vertex.nodes[k], solid);
-            const double mass = mass_[2 * c + k];
-            active.share[k] = mass > 0.0 ? vertex.weight / mass : 0.0;
-        }
-        active.weight = vertex.weight;
-        active.normal = gap.normal;
-        const Pose old_pose = before.of(candidate.partner, candidate.index);
-        const Vec3 carried = pose.to_world(old_pose.to_body(point)) - point;  // where a point of the partner goes
-        const double advance = gap.normal.dot(carried);
-        active.normal_target = (advance + std::min(-gap.gap - advance, dt * fastest_ejection)) / dt;
-        Vec3 wanted = carried / dt;
-        if (candidate.touching) {
-            const Vec3 old_anchor = old_pose.to_world(candidate.anchor);
-            wanted = (pose.to_world(candidate.anchor) - old_anchor + anchor_pull * (old_anchor - point)) / dt;
-        }
-        active.tangent_target = wanted - active.normal.dot(wanted) * active.normal;
-        if (candidate.partner == ContactPartner::bag) {
-            active.bag = candidate.index;
-            active.arm = point - pose.position;
-        }
-        set_masses(active);
-        if (candidate.touching) {
-            const double push = std::max(0.0, candidate.force.dot(active.normal));
-            active.normal_impulse = dt * push;
-            const Vec3 rest = candidate.force - candidate.force.dot(active.normal) * active.normal;
-            active.tangent_impulse = dt * project_on_disc(rest, candidate.spring.friction * push);
-        }
-        active_.push_back(active);
     }
 }
 
-Vec3 ExplicitContact::relative_velocity(const Active& active, const std::vector<BagState>& bags) const {
-    Vec3 velocity = velocity_[active.nodes[0]];
-    if (active.nodes[1] >= 0) {
-        velocity = 0.5 * (velocity + velocity_[active.nodes[1]]);
-    }
-    if (active.bag >= 0) {
-        velocity -= bags[active.bag].velocity + bags[active.bag].angular_velocity.cross(active.arm);
-    }
-    return velocity;
-}
-
-void ExplicitContact::apply(const Active& active, const Vec3& impulse, std::vector<BagState>& bags) {
-    for (std::size_t k = 0; k < 2; ++k) {
-        if (active.nodes[k] >= 0) {
-            velocity_[active.nodes[k]] += active.share[k] * impulse;
-        }
-    }
-    if (active.bag >= 0) {
-        const BagInertia& bag = bag_response_[active.bag];
-        bags[active.bag].velocity -= impulse / bag.mass;
-        bags[active.bag].angular_velocity -= active.arm.cross(impulse) / bag.turning;
+void ExplicitContact::take_bodies(double dt, const std::vector<BagState>& bags) {
+    bodies_.assign(1, Body{});
+    for (std::size_t i = 0; i < bags.size(); ++i) {
+        const BagInertia inertia = bag_response(model_->bags[i], dt);
+        bodies_.push_back({bags[i].velocity, bags[i].angular_velocity, 1.0 / inertia.mass, 1.0 / inertia.turning});
     }
 }
 
-void ExplicitContact::sweep(std::vector<BagState>& bags) {
-    for (Active& active : active_) {
-        const double friction = (*candidates_)[active.candidate].spring.friction;
-        const Vec3 velocity = relative_velocity(active, bags);
+/// Over the unsettled contacts; leaves those that changed.
+void ExplicitContact::sweep() {
+    std::size_t kept = 0;
+    double* const rows = rows_.velocity;
+    for (const int index : unsettled_) {
+        Active& active = active_[index];
+        Body& body = bodies_[active.body];
+        const Vec3 velocity = velocity_of(active, body, rows);
         const double along = active.normal.dot(velocity);
         const double normal_impulse =
             std::max(0.0, active.normal_impulse + active.normal_mass * (active.normal_target - along));
+        if (normal_impulse == 0.0 && active.normal_impulse == 0.0) {
+            continue;  // apart, and stays so
+        }
         const Vec3 across = velocity - along * active.normal;
         const Vec3 sticking = active.tangent_impulse + active.tangent_mass * (active.tangent_target - across);
-        const Vec3 tangent_impulse = project_on_disc(sticking, friction * normal_impulse);
-        active.sliding = sticking.squaredNorm() > tangent_impulse.squaredNorm();
-        apply(active,
-              (normal_impulse - active.normal_impulse) * active.normal + (tangent_impulse - active.tangent_impulse),
-              bags);
+        const double limit = active.friction * normal_impulse;
+        const double square = sticking.squaredNorm();
+        active.sliding = square > limit * limit;
+        const Vec3 tangent_impulse = active.sliding ? Vec3((limit / std::sqrt(square)) * sticking) : sticking;
+        const Vec3 change =
+            (normal_impulse - active.normal_impulse) * active.normal + (tangent_impulse - active.tangent_impulse);
+        push(active, change, body, rows);
         active.normal_impulse = normal_impulse;
         active.tangent_impulse = tangent_impulse;
+        const double quiet = settled * active.normal_mass;
+        if (change.squaredNorm() > quiet * quiet) {
+            unsettled_[kept++] = index;
+        }
     }
+    unsettled_.resize(kept);
 }
 
-void ExplicitContact::finish(double dt, const PartnerPoses& after, ExplicitSolid& solid,
-                             const std::vector<BagState>& bags) {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        solid.set_velocity(nodes_[i], velocity_[i]);
-        local_of_[nodes_[i]] = -1;
-    }
+void ExplicitContact::finish(double dt, const PartnerPoses& after) {
     for (const Active& active : active_) {
         ContactCandidate& candidate = (*candidates_)[active.candidate];
+        const Vec3 velocity = velocity_of(active, bodies_[active.body], rows_.velocity);
+        const double slack = presliding * surface_->vertices()[candidate.vertex].size;
+        const double gap = dt * (active.normal.dot(velocity) - active.normal_target);
         const Vec3 impulse = active.normal_impulse * active.normal + active.tangent_impulse;
         candidate.force = impulse / dt;
         candidate.impulse += impulse;
-        const SurfaceVertex& vertex = surface_->vertices()[candidate.vertex];
-        const Vec3 velocity = relative_velocity(active, bags);
-        const Vec3 point = place(vertex, solid) + dt * velocity;
-        const double slack = presliding * vertex.size;
-        const double gap = dt * (active.normal.dot(velocity) - active.normal_target);
+        if (!candidate.touching && gap >= slack) {
+            continue;
+        }
+        const Vec3 point = place(watches_[active.candidate]) + dt * velocity;
         move_anchor(after.of(candidate.partner, candidate.index), point, active.normal, active.sliding, gap < slack,
                     slack, candidate);
         if (active.normal_impulse > 0.0) {
@@ -203,23 +275,25 @@ void ExplicitContact::finish(double dt, const PartnerPoses& after, ExplicitSolid
     }
 }
 
-void ExplicitContact::resolve(double dt, const PartnerPoses& before, const PartnerPoses& after, ExplicitSolid& solid,
+void ExplicitContact::resolve(double dt, const PartnerPoses& before, const PartnerPoses& after,
                               std::vector<BagState>& bags) {
-    bag_response_.clear();
-    for (const BagModel& bag : model_->bags) {
-        bag_response_.push_back(bag_response(bag, dt));
-    }
-    collect(dt, before, after, solid);
-    if (active_.empty()) {
-        return;
-    }
+    follow_partners(after);
+    take_bodies(dt, bags);
+    collect(dt, before, after);
     for (const Active& active : active_) {
-        apply(active, active.normal_impulse * active.normal + active.tangent_impulse, bags);
+        push(active, active.normal_impulse * active.normal + active.tangent_impulse, bodies_[active.body],
+             rows_.velocity);
     }
-    for (int i = 0; i < sweeps; ++i) {
-        sweep(bags);
+    unsettled_.resize(active_.size());
+    std::iota(unsettled_.begin(), unsettled_.end(), 0);
+    for (int i = 0; i < most_sweeps && !unsettled_.empty(); ++i) {
+        sweep();
     }
-    finish(dt, after, solid, bags);
+    finish(dt, after);
+    for (std::size_t i = 0; i < bags.size(); ++i) {
+        bags[i].velocity = bodies_[1 + i].velocity;
+        bags[i].angular_velocity = bodies_[1 + i].angular_velocity;
+    }
 }
 
 }  // namespace rhexis

@@ -4,6 +4,10 @@
 // Lumped mass makes the Delassus operator of one vertex against a kinematic partner a number, so a contact is resolved
 // in closed form: the impulse that closes the gap exactly at the end of the substep, and the one that brings the vertex
 // back to its anchor, cut to the friction disc. Vertices that share nodes or a bag take a few sweeps, warm-started.
+//
+// A substep is short, and most candidates are far from their partner in most of them. So each sleeps until it and its
+// partner have moved by what lay between them, and the wall of a bag stands as a plane until a vertex has moved along
+// it by more than the plane is good for.
 #pragma once
 
 #include "physics/bag_motion.hpp"
@@ -15,22 +19,56 @@ namespace rhexis {
 /// Scratch of the explicit resolver for one step.
 class ExplicitContact {
 public:
-    /// Starts a step. candidates must outlive the step.
-    void begin(const WorldModel& model, const ContactSurface& surface, ContactCandidates& candidates,
-               const ExplicitSolid& solid);
+    /// Starts a step of a loaded solid. candidates must outlive the step. poses: at its start.
+    void begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
+               ContactCandidates& candidates, ExplicitSolid& solid);
 
     /// Corrects the velocities of the solid and of the bags so that no contact is violated after dt [s].
-    /// before, after: poses of the tools at the ends of the substep; bags: their state, already accelerated.
-    void resolve(double dt, const PartnerPoses& before, const PartnerPoses& after, ExplicitSolid& solid,
-                 std::vector<BagState>& bags);
+    /// before, after: poses at the ends of the substep, of the bags both at its start; bags: already accelerated.
+    void resolve(double dt, const PartnerPoses& before, const PartnerPoses& after, std::vector<BagState>& bags);
 
 private:
+    /// How far a partner has come since the start of the step: the lengths of its ways.
+    struct Drift {
+        Pose last;
+        double shift = 0.0;  ///< of its centre [mm]
+        double turn = 0.0;   ///< [rad]
+    };
+    struct Drifts {
+        std::vector<Drift> tools;
+        std::vector<Drift> bags;
+        Drift still;
+
+        const Drift& of(ContactPartner partner, int index) const;
+    };
+
+    /// What is known of a candidate since it was last measured. A vertex that is a node has that node twice.
+    struct Watch {
+        std::array<int, 2> nodes{0, 0};
+        Vec3 start = Vec3::Zero();
+        double free = 0.0;  ///< what it and its partner may move before it matters [mm]
+        double shift = 0.0;
+        double turn = 0.0;
+        double arm = 0.0;  ///< from the partner's centre, with some to spare [mm]
+        bool flat = false;  ///< the wall is known as a plane near `foot`, all in the bag's frame
+        Vec3 foot = Vec3::Zero();
+        Gap plane;
+    };
+
+    /// How a partner answers an impulse within a substep; what does not answer has no responses.
+    struct Body {
+        Vec3 velocity = Vec3::Zero();
+        Vec3 angular_velocity = Vec3::Zero();
+        double response = 0.0;          ///< [1/g]
+        double turning_response = 0.0;  ///< [1/(g mm^2)]
+    };
+
     struct Active {
         int candidate = 0;
-        std::array<int, 2> nodes{0, -1};    ///< index into velocity_
-        std::array<double, 2> share{0, 0};  ///< velocity per impulse: weight / mass [1/g]
-        double weight = 1.0;
-        int bag = -1;
+        std::array<int, 2> nodes{0, 0};
+        std::array<double, 2> share{0, 0};  ///< velocity per impulse [1/g]
+        double friction = 0.0;
+        int body = 0;  ///< index into bodies_
         Vec3 arm = Vec3::Zero();
         Vec3 normal = Vec3::UnitZ();
         double normal_target = 0.0;          ///< smallest relative normal velocity [mm/s]
@@ -42,23 +80,29 @@ private:
         bool sliding = false;
     };
 
-    void collect(double dt, const PartnerPoses& before, const PartnerPoses& after, const ExplicitSolid& solid);
+    void follow_partners(const PartnerPoses& after);
+    [[nodiscard]] Vec3 place(const Watch& watch) const;
+    [[nodiscard]] Vec3 pace(const Watch& watch) const;
+    [[nodiscard]] bool asleep(const Watch& watch, const ContactCandidate& candidate, const Vec3& point) const;
+    Gap measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point, Watch& watch) const;
+    void rest(const Gap& gap, double near, const Pose& pose, const Vec3& point, const ContactCandidate& candidate,
+              Watch& watch) const;
+    void collect(double dt, const PartnerPoses& before, const PartnerPoses& after);
+    void activate(int index, double dt, const Gap& gap, const Pose& old_pose, const Pose& pose, const Vec3& point);
     void set_masses(Active& active) const;
-    int local_node(int node, const ExplicitSolid& solid);
-    [[nodiscard]] Vec3 relative_velocity(const Active& active, const std::vector<BagState>& bags) const;
-    void apply(const Active& active, const Vec3& impulse, std::vector<BagState>& bags);
-    void sweep(std::vector<BagState>& bags);
-    void finish(double dt, const PartnerPoses& after, ExplicitSolid& solid, const std::vector<BagState>& bags);
+    void take_bodies(double dt, const std::vector<BagState>& bags);
+    void sweep();
+    void finish(double dt, const PartnerPoses& after);
 
     const WorldModel* model_ = nullptr;
     const ContactSurface* surface_ = nullptr;
     ContactCandidates* candidates_ = nullptr;
-    std::vector<double> mass_;  ///< per candidate and node, two each
-    std::vector<BagInertia> bag_response_;
+    ExplicitSolid::Rows rows_;
+    std::vector<Body> bodies_;  ///< what stands still or is led, then the bags
+    Drifts drifts_;
+    std::vector<Watch> watches_;  ///< per candidate
     std::vector<Active> active_;
-    std::vector<int> local_of_;  ///< per coarse node: index into nodes_, or -1
-    std::vector<int> nodes_;
-    std::vector<Vec3> velocity_;
+    std::vector<int> unsettled_;  ///< indices into active_
 };
 
 }  // namespace rhexis

@@ -141,22 +141,36 @@ inline Vector combine(const Vector& a, const Vector& b, const Vector& c, Lanes x
     return {a.x * x + b.x * y + c.x * z, a.y * x + b.y * y + c.y * z, a.z * x + b.z * y + c.z * z};
 }
 
+/// What tr S follows from, and tr S.
+struct Invariants {
+    Lanes i1, e2, j2, least;  ///< I, e2, 2 J, smallest slope
+    Lanes f;                  ///< tr S
+};
+
 /// What one element keeps between the passes over a batch.
-struct Strain {
+struct Strain : Invariants {
     Vector f0, f1, f2;                   ///< columns of F
     Vector q0, q1, q2;                   ///< columns of cof F
     Lanes c00, c11, c22, c01, c02, c12;  ///< F^T F
-    Lanes i1, e2, j2, least;             ///< I, e2, 2 J, smallest slope
-    Lanes f;                             ///< tr S
     Lanes k2, kf, a;                     ///< -2 k, -2 k f and a of the stress
 };
 
-inline void compute_strain(const Group& group, int lane, const float* probe, Strain& s) {
+/// fourth: set to the sum over the four nodes of the fourth value of their rows, unless it is null.
+[[gnu::always_inline]] inline void compute_strain(const Group& group, int lane, const float* probe, Strain& s,
+                                                  Lanes* fourth) {
     const std::uint32_t* const n0 = group.offset[0] + lane;
     const Lanes r0 = rows(probe, n0), r1 = rows(probe, n0 + 1), r2 = rows(probe, n0 + 2), r3 = rows(probe, n0 + 3);
+    if (fourth != nullptr) {
+        *fourth = 4.0F * turn_fourth(r0, r1, r2, r3);
+    }
     const auto edge = [&](int a) {
         const std::uint32_t* const n = group.offset[a] + lane;
-        return turn(rows(probe, n) - r0, rows(probe, n + 1) - r1, rows(probe, n + 2) - r2, rows(probe, n + 3) - r3);
+        const Lanes d0 = rows(probe, n) - r0, d1 = rows(probe, n + 1) - r1, d2 = rows(probe, n + 2) - r2,
+                    d3 = rows(probe, n + 3) - r3;
+        if (fourth != nullptr) {
+            *fourth += turn_fourth(d0, d1, d2, d3);
+        }
+        return turn(d0, d1, d2, d3);
     };
     const auto b = [&](int k) { return load(group.gradient[k] + lane); };
     const Vector d1 = edge(1), d2 = edge(2), d3 = edge(3);
@@ -175,7 +189,7 @@ inline void compute_strain(const Group& group, int lane, const float* probe, Str
 }
 
 /// One Newton step down the quartic: (u^2/4 - 2 J f - e2) / (u f - 2 J).
-inline Lanes trace_step(const Strain& s, Lanes f) {
+inline Lanes trace_step(const Invariants& s, Lanes f) {
     const Lanes u = f * f - s.i1;
     return (0.25F * (u * u) - s.j2 * f - s.e2) / larger(u * f - s.j2, s.least);
 }
@@ -184,8 +198,8 @@ inline Lanes trace_step(const Strain& s, Lanes f) {
 /// (error (f0 - f)^3; there u = 2 I and the second derivative is 8 I), which is enough for strains below 8 %, then
 /// Newton. A lane goes on until its next step would be below rounding; what other lanes do never changes it. The batch
 /// is there because every step waits for a division.
-template <int batch>
-inline void find_traces(Strain* s) {
+template <int batch, typename Element>
+inline void find_traces(Element* s) {
     Mask open[batch];
     Mask any_open{};
     for (int b = 0; b < batch; ++b) {
@@ -225,7 +239,7 @@ inline void compute_factors(const Group& group, int lane, Lanes pressure, Strain
 }
 
 /// P b_a, added.
-inline void add_force(const Group& group, int lane, const Strain& s, float* force) {
+[[gnu::always_inline]] inline void add_force(const Group& group, int lane, const Strain& s, float* force) {
     const Lanes k2 = s.k2, kf = s.kf, a = s.a;
     const Lanes m01 = k2 * s.c01, m02 = k2 * s.c02, m12 = k2 * s.c12;
     const Lanes m00 = a + k2 * s.c00, m11 = a + k2 * s.c11, m22 = a + k2 * s.c22;
@@ -254,7 +268,7 @@ inline void add_batch(const Group* groups, int first, const float* probe, float*
     Strain strain[batch];
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
-        compute_strain(groups[element / lanes], element % lanes, probe, strain[b]);
+        compute_strain(groups[element / lanes], element % lanes, probe, strain[b], nullptr);
     }
     find_traces<batch>(strain);
     for (int b = 0; b < batch; ++b) {
@@ -283,10 +297,12 @@ void add_forces(const Group* groups, int count, const float* probe, float* force
 /// Traces of a batch, kept, and their volume changes, added to the fourth values of the forces.
 template <int batch>
 inline void gather_volume(const NodalTask& task, int first) {
-    Strain strain[batch];
+    Invariants strain[batch];
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
-        compute_strain(task.groups[element / lanes], element % lanes, task.probe, strain[b]);
+        Strain whole;
+        compute_strain(task.groups[element / lanes], element % lanes, task.probe, whole, nullptr);
+        strain[b] = whole;
     }
     find_traces<batch>(strain);
     for (int b = 0; b < batch; ++b) {
@@ -303,22 +319,14 @@ inline void gather_volume(const NodalTask& task, int first) {
     }
 }
 
-/// Sum of the pressures at the nodes of each element, from the fourth values of the probe.
-inline Lanes sum_pressures(const Group& group, int lane, const float* probe) {
-    Lanes sum{};
-    for (int a = 0; a < 4; ++a) {
-        const std::uint32_t* const n = group.offset[a] + lane;
-        sum += turn_fourth(rows(probe, n), rows(probe, n + 1), rows(probe, n + 2), rows(probe, n + 3));
-    }
-    return sum;
-}
-
+/// Few at a time: there is one division to wait for, and more would not stay in registers.
 template <int batch>
 inline void add_nodal_batch(const NodalTask& task, int first) {
     Strain strain[batch];
+    Lanes pressure[batch];
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
-        compute_strain(task.groups[element / lanes], element % lanes, task.probe, strain[b]);
+        compute_strain(task.groups[element / lanes], element % lanes, task.probe, strain[b], &pressure[b]);
         strain[b].f = load(task.trace + element);
         strain[b].least = 2e-3F * (strain[b].i1 * root(3.0F * strain[b].i1));
     }
@@ -326,7 +334,7 @@ inline void add_nodal_batch(const NodalTask& task, int first) {
         const int element = first + b * width;
         const Group& group = task.groups[element / lanes];
         const int lane = element % lanes;
-        compute_factors(group, lane, load(group.quarter + lane) * sum_pressures(group, lane, task.probe), strain[b]);
+        compute_factors(group, lane, load(group.quarter + lane) * pressure[b], strain[b]);
     }
     for (int b = 0; b < batch; ++b) {
         const int element = first + b * width;
@@ -336,6 +344,7 @@ inline void add_nodal_batch(const NodalTask& task, int first) {
 
 void add_nodal_forces(const NodalTask& task) {
     constexpr int batch = RHEXIS_BATCH;
+    constexpr int few = 2;
     const int end = task.count * lanes;
     int element = 0;
     for (; element + batch * width <= end; element += batch * width) {
@@ -348,8 +357,8 @@ void add_nodal_forces(const NodalTask& task) {
         task.probe[4 * i + 3] = task.pressure[i] * task.force[4 * i + 3];
     }
     element = 0;
-    for (; element + batch * width <= end; element += batch * width) {
-        add_nodal_batch<batch>(task, element);
+    for (; element + few * width <= end; element += few * width) {
+        add_nodal_batch<few>(task, element);
     }
     for (; element < end; element += width) {
         add_nodal_batch<1>(task, element);

@@ -54,6 +54,14 @@ struct RestShape {
     double volume = 0.0;
 };
 
+/// Shares told apart by the stable step: between two of them it moves by less than its safety factor.
+double level_of(double share) {
+    if (!(share > 0.0)) {
+        return 0.0;
+    }
+    return share > 0.7 ? 1.0 : share > 0.3 ? 0.5 : 0.15;
+}
+
 /// Zero volume if the tetrahedron is flat or inverted.
 RestShape rest_shape(const TetMesh& mesh, const std::array<int, 4>& tet) {
     const Vec3& origin = mesh.nodes[at(tet[0])];
@@ -119,23 +127,26 @@ struct ExplicitSolid::Parts {
     Array<float> probe, force;
     Array<float> trace;  ///< scratch of nodal pressure
     // what follows from the elements that are left
-    std::vector<std::uint8_t> present;
-    std::vector<double> fraction;
+    SolidState left;  ///< only what tells which elements are there
     Array<double> inverse_mass, weight_share;
     Array<float> pressure;  ///< per node k / V of its patch; empty unless pressure is at nodes
     std::vector<double> mass;
     bool elements_known = false;
-    double limit = 0.0;  ///< [s]; 0: not known
+    std::vector<TetStiffness> stiffness;
+    std::vector<double> level;  ///< per tetrahedron: the share that the limit is computed for
+    double limit = 0.0;         ///< [s]; 0: not known
 
     [[nodiscard]] int node_count() const { return static_cast<int>(model->coarse.nodes.size()); }
     Nodes nodes();
     void allocate();
-    void fill_lane(int t, const TetStiffness& stiffness);
-    void set_masses(const NodeMass& left);
-    void set_pressures(const std::vector<TetStiffness>& stiffness);
+    void fill_lane(int t, const TetStiffness& own);
+    void set_masses(const NodeMass& now);
+    void set_pressures(const std::vector<TetStiffness>& shares);
+    void fill(const std::vector<TetStiffness>& shares);
     void set_elements(const SolidState& state);
     void add_forces(Array<float>& place, Array<float>& pull);
     double compute_limit();
+    double limit_of_lanes();
 };
 
 Nodes ExplicitSolid::Parts::nodes() {
@@ -157,14 +168,14 @@ void ExplicitSolid::Parts::allocate() {
     }
 }
 
-void ExplicitSolid::Parts::fill_lane(int t, const TetStiffness& stiffness) {
+void ExplicitSolid::Parts::fill_lane(int t, const TetStiffness& own) {
     Group& group = groups[at(slot[at(t)] / lanes)];
     const std::size_t lane = at(slot[at(t)] % lanes);
-    const bool gone = !(stiffness.share > 0.0);
-    const double volume = stiffness.share * rest[at(t)].volume;
-    group.twice_mu[lane] = gone ? 0.0F : static_cast<float>(-2.0 * volume * stiffness.mu);
+    const bool gone = !(own.share > 0.0);
+    const double volume = own.share * rest[at(t)].volume;
+    group.twice_mu[lane] = gone ? 0.0F : static_cast<float>(-2.0 * volume * own.mu);
     const bool nodal = model->formulation == Formulation::nodal_pressure;
-    const double lambda = nodal ? -2.0 / 3.0 * stiffness.mu : stiffness.lambda;
+    const double lambda = nodal ? -2.0 / 3.0 * own.mu : own.lambda;
     group.lambda[lane] = gone ? 0.0F : static_cast<float>(-volume * lambda);
     group.quarter[lane] = gone ? 0.0F : static_cast<float>(0.25 * volume);
     for (int a = 0; a < 4; ++a) {
@@ -176,14 +187,14 @@ void ExplicitSolid::Parts::fill_lane(int t, const TetStiffness& stiffness) {
     }
 }
 
-void ExplicitSolid::Parts::set_masses(const NodeMass& left) {
+void ExplicitSolid::Parts::set_masses(const NodeMass& now) {
     double total = 0.0;
     for (const double m : rest_inertia) {
         total += m;
     }
     const double floor = mass_floor * total / node_count();
     for (int i = 0; i < node_count(); ++i) {
-        const double inertia = left.inertia[at(i)];
+        const double inertia = now.inertia[at(i)];
         mass[at(i)] = inertia > 0.0 ? std::max(inertia, std::min(floor, rest_inertia[at(i)])) : 0.0;
     }
     for (const int node : model->fixed_nodes) {
@@ -192,38 +203,50 @@ void ExplicitSolid::Parts::set_masses(const NodeMass& left) {
     for (int i = 0; i < node_count(); ++i) {
         const double m = mass[at(i)];
         inverse_mass[at(i)] = m > 0.0 ? 1.0 / m : 0.0;
-        weight_share[at(i)] = m > 0.0 ? left.weight[at(i)] / m : 0.0;
+        weight_share[at(i)] = m > 0.0 ? now.weight[at(i)] / m : 0.0;
     }
 }
 
-void ExplicitSolid::Parts::set_pressures(const std::vector<TetStiffness>& stiffness) {
+void ExplicitSolid::Parts::set_pressures(const std::vector<TetStiffness>& shares) {
     std::vector<double> volume;
     for (const RestShape& shape : rest) {
         volume.push_back(shape.volume);
     }
-    const NodePatches patches = node_patches(model->coarse, volume, stiffness);
+    const NodePatches patches = node_patches(model->coarse, volume, shares);
     for (int i = 0; i < node_count(); ++i) {
         const double own = patches.volume[at(i)];
         pressure[at(i)] = own > 0.0 ? static_cast<float>(patches.bulk[at(i)] / own) : 0.0F;
     }
 }
 
+/// What the kernel needs of the elements.
+void ExplicitSolid::Parts::fill(const std::vector<TetStiffness>& shares) {
+    for (std::size_t t = 0; t < shares.size(); ++t) {
+        fill_lane(static_cast<int>(t), shares[t]);
+    }
+    set_masses(node_mass(*model, left, shares));
+    if (model->formulation == Formulation::nodal_pressure) {
+        set_pressures(shares);
+    }
+}
+
 void ExplicitSolid::Parts::set_elements(const SolidState& state) {
-    if (elements_known && present == state.present && fraction == state.fraction) {
+    if (elements_known && left.present == state.present && left.fraction == state.fraction) {
         return;
     }
-    present = state.present;
-    fraction = state.fraction;
-    const std::vector<TetStiffness> stiffness = tet_stiffness(*model, state);
-    for (std::size_t t = 0; t < stiffness.size(); ++t) {
-        fill_lane(static_cast<int>(t), stiffness[t]);
-    }
-    set_masses(node_mass(*model, state, stiffness));
-    if (model->formulation == Formulation::nodal_pressure) {
-        set_pressures(stiffness);
-    }
+    left.present = state.present;
+    left.fraction = state.fraction;
+    stiffness = tet_stiffness(*model, left);
+    fill(stiffness);
     elements_known = true;
-    limit = 0.0;
+    std::vector<double> now;
+    for (const TetStiffness& tet : stiffness) {
+        now.push_back(level_of(tet.share));
+    }
+    if (now != level) {
+        level = std::move(now);
+        limit = 0.0;
+    }
 }
 
 /// Elastic forces at `place`, added to `pull`, whose fourth values are zero before and anything after.
@@ -237,9 +260,21 @@ void ExplicitSolid::Parts::add_forces(Array<float>& place, Array<float>& pull) {
         {groups.data(), count, node_count(), pressure.data(), trace.data(), place.data(), pull.data()});
 }
 
-/// The product K u at rest by differencing the kernel's own force: at rest, because the limit must depend on nothing
-/// but the elements that are left, or a resumed run would differ from one that ran through.
+/// For the levels of the elements, not for their shares: it would have to be found anew in every step of sculpting, and
+/// found rarely but from shares it would depend on when; a resumed run would then differ from one that ran through.
 double ExplicitSolid::Parts::compute_limit() {
+    std::vector<TetStiffness> leveled = stiffness;
+    for (std::size_t t = 0; t < leveled.size(); ++t) {
+        leveled[t].share = level[t];
+    }
+    fill(leveled);
+    const double found = limit_of_lanes();
+    fill(stiffness);
+    return found;
+}
+
+/// By the product K u at rest, where there is no force: the kernel's own at a small displacement.
+double ExplicitSolid::Parts::limit_of_lanes() {
     const std::size_t all = at(4 * (node_count() + spare_nodes));
     Array<float> place = probe;
     Array<float> pull(all, 0.0F);
@@ -254,20 +289,16 @@ double ExplicitSolid::Parts::compute_limit() {
             largest = std::max(largest, std::abs(x[k]) * scale[static_cast<std::size_t>(k / 3)]);
         }
         const double amplitude = shift / largest;
-        for (const double sign : {1.0, -1.0}) {
-            std::fill(pull.begin(), pull.end(), 0.0F);
-            for (Eigen::Index k = 0; k < x.size(); ++k) {
-                const auto i = static_cast<std::size_t>(k / 3);
-                const double u = sign * amplitude * scale[i] * x[k];
-                place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] + u);
-            }
-            add_forces(place, pull);
-            for (Eigen::Index k = 0; k < x.size(); ++k) {
-                const auto i = static_cast<std::size_t>(k / 3);
-                const double f = pull[4 * i + static_cast<std::size_t>(k % 3)];
-                const double part = -0.5 * sign * f * scale[i] / amplitude;
-                y[k] = sign > 0.0 ? part : y[k] + part;
-            }
+        std::fill(pull.begin(), pull.end(), 0.0F);
+        for (Eigen::Index k = 0; k < x.size(); ++k) {
+            const auto i = static_cast<std::size_t>(k / 3);
+            const double u = amplitude * scale[i] * x[k];
+            place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] + u);
+        }
+        add_forces(place, pull);
+        for (Eigen::Index k = 0; k < x.size(); ++k) {
+            const auto i = static_cast<std::size_t>(k / 3);
+            y[k] = -pull[4 * i + static_cast<std::size_t>(k % 3)] * scale[i] / amplitude;
         }
     };
     constexpr int steps = 24;
@@ -375,6 +406,10 @@ void ExplicitSolid::set_velocity(int node, const Vec3& velocity) {
     if (parts_->mass[at(node)] > 0.0) {
         Eigen::Map<Vec3>(&parts_->velocity[at(4 * node)]) = velocity;
     }
+}
+
+ExplicitSolid::Rows ExplicitSolid::rows() {
+    return {parts_->position.data(), parts_->velocity.data(), parts_->inverse_mass.data()};
 }
 
 double ExplicitSolid::mass(int node) const { return parts_->mass[at(node)]; }

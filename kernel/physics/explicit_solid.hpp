@@ -34,11 +34,17 @@ public:
     /// x += dt * v, positions accumulated in double.
     void move(double dt);
 
-    // Between predict and move the contact resolver reads positions and changes velocities.
+    /// Between predict and move the contact resolver reads positions and changes velocities. Valid until the next load.
+    struct Rows {
+        const double* position = nullptr;      ///< 4 per node, the last unused [mm]
+        double* velocity = nullptr;            ///< 4 per node, the last 0 [mm/s]
+        const double* inverse_mass = nullptr;  ///< per node [1/g]; 0: fixed or without elements, cannot be pushed
+    };
+    [[nodiscard]] Rows rows();
     [[nodiscard]] Vec3 position(int node) const;
     [[nodiscard]] Vec3 velocity(int node) const;
     void set_velocity(int node, const Vec3& velocity);
-    [[nodiscard]] double mass(int node) const;  ///< [g]; 0: fixed or without elements, cannot be pushed
+    [[nodiscard]] double mass(int node) const;  ///< [g]; 0: fixed or without elements
 
     [[nodiscard]] bool finite() const;
     [[nodiscard]] std::string_view instruction_set() const;

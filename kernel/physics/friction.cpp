@@ -9,11 +9,6 @@ constexpr double edge = 1e-6;  ///< width of the edge of the disc, of its radius
 
 }  // namespace
 
-Vec3 project_on_disc(const Vec3& tangential, double radius) {
-    const double size = tangential.norm();
-    return size <= radius ? tangential : Vec3((radius / size) * tangential);
-}
-
 SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset,
                               bool edge_slides) {
     SpringResponse response;

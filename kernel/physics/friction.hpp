@@ -3,6 +3,8 @@
 // disc of radius mu times it (Coulomb, no pyramid) and sticks to an anchor on the partner, so that it does not creep.
 #pragma once
 
+#include <cmath>
+
 #include "math/types.hpp"
 
 namespace rhexis {
@@ -28,6 +30,9 @@ SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec
                               bool edge_slides);
 
 /// The nearest point of the disc of that radius.
-Vec3 project_on_disc(const Vec3& tangential, double radius);
+inline Vec3 project_on_disc(const Vec3& tangential, double radius) {
+    const double square = tangential.squaredNorm();
+    return square <= radius * radius ? tangential : Vec3((radius / std::sqrt(square)) * tangential);
+}
 
 }  // namespace rhexis

@@ -22,8 +22,12 @@ struct Plan {
     int divisions = 1;
 };
 
-std::vector<Plan> plans(bool explicit_way) {
-    return {{explicit_way, 1}, {explicit_way, 2}, {explicit_way, 4}, {explicit_way, 8}, {!explicit_way, 1}};
+std::vector<Plan> plans(bool explicit_way, bool both_ways) {
+    std::vector<Plan> list{{explicit_way, 1}, {explicit_way, 2}, {explicit_way, 4}, {explicit_way, 8}};
+    if (both_ways) {
+        list.push_back({!explicit_way, 1});
+    }
+    return list;
 }
 
 const char* describe(StepFailure failure) {
@@ -68,7 +72,7 @@ void Physics::Solvers::step_solid(const StepTask& task, int solid, StepOutcome& 
     SolidStepper& stepper = steppers[solid];
     bool usable = false;
     StepFailure failure = StepFailure::none;
-    for (const Plan& plan : plans(stepper.prefers_explicit(task.dt))) {
+    for (const Plan& plan : plans(stepper.prefers_explicit(task.dt), stepper.has_both_ways())) {
         if (failure != StepFailure::none) {
             ++outcome.rollbacks;
             outcome.notes.push_back(note(model->solids[solid], failure, plan));
@@ -78,9 +82,14 @@ void Physics::Solvers::step_solid(const StepTask& task, int solid, StepOutcome& 
         if (failure == StepFailure::none) {
             return;
         }
-        if (failure == StepFailure::inverted) {  // of tries that went through, the last is the finest
-            std::swap(result, better);
+        if (failure == StepFailure::inverted) {
+            // what a finer step inverts as well is crushed, not jumped over: it will turn back when it is let go
+            const bool again = usable;
+            std::swap(result, better);  // the last is the finest
             usable = true;
+            if (again) {
+                break;
+            }
         }
     }
     if (usable) {

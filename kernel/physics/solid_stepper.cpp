@@ -212,7 +212,8 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
     PartnerPoses after;
     place_tools(task.tools, 0.0, after);
     set_bag_poses(result.bags, before);
-    explicit_contact_.begin(task.model, surface_, result.candidates, *explicit_);
+    before.tools = after.tools;
+    explicit_contact_.begin(task.model, surface_, before, result.candidates, *explicit_);
     for (int i = 1; i <= count; ++i) {
         std::swap(before.tools, after.tools);
         place_tools(task.tools, static_cast<double>(i) / count, after);
@@ -222,7 +223,7 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
         }
         set_bag_poses(result.bags, before);
         after.bags = before.bags;
-        explicit_contact_.resolve(dt, before, after, *explicit_, result.bags);
+        explicit_contact_.resolve(dt, before, after, result.bags);
         explicit_->move(dt);
         for (BagState& bag : result.bags) {
             move_bag(dt, bag);

@@ -45,6 +45,8 @@ public:
 
     /// The cheaper way for steps of dt, or the one that the model asks for.
     [[nodiscard]] bool prefers_explicit(double dt) const;
+    /// False for elements that only one way can step: a step that fails has no other way to try.
+    [[nodiscard]] bool has_both_ways() const { return solid_model_->formulation == Formulation::linear; }
 
     [[nodiscard]] const ContactSurface& surface() const { return surface_; }
     void drop_caches();

@@ -17,6 +17,20 @@ void set_up_bag(BagModel& bag, const std::map<std::string, double>& settings) {
     }
 }
 
+/// Up to this modulus of the nucleus explicit substeps cost less than implicit steps [Pa] (docs/accuracy.md).
+constexpr double hardest_explicit = 12000.0;
+
+/// The way the scene asks for, or the cheaper one; each with the elements that lock least among those it can step.
+void set_up_lens(SolidModel& lens, Advance asked) {
+    double hardest = 0.0;
+    for (const Material& material : lens.materials) {
+        hardest = std::max(hardest, material.young_modulus);
+    }
+    const bool substeps = asked == Advance::automatic ? hardest <= hardest_explicit : asked == Advance::explicit_;
+    lens.advance = substeps ? Advance::explicit_ : Advance::implicit;
+    lens.formulation = substeps ? Formulation::nodal_pressure : Formulation::edge_smoothed;
+}
+
 }  // namespace
 
 std::map<std::string, double> all_settings(const SceneDescription& scene) {
@@ -40,7 +54,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         return eye.error();
     }
     set_up_bag(eye.value().bag, all_settings(scene));
-    eye.value().lens.advance = scene.advance;
+    set_up_lens(eye.value().lens, scene.advance);
     eye.value().anatomy.has_iris = has_tissue(scene, "iris");
     eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
     std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
