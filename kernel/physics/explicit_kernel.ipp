@@ -344,7 +344,7 @@ inline void add_nodal_batch(const NodalTask& task, int first) {
 
 void add_nodal_forces(const NodalTask& task) {
     constexpr int batch = RHEXIS_BATCH;
-    constexpr int few = 2;
+    constexpr int few = 4;
     const int end = task.count * lanes;
     int element = 0;
     for (; element + batch * width <= end; element += batch * width) {

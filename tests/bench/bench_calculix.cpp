@@ -39,6 +39,8 @@ nlohmann::json run_calculix(const BenchOptions& options) {
                            scenes::linear_compliance(poke, Formulation::linear), reference));
         rows.push_back(row(std::string("edge_smoothed").append(label), poke,
                            scenes::linear_compliance(poke, Formulation::edge_smoothed), reference));
+        rows.push_back(row(std::string("nodal_pressure").append(label), poke,
+                           scenes::linear_compliance(poke, Formulation::nodal_pressure), reference));
     }
     std::filesystem::remove_all(folder);
     return rows;

@@ -3,9 +3,11 @@
 
 #include <Eigen/SparseCholesky>
 #include <cmath>
+#include <map>
 
 #include "base/assert.hpp"
 #include "energy/corotational.hpp"
+#include "energy/nodal_pressure.hpp"
 #include "mesh/surface.hpp"
 #include "scenes/bodies.hpp"
 
@@ -55,6 +57,58 @@ void add_load(const PokeLoad& load, const Surface& surface, LensPoke& poke) {
     }
 }
 
+/// The patches of nodal pressure as elements that feel changes of volume only. Small strain.
+GradientElements patch_elements(const TetMesh& mesh, const ElementDomains& domains,
+                                const std::vector<TetStiffness>& stiffness) {
+    const NodePatches patches = node_patches(mesh, domains.rest_volume, stiffness);
+    std::vector<std::map<int, Vec3>> gradient(mesh.nodes.size());
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        const double weight = 0.25 * stiffness[t].share * domains.rest_volume[t];
+        for (const int node : mesh.tets[t]) {
+            for (std::size_t a = 0; a < 4; ++a) {
+                const auto entry = gradient[at(node)].try_emplace(mesh.tets[t][a], Vec3::Zero()).first;
+                entry->second += weight / patches.volume[at(node)] * domains.rest_gradient[4 * t + a];
+            }
+        }
+    }
+    GradientElements elements;
+    elements.first.push_back(0);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        for (const auto& [node, b] : gradient[n]) {
+            elements.node.push_back(node);
+            elements.gradient.push_back(b);
+        }
+        elements.first.push_back(static_cast<int>(elements.node.size()));
+        elements.volume.push_back(patches.volume[n]);
+        elements.lambda.push_back(patches.bulk[n]);
+        elements.mu.push_back(0.0);
+    }
+    return elements;
+}
+
+/// Blocks of the linear stiffness between nodes that are not held.
+void add_stiffness(const GradientElements& elements, const std::vector<char>& held,
+                   std::vector<Eigen::Triplet<double>>& entries) {
+    for (int e = 0; e < elements.count(); ++e) {
+        const CorotationalTangent tangent =
+            corotational_tangent({}, {elements.lambda[at(e)], elements.mu[at(e)]}, Tangent::warped);
+        for (int i = elements.first[at(e)]; i < elements.first[at(e) + 1]; ++i) {
+            for (int j = elements.first[at(e)]; j < elements.first[at(e) + 1]; ++j) {
+                const int row = elements.node[at(i)];
+                const int column = elements.node[at(j)];
+                if (held[at(row)] != 0 || held[at(column)] != 0) {
+                    continue;
+                }
+                const Mat3 block =
+                    elements.volume[at(e)] * tangent.block(elements.gradient[at(i)], elements.gradient[at(j)]);
+                for (int k = 0; k < 9; ++k) {
+                    entries.emplace_back(3 * row + k % 3, 3 * column + k / 3, block(k % 3, k / 3));
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 
 double poke_pressure(const PokeLoad& load, const Vec3& point) {
@@ -94,29 +148,15 @@ double linear_compliance(const LensPoke& poke, Formulation formulation) {
         const Lame constants = lame(material.young_modulus, material.poisson_ratio);
         stiffness.push_back({constants.lambda, constants.mu, 1.0});
     }
-    const GradientElements elements = make_elements(mesh, element_domains(mesh, formulation), stiffness);
+    const ElementDomains domains = element_domains(mesh, formulation);
     std::vector<char> held(mesh.nodes.size(), 0);
     for (const int node : poke.lens.fixed_nodes) {
         held[at(node)] = 1;
     }
     std::vector<Eigen::Triplet<double>> entries;
-    for (int e = 0; e < elements.count(); ++e) {
-        const CorotationalTangent tangent =
-            corotational_tangent({}, {elements.lambda[at(e)], elements.mu[at(e)]}, Tangent::warped);
-        for (int i = elements.first[at(e)]; i < elements.first[at(e) + 1]; ++i) {
-            for (int j = elements.first[at(e)]; j < elements.first[at(e) + 1]; ++j) {
-                const int row = elements.node[at(i)];
-                const int column = elements.node[at(j)];
-                if (held[at(row)] != 0 || held[at(column)] != 0) {
-                    continue;
-                }
-                const Mat3 block =
-                    elements.volume[at(e)] * tangent.block(elements.gradient[at(i)], elements.gradient[at(j)]);
-                for (int k = 0; k < 9; ++k) {
-                    entries.emplace_back(3 * row + k % 3, 3 * column + k / 3, block(k % 3, k / 3));
-                }
-            }
-        }
+    add_stiffness(make_elements(mesh, domains, stiffness), held, entries);
+    if (formulation == Formulation::nodal_pressure) {
+        add_stiffness(patch_elements(mesh, domains, stiffness), held, entries);
     }
     const int size = 3 * static_cast<int>(mesh.nodes.size());
     VecX load = VecX::Zero(size);
