@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Measures the ways to advance the lens and draws speed against accuracy: docs/data/lens_chart.csv and
+# docs/pictures/lens_chart.svg. Needs a Release build (./demo.sh makes one) and the Debian package gnuplot-nox. It takes
+# some minutes.
+#   usage: scripts/dev/lens_chart.sh [--draw]     --draw: only draw again what was measured before
+set -euo pipefail
+. "$(dirname "$0")/steps.sh"
+cd "$repository"
+data=docs/data/lens_chart.csv
+picture=docs/pictures/lens_chart.svg
+
+if ! command -v gnuplot >/dev/null; then
+    say "rhexis: the chart needs gnuplot (apt-get install gnuplot-nox)" >&2
+    exit 2
+fi
+if [ "${1:-}" != --draw ]; then
+    say "measuring (some minutes)"
+    build/release/bindings/cli/rhexis bench lens_chart --json >"$data.json"
+    python3 scripts/dev/bench_to_csv.py "$data.json" name point elements cpu_s_per_s error failure >"$data"
+    rm "$data.json"
+fi
+
+series=(
+    "explicit linear|0.8 of the limit|explicit, linear"
+    "explicit nodal pressure|0.8 of the limit|explicit, pressure at nodes"
+    "implicit linear|10 ms|implicit 10 ms, linear"
+    "implicit edge-smoothed|10 ms|implicit 10 ms, edge-smoothed"
+    "implicit edge-smoothed|1 ms|implicit 1 ms, edge-smoothed"
+)
+plots=""
+number=0
+for entry in "${series[@]}"; do
+    IFS='|' read -r name point title <<<"$entry"
+    number=$((number + 1))
+    rows="<awk -F, '\$1==\"$name\" && \$2==\"$point\" {print \$4, 100*\$5, \$3}' $data"
+    plots+="\"$rows\" using 1:2 with linespoints lt $number pt 7 ps 0.7 lw 2 title \"$title\", "
+    plots+="\"$rows\" using 1:2:(sprintf('%.0fk', \$3/1000)) with labels offset 0.9,0.6 font ',9' tc lt $number notitle, "
+done
+# The original: 80 steps of 10 ms a second with a GPU, linear tetrahedra, about 3,000 of them
+original=$(awk -F, '$1=="implicit linear" && $2=="10 ms" && $3>2900 && $3<3100 {print 100*$5}' "$data")
+
+gnuplot <<END
+set terminal svg size 860,600 font "sans,12" background "white"
+set output "$picture"
+set logscale xy
+set xlabel "CPU seconds per simulated second (one thread)"
+set ylabel "rms error of the depth under a tool, % of the final depth\nagainst quadratic tetrahedra (CalculiX C3D10) on the same mesh"
+set key outside below columns 2
+set grid xtics ytics lc rgb "#dddddd"
+set xrange [0.02:20]
+set yrange [0.4:60]
+set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb "#c03030" lw 1.5
+set arrow from 2, graph 0 to 2, graph 1 nohead lc rgb "#c03030" lw 1.5 dt 2
+set label "real time, one core" at 0.93, 0.5 right tc rgb "#c03030" font ",10"
+set label "two cores" at 2.1, 0.5 left tc rgb "#c03030" font ",10"
+set arrow from 0.02, 15 to 20, 15 nohead lc rgb "#888888" dt 3
+set label "15 %" at 0.021, 17 tc rgb "#888888" font ",10"
+set object circle at 1.25, $original size graph 0.008 fc rgb "black" fs solid
+set label "original, with a GPU" at 1.4, $original left font ",10"
+plot ${plots%, }
+END
+say "$data, $picture"
