@@ -4,6 +4,7 @@
 #include "bench/bench_explicit.hpp"
 #include "bench/bench_implicit.hpp"
 #include "bench/bench_lens_chart.hpp"
+#include "bench/bench_lens_press.hpp"
 #include "bench/bench_memory.hpp"
 #include "bench/bench_render.hpp"
 #include "bench/bench_stability.hpp"
@@ -20,6 +21,7 @@ std::vector<BenchCase> bench_cases() {
     add(calculix_cases());
     add(stability_cases());
     add(lens_chart_cases());
+    add(lens_press_cases());
     add(render_cases());
     add(memory_cases());
     return cases;
