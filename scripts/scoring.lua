@@ -289,8 +289,9 @@ local function band_of(rubric, scaled)
     return found
 end
 
---- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled = (total - n) / (4 n).
-function Sheet:score(events)
+--- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled = (total - n) / (4 n). A
+--- band of skill is told of a completed attempt only: who stops early has not shown it.
+function Sheet:score(events, completed)
     local result = { rubric = self.rubric.name, items = {}, total = 0, max = 0 }
     local n = 0
     for i, line in ipairs(self.lines) do
@@ -302,7 +303,7 @@ function Sheet:score(events)
     if n > 0 then
         result.scaled = round((result.total - n) / (4 * n), 4)
         local band = band_of(self.rubric, result.scaled)
-        if band then result.band, result.band_meaning = band.name, band.meaning end
+        if band and completed then result.band, result.band_meaning = band.name, band.meaning end
     end
     return result
 end

@@ -2,7 +2,7 @@
 -- The pictures of this folder: one groove, early, half way and late, sculpted by the mechanics of the default patient.
 --   rhexis lua docs/pictures/draw.lua [FOLDER]
 local folder = arg[1] or "docs/pictures"
-local size = { width = 1280, height = 960 }
+local size = { width = 800, height = 600 }
 local eye = rhexis.eye.create { advance = "explicit", seed = 1 }
 local phaco = eye:tool("phaco")
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of constant deformation gradient, made from a tetrahedral mesh. Everything that knows the corotational energy
-// of a gradient can step them.
+// Elements of constant deformation gradient, made from a tetrahedral mesh. Everything that knows the corotational
+// energy of a gradient can step them.
 //
 //   F = sum_a x_a (x) b_a,  f_a = -V P(F) b_a,  K_ab = V (b_a . dP/dF . b_b)
 //

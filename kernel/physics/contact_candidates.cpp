@@ -189,6 +189,13 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
     }
 }
 
+void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates) {
+    for (ContactCandidate& candidate : candidates) {
+        candidate.spring =
+            spring_of(surface.vertices()[candidate.vertex], candidate.partner, candidate.spring.friction, dt);
+    }
+}
+
 void report_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid, double dt,
                      ContactSet& contacts) {
     for (const ContactCandidate& candidate : candidates) {

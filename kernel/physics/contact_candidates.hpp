@@ -67,6 +67,9 @@ bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec
 void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
                      double dt, const ContactSurface& surface, ContactCandidates& candidates);
 
+/// Springs for steps of dt [s]: find_candidates chooses them for the whole step, a fast tool has it cut.
+void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates);
+
 /// The contacts that carried force in the step.
 void report_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid, double dt,
                      ContactSet& contacts);

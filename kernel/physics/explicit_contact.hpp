@@ -49,7 +49,7 @@ private:
         double free = 0.0;  ///< what it and its partner may move before it matters [mm]
         double shift = 0.0;
         double turn = 0.0;
-        double arm = 0.0;  ///< from the partner's centre, with some to spare [mm]
+        double arm = 0.0;   ///< from the partner's centre, with some to spare [mm]
         bool flat = false;  ///< the wall is known as a plane near `foot`, all in the bag's frame
         Vec3 foot = Vec3::Zero();
         Gap plane;

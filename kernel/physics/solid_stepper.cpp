@@ -237,6 +237,7 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
 void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& result) {
     const int count = divisions * substeps_for_tools(task, result.candidates);
     const double dt = task.dt / count;
+    set_springs(surface_, dt, result.candidates);
     const std::vector<Vec3> loads = node_forces(task.state, solid_);
     ImplicitSettings settings;
     settings.tolerance = settings_.max_newton > 1 ? linear_tolerance : settings_.tolerance;

@@ -102,7 +102,7 @@ function Run:result()
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
         settings = words.as_object(exercise.settings), measures = words.as_object({}), advice = {} }
     if self.sheet then
-        result.osacss = self.sheet:score(self.events)
+        result.osacss = self.sheet:score(self.events, result.completed)
         result.measures = self.sheet:measures()
         result.advice = scoring.advice(result.osacss, self.events)
     end

@@ -20,7 +20,7 @@ function scores.badge(osacss)
     local w = markup.writer()
     w('<div class="score"><span class="soft small">', e(osacss.rubric or "OSACSS"), "</span><b>",
         number(osacss.total, 1), '</b><span class="soft">of ', number(osacss.max, 0), "</span><br>")
-    w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or number(100 * osacss.scaled, 0) .. " %"),
+    w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or "not completed"),
         "</span></div>")
     return w:text()
 end

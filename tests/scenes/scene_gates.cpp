@@ -29,7 +29,7 @@ Gates gates_of_strikes(bool) {
     Gates gates;
     for (const Advance way : ways) {
         // struck from above, the springs that stand for contact in the implicit way give more: see docs/accuracy.md
-        add_strike(gates, "T11 down " + name_of(way), strike(Blow::down, way), way == Advance::explicit_ ? 0.05 : 0.1);
+        add_strike(gates, "T11 down " + name_of(way), strike(Blow::down, way), 0.05);
         add_strike(gates, "T11 across " + name_of(way), strike(Blow::across, way), 0.05);
     }
     return gates;
