@@ -65,7 +65,7 @@ private:
             script_error_ = started.error().text();
         }
         if (book_) {
-            const Status kept = book_->keep(session_.frame(), "start", "Before the first step.");
+            Status kept = book_->keep(session_.frame(), "start", "Before the first step.");
             if (!kept) {
                 return kept;
             }
@@ -125,7 +125,7 @@ private:
         for (const Command& command : commands_) {
             if (command.kind == CommandKind::picture && book_) {
                 end_pictured_ = end_pictured_ || command.name == "end";
-                const Status status = book_->keep(session_.frame(), command.name, command.text);
+                Status status = book_->keep(session_.frame(), command.name, command.text);
                 if (!status) {
                     return status;
                 }

@@ -75,7 +75,7 @@ Status PictureBook::keep(const Frame& frame, const std::string& name, const std:
     char number[16];
     std::snprintf(number, sizeof number, "%02zu", parts_->pictures.size() + 1);
     const std::string file = std::string("frames/") + number + "-" + file_word(name) + ".png";
-    const Status status =
+    Status status =
         write_png(parts_->renderer.draw(frame, microscope_camera(frame)), parts_->folder + "/" + file);
     if (status) {
         parts_->pictures.push_back({file, name, caption, frame.time_s});
@@ -93,7 +93,7 @@ Status PictureBook::film(const Frame& frame) {
     }
     const Image image = parts_->renderer.draw(frame, microscope_camera(frame));
     while (wants_film(frame.time_s)) {
-        const Status status = parts_->video->add(image);
+        Status status = parts_->video->add(image);
         if (!status) {
             return status;
         }

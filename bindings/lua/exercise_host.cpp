@@ -51,7 +51,7 @@ const SceneDescription& ExerciseHost::scene() const { return parts_->exercise.sc
 const json& ExerciseHost::identity() const { return parts_->identity; }
 
 Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
-    const Status status = parts_->exercise.start(schema);
+    Status status = parts_->exercise.start(schema);
     if (!status || !parts_->surgeon) {
         return status;
     }

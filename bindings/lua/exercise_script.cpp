@@ -138,7 +138,7 @@ Status ExerciseScript::run_curriculum(const CurriculumFiles& files) {
 
 Status ExerciseScript::apply(const std::map<std::string, std::string>& set) {
     std::string complaint;
-    const Status status = state_.run([&](lua_State* L) {
+    Status status = state_.run([&](lua_State* L) {
         for (const auto& [name, value] : set) {
             push_function(L, "set");
             lua::push(L, std::string_view(name));
@@ -160,7 +160,7 @@ Status ExerciseScript::apply(const std::map<std::string, std::string>& set) {
 
 Status ExerciseScript::read_scene() {
     json given;
-    const Status status = state_.run([&](lua_State* L) {
+    Status status = state_.run([&](lua_State* L) {
         push_function(L, "scene");
         lua_call(L, 0, 1);
         given = lua::to_json(L, -1);
@@ -174,7 +174,7 @@ Status ExerciseScript::read_scene() {
     plan_ = given.at("surgeon");
     time_limit_s_ = given.at("time_limit_s");
     for (const auto& [name, value] : scene_.settings) {
-        const Status allowed = check_setting(name, value);
+        Status allowed = check_setting(name, value);
         if (!allowed) {
             return allowed;
         }

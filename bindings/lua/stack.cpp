@@ -206,13 +206,13 @@ std::string Options::string(const char* name, const std::string& otherwise) {
     if (type != LUA_TNIL && type != LUA_TSTRING) {
         fail(name, "allowed: a text");
     }
-    const std::string value = type == LUA_TNIL ? otherwise : lua_tostring(L_, -1);
+    std::string value = type == LUA_TNIL ? otherwise : lua_tostring(L_, -1);
     lua_pop(L_, 1);
     return value;
 }
 
 std::string Options::choice(const char* name, const std::string& otherwise, const std::vector<std::string>& words) {
-    const std::string value = string(name, otherwise);
+    std::string value = string(name, otherwise);
     if (std::find(words.begin(), words.end(), value) == words.end()) {
         std::string list;
         for (const std::string& word : words) {

@@ -53,7 +53,7 @@ std::vector<int> distinct(std::vector<int> values) {
 
 /// Regions from tags, and the tag of each region.
 std::vector<int> make_regions(const std::vector<int>& tags, bool rank_tags, std::vector<int>& region) {
-    const std::vector<int> used = distinct(tags);
+    std::vector<int> used = distinct(tags);
     if (rank_tags) {
         for (int tag : tags) {
             region.push_back(static_cast<int>(std::lower_bound(used.begin(), used.end(), tag) - used.begin()));

@@ -164,7 +164,10 @@ void measure_volumes(const SolidModel& lens, ColumnFill& fill) {
 
 }  // namespace
 
-Vec2 ColumnGrid::centre(int index) const { return {origin + (index % count) * cell, origin + (index / count) * cell}; }
+Vec2 ColumnGrid::centre(int index) const {
+    const int row = index / count;
+    return {origin + (index % count) * cell, origin + row * cell};
+}
 
 int ColumnGrid::cell_at(const Vec2& place) const {
     const double x = std::floor((place.x() - origin) / cell + 0.5);

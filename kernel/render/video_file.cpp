@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <opencv2/core/utils/logger.hpp>
@@ -58,7 +59,7 @@ int readable_frames(const std::string& path) {
         return 0;
     }
     cv::VideoCapture video(path, cv::CAP_FFMPEG);
-    return video.isOpened() ? static_cast<int>(video.get(cv::CAP_PROP_FRAME_COUNT) + 0.5) : 0;
+    return video.isOpened() ? static_cast<int>(std::lround(video.get(cv::CAP_PROP_FRAME_COUNT))) : 0;
 }
 
 }  // namespace

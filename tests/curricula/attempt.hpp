@@ -105,7 +105,8 @@ public:
 
     /// How an event ended, or "" when it was not raised.
     [[nodiscard]] std::string outcome(const std::string& event) {
-        for (const nlohmann::json& raised : result().at("events")) {
+        const nlohmann::json found = result();
+        for (const nlohmann::json& raised : found.at("events")) {
             if (raised.at("id") == event) {
                 return raised.at("outcome");
             }
