@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/chamber.hpp"
+
+#include <cmath>
+
+namespace rhexis {
+
+// The eye: dP/dV = (1 + s (P / P_ref - 1)) / C. Counted from the collapse pressure P_c, with u = 1 + s (P / P_ref - 1):
+//   u = u_c exp(y), y = s V / (C P_ref), so P = P_c + V u_c / C (exp(y) - 1) / y.
+// That holds for s = 0 too (y = 0), where the eye is a linear tank.
+
+namespace {
+
+constexpr double gravity = 9810.0;                             ///< [mm/s^2]
+constexpr double reference_pressure = 50.0 * pascal_per_mmhg;  ///< where eye_compliance holds [Pa]
+
+/// u, the stiffness as a share of that at the reference pressure.
+double relative_stiffness(const ChamberModel& model, double pressure) {
+    return 1.0 + model.eye_stiffening * (pressure / reference_pressure - 1.0);
+}
+
+double exponent_per_volume(const ChamberModel& model) {
+    return model.eye_stiffening / (model.eye_compliance * reference_pressure);
+}
+
+/// exp(y) - 1 for y >= 0. Written out, because libraries round it differently on different machines.
+double exponential_less_one(double y) {
+    constexpr int halvings = 6;
+    const double x = y / (1 << halvings);
+    double value = 0.0;
+    for (int n = 9; n >= 1; --n) {
+        value = (1.0 + value) * x / n;
+    }
+    for (int i = 0; i < halvings; ++i) {
+        value *= value + 2.0;
+    }
+    return value;
+}
+
+}  // namespace
+
+double eye_pressure(const ChamberModel& model, double eye_volume) {
+    const double linear = eye_volume * relative_stiffness(model, model.collapse_pressure) / model.eye_compliance;
+    const double y = exponent_per_volume(model) * eye_volume;
+    return model.collapse_pressure + (y > 0.0 ? linear * (exponential_less_one(y) / y) : linear);
+}
+
+double eye_stiffness(const ChamberModel& model, double eye_volume) {
+    const double least = relative_stiffness(model, model.collapse_pressure) / model.eye_compliance;
+    const double y = exponent_per_volume(model) * eye_volume;
+    return y > 0.0 ? least * (1.0 + exponential_less_one(y)) : least;
+}
+
+double eye_volume(const ChamberModel& model, double eye_pressure) {
+    const double least = relative_stiffness(model, model.collapse_pressure);
+    const double linear = (eye_pressure - model.collapse_pressure) * model.eye_compliance / least;
+    const double growth = relative_stiffness(model, eye_pressure) / least - 1.0;
+    return growth > 0.0 ? linear * (std::log1p(growth) / growth) : linear;
+}
+
+double tube_pressure(const ChamberModel& model, double tube_volume) { return tube_volume / model.tube_compliance; }
+
+double bottle_pressure(const ChamberModel& model, double bottle_height) {
+    return model.fluid_density * gravity * bottle_height;
+}
+
+ChamberState chamber_state(const ChamberModel& model, double eye_pressure, double tube_pressure) {
+    ChamberState state;
+    state.eye_volume = eye_volume(model, eye_pressure);
+    state.tube_volume = model.tube_compliance * tube_pressure;
+    return state;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "physics/chamber_flow.hpp"
+
+namespace rhexis {
+
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+Status in_range(const char* where, const char* name, double value, double low, double high, const char* unit) {
+    if (value >= low && value <= high) {  // false for NaN
+        return success();
+    }
+    return Error{std::string(name).append(" is ").append(number(value)), where,
+                 number(low).append(" to ").append(number(high)).append(unit)};
+}
+
+template <typename Of>
+struct Field {
+    const char* name;
+    double Of::*value;
+    double low;
+    double high;
+    const char* unit;
+};
+
+template <typename Of, std::size_t n>
+Status check_fields(const char* where, const Of& of, const std::array<Field<Of>, n>& fields) {
+    for (const Field<Of>& field : fields) {
+        Status status = in_range(where, field.name, of.*field.value, field.low, field.high, field.unit);
+        if (!status.ok()) {
+            return status;
+        }
+    }
+    return success();
+}
+
+constexpr const char* state_name = "chamber state";
+constexpr const char* per_pascal = " mm^3/Pa";
+constexpr const char* resistance = " Pa s/mm^3";
+
+constexpr std::array<Field<ChamberModel>, 11> model_fields{{
+    {"eye_compliance", &ChamberModel::eye_compliance, 0.0015, 0.075, per_pascal},
+    {"eye_stiffening", &ChamberModel::eye_stiffening, 0.0, 1.0, ""},
+    {"collapse_pressure", &ChamberModel::collapse_pressure, 100.0, 2000.0, " Pa"},
+    {"tube_compliance", &ChamberModel::tube_compliance, 0.0005, 0.05, per_pascal},
+    {"infusion_resistance", &ChamberModel::infusion_resistance, 1.0, 100.0, resistance},
+    {"tip_resistance", &ChamberModel::tip_resistance, 0.5, 200.0, resistance},
+    {"tube_resistance", &ChamberModel::tube_resistance, 0.0, 200.0, resistance},
+    {"leak_conductance", &ChamberModel::leak_conductance, 0.0, 0.5, " mm^3/(s Pa)"},
+    {"pump_band", &ChamberModel::pump_band, 100.0, 5000.0, " Pa"},
+    {"vent_resistance", &ChamberModel::vent_resistance, 1.0, 1000.0, resistance},
+    {"fluid_density", &ChamberModel::fluid_density, 0.0009, 0.0011, " g/mm^3"},
+}};
+
+constexpr std::array<Field<ChamberControl>, 4> control_fields{{
+    {"bottle_height", &ChamberControl::bottle_height, 0.0, 1500.0, " mm"},
+    {"pump_flow", &ChamberControl::pump_flow, 0.0, 1000.0, " mm^3/s"},
+    {"vacuum_limit", &ChamberControl::vacuum_limit, 0.0, 94000.0, " Pa"},
+    {"tip_open", &ChamberControl::tip_open, 0.0, 1.0, ""},
+}};
+
+constexpr double highest_pressure = 100000.0;  ///< of either tank, above or below atmospheric [Pa]
+constexpr double most_moved = 1e9;             ///< [mm^3]
+constexpr std::array<Field<ChamberTotals>, 4> totals_fields{{
+    {"infused", &ChamberTotals::infused, -most_moved, most_moved, " mm^3"},
+    {"vented", &ChamberTotals::vented, -most_moved, most_moved, " mm^3"},
+    {"aspirated", &ChamberTotals::aspirated, -most_moved, most_moved, " mm^3"},
+    {"leaked", &ChamberTotals::leaked, -most_moved, most_moved, " mm^3"},
+}};
+
+}  // namespace
+
+Status check(const ChamberModel& model) { return check_fields("chamber", model, model_fields); }
+
+Status check(const ChamberControl& control) { return check_fields("chamber control", control, control_fields); }
+
+Status check(const ChamberModel& model, const ChamberState& state) {
+    const ChamberState low = chamber_state(model, -highest_pressure, -highest_pressure);
+    const ChamberState high = chamber_state(model, highest_pressure, highest_pressure);
+    Status status = in_range(state_name, "eye_volume", state.eye_volume, low.eye_volume, high.eye_volume, " mm^3");
+    if (status.ok()) {
+        status = in_range(state_name, "tube_volume", state.tube_volume, low.tube_volume, high.tube_volume, " mm^3");
+    }
+    return status.ok() ? check_fields(state_name, state.totals, totals_fields) : status;
+}
+
+Status check_chamber_step(double dt) {
+    if (dt > 0.0 && dt <= 0.1) {
+        return success();
+    }
+    return Error{std::string("step is ").append(number(dt)), "chamber", "above 0 to 0.1 s"};
+}
+
+}  // namespace rhexis
