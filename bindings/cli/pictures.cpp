@@ -75,8 +75,7 @@ Status PictureBook::keep(const Frame& frame, const std::string& name, const std:
     char number[16];
     std::snprintf(number, sizeof number, "%02zu", parts_->pictures.size() + 1);
     const std::string file = std::string("frames/") + number + "-" + file_word(name) + ".png";
-    Status status =
-        write_png(parts_->renderer.draw(frame, microscope_camera(frame)), parts_->folder + "/" + file);
+    Status status = write_png(parts_->renderer.draw(frame, microscope_camera(frame)), parts_->folder + "/" + file);
     if (status) {
         parts_->pictures.push_back({file, name, caption, frame.time_s});
     }

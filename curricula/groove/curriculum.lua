@@ -16,7 +16,6 @@ return exercise {
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
     tissues = { "lens", "bag", "iris", "cornea" },
     instruments = { "phaco" },
-    advance = "explicit",
 
     goals = {
         length_mm = { 4.0, from = 1, to = 7, meaning = "how long the groove must be" },
