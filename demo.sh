@@ -18,7 +18,17 @@ step 1 3 "packages"
 install_packages
 step 2 3 "building (the first time this takes some minutes)"
 build release Release rhexis
+binary="$repository/build/release/bindings/cli/rhexis"
 step 3 3 "a groove, by the virtual expert, seed 1"
-mkdir -p "$(dirname "$out")"
-"$repository/build/release/bindings/cli/rhexis" run groove --surgeon expert --seed 1 --video --out "$out"
+if [ -f "$out/report.html" ] &&
+    [ -z "$(find "$binary" "$repository/curricula" "$repository/scripts" -newer "$out/report.html" -print -quit)" ]; then
+    say "      nothing has changed since the last run, so this is what it gave (remove $out to run it again):"
+    say "  report     $out/report.html"
+    say "  pictures   $out/frames/"
+    say "  video      $out/video.mp4"
+    say "  recording  $out/recording.rhx"
+else
+    mkdir -p "$(dirname "$out")"
+    "$binary" run groove --surgeon expert --seed 1 --video --out "$out"
+fi
 say "done in $(elapsed)"
