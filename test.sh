@@ -40,7 +40,7 @@ else
     step 5 6 "all tests, Release ($(elapsed) so far)"
     if [ "$quick" = long ]; then run_tests release; else run_tests release -LE long; fi
     step 6 6 "quick tests, sanitized ($(elapsed) so far)"
-    run_tests sanitize -LE 'slow|long' -E '^scripts$'
+    run_tests sanitize -LE 'slow|long'
 fi
 say "finished in $(elapsed)"
 exit $failed
