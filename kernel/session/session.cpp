@@ -292,7 +292,7 @@ Snapshot Session::snapshot() const {
 
 Status Session::restore(const Snapshot& snapshot) {
     Parts& p = *parts_;
-    const Status fits = check_fit(snapshot, *p.world, p.observer.memory_size());
+    Status fits = check_fit(snapshot, *p.world, p.observer.memory_size());
     if (!fits) {
         return fits;
     }
