@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "session/numbers.hpp"
+#include "base/numbers.hpp"
 #include "session/replay.hpp"
 
 namespace rhexis::cli {

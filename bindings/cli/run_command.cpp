@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/numbers.hpp"
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
 #include "cli/report_json.hpp"
 #include "eye/patient.hpp"
-#include "session/numbers.hpp"
 
 namespace rhexis::cli {
 namespace {

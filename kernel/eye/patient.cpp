@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "base/near_names.hpp"
+#include "base/numbers.hpp"
 #include "base/text_file.hpp"
 
 namespace rhexis {
@@ -31,16 +31,6 @@ constexpr int fewest_tetrahedra = 500;
 constexpr int most_tetrahedra = 24000;
 
 constexpr std::size_t longest_file = 1 << 20;  ///< [bytes]
-
-std::string as_text(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
-
-std::string range_text(double low, double high, const char* unit) {
-    return as_text(low) + " to " + as_text(high) + unit;
-}
 
 std::vector<std::string> field_names() {
     std::vector<std::string> names;
@@ -73,7 +63,7 @@ Status set_field(const std::string& name, const nlohmann::json& value, Patient& 
     if (name == "tetrahedra") {
         const bool fits = value.is_number_integer() && value.get<double>() >= 0.0 && value.get<double>() <= 1e9;
         if (!fits) {
-            return Error{"tetrahedra is not a whole number", "", range_text(fewest_tetrahedra, most_tetrahedra, "")};
+            return Error{"tetrahedra is not a whole number", "", range_text(fewest_tetrahedra, most_tetrahedra)};
         }
         patient.tetrahedra = value.get<int>();
         return success();
@@ -107,10 +97,9 @@ Result<nlohmann::json> parse(const std::string& text, const std::string& path) {
 
 Status check(const Patient& patient) {
     for (const NumberField& field : number_fields) {
-        const double value = patient.*field.value;
-        if (!(value >= field.low && value <= field.high)) {
-            return Error{std::string(field.name) + " is " + as_text(value), "patient",
-                         range_text(field.low, field.high, field.unit)};
+        Status status = check_range(field.name, patient.*field.value, field.low, field.high, "patient", field.unit);
+        if (!status.ok()) {
+            return status;
         }
     }
     if (patient.side != "right" && patient.side != "left") {
@@ -118,7 +107,7 @@ Status check(const Patient& patient) {
     }
     if (patient.tetrahedra < fewest_tetrahedra || patient.tetrahedra > most_tetrahedra) {
         return Error{"tetrahedra is " + std::to_string(patient.tetrahedra), "patient",
-                     range_text(fewest_tetrahedra, most_tetrahedra, "")};
+                     range_text(fewest_tetrahedra, most_tetrahedra)};
     }
     return success();
 }

@@ -3,20 +3,13 @@
 
 #include <cmath>
 
+#include "base/numbers.hpp"
+
 namespace rhexis {
 namespace {
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 Status in_range(const char* field, double value, double low, double high) {
-    if (value >= low && value <= high) {
-        return success();
-    }
-    return Error{std::string(field) + " is " + number(value), "device sample", number(low) + " to " + number(high)};
+    return check_range(field, value, low, high, "device sample");
 }
 
 }  // namespace

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <cstdio>
 #include <string>
 
+#include "base/numbers.hpp"
 #include "physics/chamber_flow.hpp"
 
 namespace rhexis {
 
 namespace {
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
-Status in_range(const char* where, const char* name, double value, double low, double high, const char* unit) {
-    if (value >= low && value <= high) {  // false for NaN
-        return success();
-    }
-    return Error{std::string(name).append(" is ").append(number(value)), where,
-                 number(low).append(" to ").append(number(high)).append(unit)};
-}
 
 template <typename Of>
 struct Field {
@@ -35,7 +21,7 @@ struct Field {
 template <typename Of, std::size_t n>
 Status check_fields(const char* where, const Of& of, const std::array<Field<Of>, n>& fields) {
     for (const Field<Of>& field : fields) {
-        Status status = in_range(where, field.name, of.*field.value, field.low, field.high, field.unit);
+        Status status = check_range(field.name, of.*field.value, field.low, field.high, where, field.unit);
         if (!status.ok()) {
             return status;
         }
@@ -86,9 +72,9 @@ Status check(const ChamberControl& control) { return check_fields("chamber contr
 Status check(const ChamberModel& model, const ChamberState& state) {
     const ChamberState low = chamber_state(model, -highest_pressure, -highest_pressure);
     const ChamberState high = chamber_state(model, highest_pressure, highest_pressure);
-    Status status = in_range(state_name, "eye_volume", state.eye_volume, low.eye_volume, high.eye_volume, " mm^3");
+    Status status = check_range("eye_volume", state.eye_volume, low.eye_volume, high.eye_volume, state_name, " mm^3");
     if (status.ok()) {
-        status = in_range(state_name, "tube_volume", state.tube_volume, low.tube_volume, high.tube_volume, " mm^3");
+        status = check_range("tube_volume", state.tube_volume, low.tube_volume, high.tube_volume, state_name, " mm^3");
     }
     return status.ok() ? check_fields(state_name, state.totals, totals_fields) : status;
 }
@@ -97,7 +83,7 @@ Status check_chamber_step(double dt) {
     if (dt > 0.0 && dt <= 0.1) {
         return success();
     }
-    return Error{std::string("step is ").append(number(dt)), "chamber", "above 0 to 0.1 s"};
+    return Error{std::string("step is ").append(short_number(dt)), "chamber", "above 0 to 0.1 s"};
 }
 
 }  // namespace rhexis

@@ -29,9 +29,9 @@ double fastest(const SolidState& state) {
     return std::sqrt(square);
 }
 
-ContactSpring spring_of(const SurfaceVertex& vertex, ContactPartner partner, double friction, double dt) {
+double spring_stiffness(const SurfaceVertex& vertex, ContactPartner partner, double dt) {
     const double factor = (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt;
-    return {std::min(factor, stiffest) * vertex.stiffness, friction};
+    return std::min(factor, stiffest) * vertex.stiffness;
 }
 
 /// A partner with what the search needs to know of it.
@@ -179,7 +179,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             candidate.vertex = static_cast<int>(v);
             candidate.partner = partner.kind;
             candidate.index = partner.index;
-            candidate.spring = spring_of(vertex, partner.kind, partner.friction, dt);
+            candidate.spring.friction = partner.friction;
             candidate.start = partner.pose.to_body(point);
             candidate.start_gap = start.gap;
             candidate.anchor = candidate.start;
@@ -191,8 +191,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
 
 void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates) {
     for (ContactCandidate& candidate : candidates) {
-        candidate.spring =
-            spring_of(surface.vertices()[candidate.vertex], candidate.partner, candidate.spring.friction, dt);
+        candidate.spring.stiffness = spring_stiffness(surface.vertices()[candidate.vertex], candidate.partner, dt);
     }
 }
 

@@ -30,7 +30,7 @@ struct ContactCandidate {
     int vertex = 0;  ///< index into the surface's vertices
     ContactPartner partner = ContactPartner::tool;
     int index = 0;
-    ContactSpring spring;
+    ContactSpring spring;       ///< its stiffness only after set_springs
     Vec3 start = Vec3::Zero();  ///< in the partner's frame at the start of the step [mm]
     double start_gap = 0.0;     ///< [mm]
 
@@ -67,7 +67,7 @@ bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec
 void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
                      double dt, const ContactSurface& surface, ContactCandidates& candidates);
 
-/// Springs for steps of dt [s]: find_candidates chooses them for the whole step, a fast tool has it cut.
+/// Stiffness of the springs that stand for contact in implicit steps of dt [s], substeps included.
 void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates);
 
 /// The contacts that carried force in the step.

@@ -37,51 +37,40 @@ void move_anchor(const Pose& pose, const Vec3& point, const Vec3& normal, bool s
 
 }  // namespace
 
-const ExplicitContact::Drift& ExplicitContact::Drifts::of(ContactPartner partner, int index) const {
-    switch (partner) {
-        case ContactPartner::tool:
-            return tools[index];
-        case ContactPartner::bag:
-            return bags[index];
-        case ContactPartner::plane:
-            break;
-    }
-    return still;
-}
-
 void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
                             ContactCandidates& candidates, ExplicitSolid& solid) {
     model_ = &model;
     surface_ = &surface;
     candidates_ = &candidates;
     rows_ = solid.rows();
-    drifts_.tools.assign(poses.tools.size(), Drift{});
-    drifts_.bags.assign(poses.bags.size(), Drift{});
-    for (std::size_t i = 0; i < poses.tools.size(); ++i) {
-        drifts_.tools[i].last = poses.tools[i];
+    drifts_.assign(1, Drift{});
+    for (const std::vector<Pose>* partners : {&poses.tools, &poses.bags}) {
+        for (const Pose& pose : *partners) {
+            drifts_.push_back({pose});
+        }
     }
-    for (std::size_t i = 0; i < poses.bags.size(); ++i) {
-        drifts_.bags[i].last = poses.bags[i];
-    }
+    const int first_bag = 1 + static_cast<int>(poses.tools.size());
     watches_.assign(candidates.size(), Watch{});
     for (std::size_t c = 0; c < candidates.size(); ++c) {
-        const std::array<int, 2>& nodes = surface.vertices()[candidates[c].vertex].nodes;
+        const ContactCandidate& candidate = candidates[c];
+        const std::array<int, 2>& nodes = surface.vertices()[candidate.vertex].nodes;
         watches_[c].nodes = {nodes[0], nodes[1] < 0 ? nodes[0] : nodes[1]};
+        if (candidate.partner != ContactPartner::plane) {
+            watches_[c].drift = (candidate.partner == ContactPartner::tool ? 1 : first_bag) + candidate.index;
+        }
     }
 }
 
 /// Chords, not arcs: the same to third order in a substep, and without trigonometry.
 void ExplicitContact::follow_partners(const PartnerPoses& after) {
-    const auto follow = [](const Pose& now, Drift& drift) {
-        drift.shift += (now.position - drift.last.position).norm();
-        drift.turn += 2.0 * (now.orientation * drift.last.orientation.conjugate()).vec().norm();
-        drift.last = now;
-    };
-    for (std::size_t i = 0; i < drifts_.tools.size(); ++i) {
-        follow(after.tools[i], drifts_.tools[i]);
-    }
-    for (std::size_t i = 0; i < drifts_.bags.size(); ++i) {
-        follow(after.bags[i], drifts_.bags[i]);
+    std::size_t next = 1;
+    for (const std::vector<Pose>* partners : {&after.tools, &after.bags}) {
+        for (const Pose& now : *partners) {
+            Drift& drift = drifts_[next++];
+            drift.shift += (now.position - drift.last.position).norm();
+            drift.turn += 2.0 * (now.orientation * drift.last.orientation.conjugate()).vec().norm();
+            drift.last = now;
+        }
     }
 }
 
@@ -109,8 +98,8 @@ Vec3 ExplicitContact::pace(const Watch& watch) const {
     return 0.5 * (row(velocity, watch.nodes[0]) + row(velocity, watch.nodes[1]));
 }
 
-bool ExplicitContact::asleep(const Watch& watch, const ContactCandidate& candidate, const Vec3& point) const {
-    const Drift& drift = drifts_.of(candidate.partner, candidate.index);
+bool ExplicitContact::asleep(const Watch& watch, const Vec3& point) const {
+    const Drift& drift = drifts_[watch.drift];
     const double left = watch.free - (drift.shift - watch.shift) - (drift.turn - watch.turn) * watch.arm;
     return left > 0.0 && (point - watch.start).squaredNorm() < left * left;
 }
@@ -132,9 +121,8 @@ Gap ExplicitContact::measure(const ContactCandidate& candidate, const Pose& pose
 }
 
 /// Lets a candidate sleep that is farther than `near` from acting.
-void ExplicitContact::rest(const Gap& gap, double near, const Pose& pose, const Vec3& point,
-                           const ContactCandidate& candidate, Watch& watch) const {
-    const Drift& drift = drifts_.of(candidate.partner, candidate.index);
+void ExplicitContact::rest(const Gap& gap, double near, const Pose& pose, const Vec3& point, Watch& watch) const {
+    const Drift& drift = drifts_[watch.drift];
     watch.start = point;
     watch.free = gap.gap - near;
     watch.shift = drift.shift;
@@ -193,7 +181,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
         ContactCandidate& candidate = (*candidates_)[c];
         Watch& watch = watches_[c];
         const Vec3 point = place(watch);
-        if (asleep(watch, candidate, point)) {
+        if (asleep(watch, point)) {
             continue;
         }
         const Pose pose = after.of(candidate.partner, candidate.index);
@@ -205,7 +193,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
             activate(static_cast<int>(c), dt, gap, before.of(candidate.partner, candidate.index), pose, point);
         } else {
             candidate.touching = false;
-            rest(gap, near, pose, point, candidate, watch);
+            rest(gap, near, pose, point, watch);
         }
     }
 }
@@ -235,9 +223,8 @@ void ExplicitContact::sweep() {
         const Vec3 across = velocity - along * active.normal;
         const Vec3 sticking = active.tangent_impulse + active.tangent_mass * (active.tangent_target - across);
         const double limit = active.friction * normal_impulse;
-        const double square = sticking.squaredNorm();
-        active.sliding = square > limit * limit;
-        const Vec3 tangent_impulse = active.sliding ? Vec3((limit / std::sqrt(square)) * sticking) : sticking;
+        const Vec3 tangent_impulse = project_on_disc(sticking, limit);
+        active.sliding = sticking.squaredNorm() > limit * limit;
         const Vec3 change =
             (normal_impulse - active.normal_impulse) * active.normal + (tangent_impulse - active.tangent_impulse);
         push(active, change, body, rows);

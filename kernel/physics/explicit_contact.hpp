@@ -34,17 +34,10 @@ private:
         double shift = 0.0;  ///< of its centre [mm]
         double turn = 0.0;   ///< [rad]
     };
-    struct Drifts {
-        std::vector<Drift> tools;
-        std::vector<Drift> bags;
-        Drift still;
-
-        const Drift& of(ContactPartner partner, int index) const;
-    };
-
     /// What is known of a candidate since it was last measured. A vertex that is a node has that node twice.
     struct Watch {
         std::array<int, 2> nodes{0, 0};
+        int drift = 0;  ///< index into drifts_
         Vec3 start = Vec3::Zero();
         double free = 0.0;  ///< what it and its partner may move before it matters [mm]
         double shift = 0.0;
@@ -83,10 +76,9 @@ private:
     void follow_partners(const PartnerPoses& after);
     [[nodiscard]] Vec3 place(const Watch& watch) const;
     [[nodiscard]] Vec3 pace(const Watch& watch) const;
-    [[nodiscard]] bool asleep(const Watch& watch, const ContactCandidate& candidate, const Vec3& point) const;
+    [[nodiscard]] bool asleep(const Watch& watch, const Vec3& point) const;
     Gap measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point, Watch& watch) const;
-    void rest(const Gap& gap, double near, const Pose& pose, const Vec3& point, const ContactCandidate& candidate,
-              Watch& watch) const;
+    void rest(const Gap& gap, double near, const Pose& pose, const Vec3& point, Watch& watch) const;
     void collect(double dt, const PartnerPoses& before, const PartnerPoses& after);
     void activate(int index, double dt, const Gap& gap, const Pose& old_pose, const Pose& pose, const Vec3& point);
     void set_masses(Active& active) const;
@@ -98,8 +90,8 @@ private:
     const ContactSurface* surface_ = nullptr;
     ContactCandidates* candidates_ = nullptr;
     ExplicitSolid::Rows rows_;
-    std::vector<Body> bodies_;  ///< what stands still or is led, then the bags
-    Drifts drifts_;
+    std::vector<Body> bodies_;    ///< what stands still or is led, then the bags
+    std::vector<Drift> drifts_;   ///< what stands still, the tools, then the bags
     std::vector<Watch> watches_;  ///< per candidate
     std::vector<Active> active_;
     std::vector<int> unsettled_;  ///< indices into active_

@@ -3,20 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/numbers.hpp"
 
 namespace rhexis {
 
 namespace {
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 Error bad(const std::string& where, const std::string& field, double value, const std::string& allowed) {
-    return {field + " is " + number(value), where, allowed};
+    return {field + " is " + short_number(value), where, allowed};
 }
 
 Status check_material(const std::string& where, const Material& material) {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/near_names.hpp"
-#include "session/numbers.hpp"
+#include "base/numbers.hpp"
 
 namespace rhexis {
 namespace {

@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/numbers.hpp"
 
 namespace rhexis {
 
 namespace {
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
 
 /// Why a sample cannot be used; empty if it can.
 std::string fault(const ToolState& previous, const DeviceSample& sample, double dt, const ToolSettings& settings) {
@@ -24,14 +19,15 @@ std::string fault(const ToolState& previous, const DeviceSample& sample, double 
         return "a number is not finite";
     }
     if (!(position.norm() <= settings.max_distance)) {
-        return "tip " + number(position.norm()) + " mm from the eye, allowed " + number(settings.max_distance) + " mm";
+        return "tip " + short_number(position.norm()) + " mm from the eye, allowed " +
+               short_number(settings.max_distance) + " mm";
     }
     if (!(std::abs(orientation.norm() - 1.0) < 1e-2)) {
-        return "orientation of length " + number(orientation.norm()) + ", allowed 1";
+        return "orientation of length " + short_number(orientation.norm()) + ", allowed 1";
     }
     const double speed = previous.present ? (position - previous.pose.position).norm() / dt : 0.0;
     if (!(speed <= settings.max_speed)) {
-        return "jump at " + number(speed) + " mm/s, allowed " + number(settings.max_speed) + " mm/s";
+        return "jump at " + short_number(speed) + " mm/s, allowed " + short_number(settings.max_speed) + " mm/s";
     }
     return {};
 }

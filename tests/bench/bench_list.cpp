@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench.hpp"
 #include "bench/bench_calculix.hpp"
+#include "bench/bench_chamber.hpp"
 #include "bench/bench_explicit.hpp"
 #include "bench/bench_implicit.hpp"
 #include "bench/bench_lens_chart.hpp"
@@ -22,6 +23,7 @@ std::vector<BenchCase> bench_cases() {
     add(stability_cases());
     add(lens_chart_cases());
     add(lens_press_cases());
+    add(chamber_cases());
     add(render_cases());
     add(memory_cases());
     return cases;

@@ -14,6 +14,7 @@
 #include "physics/solid_share.hpp"
 #include "scenes/bodies.hpp"
 #include "scenes/explicit_trials.hpp"
+#include "scenes/measures.hpp"
 
 namespace rhexis::scenes {
 namespace {
@@ -64,18 +65,6 @@ Vec3 contorted(const Vec3& rest, Contortion contortion) {
     const double angle = rest.x() / radius;
     const double away = radius - (rest.z() - 0.5);
     return {away * std::sin(angle), rest.y(), 0.5 + radius - away * std::cos(angle)};
-}
-
-double mean_sag(const SolidModel& model, const SolidState& state) {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < state.position.size(); ++i) {
-        if (model.coarse.nodes[i].x() > 4.0 - 1e-9) {
-            sum += model.coarse.nodes[i].z() - state.position[i].z();
-            ++count;
-        }
-    }
-    return sum / count;
 }
 
 constexpr ImplicitSettings linear_step{.tolerance = 1e-9, .max_newton = 1};
@@ -131,7 +120,7 @@ Sag sag(int across, double poisson_ratio, double reference, double sliver) {
         result.linear = std::max(result.linear, report.linear_iterations);
         result.residual = std::max(result.residual, report.residual);
     }
-    result.ratio = mean_sag(model, body.state) / reference;
+    result.ratio = tip_sag(model, body.state.position) / reference;
     return result;
 }
 

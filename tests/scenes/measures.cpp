@@ -31,6 +31,18 @@ double elastic_energy(const SolidModel& model, const SolidState& state) {
     return energy;
 }
 
+double tip_sag(const SolidModel& model, const std::vector<Vec3>& position) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        if (model.coarse.nodes[i].x() > 4.0 - 1e-9) {
+            sum += model.coarse.nodes[i].z() - position[i].z();
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
 Motion motion_of(const SolidState& state, const std::vector<double>& mass) {
     Motion motion;
     double total = 0.0;

@@ -17,6 +17,9 @@ double inverted_share(const SolidModel& model, const SolidState& state);
 /// In double, with the stiffness that both ways give to what is left of each tetrahedron [nJ].
 double elastic_energy(const SolidModel& model, const SolidState& state);
 
+/// Mean deflection of the end face of the bar of the bending table (x = 4 mm) towards -z [mm].
+double tip_sag(const SolidModel& model, const std::vector<Vec3>& position);
+
 /// Momentum, angular momentum about the origin, and their scales.
 struct Motion {
     Vec3 linear = Vec3::Zero();

@@ -11,6 +11,7 @@
 #include "physics/explicit_solid.hpp"
 #include "physics/solid_share.hpp"
 #include "scenes/bodies.hpp"
+#include "scenes/measures.hpp"
 
 using namespace rhexis;
 
@@ -22,19 +23,6 @@ SolidModel bar_of(int thick, double nu) {
     SolidModel model = scenes::clamped_bar(4 * thick, thick, thick, 1.0 / thick, 3000.0, nu);
     model.fine = FineMesh{};
     return model;
-}
-
-/// Mean deflection of the free end face.
-double tip(const SolidModel& model, const std::vector<Vec3>& position) {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < position.size(); ++i) {
-        if (model.coarse.nodes[i].x() > 4.0 - 1e-9) {
-            sum += model.coarse.nodes[i].z() - position[i].z();
-            ++count;
-        }
-    }
-    return sum / count;
 }
 
 /// Static equilibrium by one solve with the consistent tangent at rest.
@@ -84,7 +72,7 @@ double linear_tip(const SolidModel& model) {
             position[i] += u.segment<3>(3 * row[i]);
         }
     }
-    return tip(model, position);
+    return scenes::tip_sag(model, position);
 }
 
 /// The same by letting the explicit solid ring out.
@@ -99,7 +87,7 @@ double relaxed_tip(SolidModel model) {
     }
     SolidState state = rest_state(model);
     solid.store(state);
-    return tip(model, state.position);
+    return scenes::tip_sag(model, state.position);
 }
 
 struct Row {

@@ -15,7 +15,7 @@ TEST_SUITE("input") {
         REQUIRE(checked_sample(good, 1).ok());
         DeviceSample bad = good;
         bad.pose.position.x() = 1e6;
-        CHECK(checked_sample(bad, 1).error().text() == "device sample: pose.position.x is 1e+06 (-200 to 200)");
+        CHECK(checked_sample(bad, 1).error().text() == "device sample: pose.position.x is 1000000 (-200 to 200)");
         bad = good;
         bad.pose.orientation.coeffs().setZero();
         CHECK(checked_sample(bad, 1).error().what == "pose.orientation length is 0");

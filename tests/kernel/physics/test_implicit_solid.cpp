@@ -11,6 +11,7 @@
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/solid_share.hpp"
+#include "scenes/measures.hpp"
 
 using namespace rhexis;
 
@@ -38,18 +39,6 @@ ImplicitSolid make(const SolidModel& model, ThreadPool& pool) {
 const ImplicitSettings linear_step{.tolerance = 1e-9, .max_newton = 1};
 const ImplicitSettings newton_step{.tolerance = 1e-9, .max_newton = 20, .newton_tolerance = 1e-8};
 
-double tip_sag(const SolidModel& model, const SolidState& state) {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < state.position.size(); ++i) {
-        if (model.coarse.nodes[i].x() > 4.0 - 1e-9) {
-            sum += model.coarse.nodes[i].z() - state.position[i].z();
-            ++count;
-        }
-    }
-    return sum / count;
-}
-
 SolidState settle(const SolidModel& model, double gravity, double dt, int steps, const ImplicitSettings& settings) {
     ThreadPool pool(1);
     ImplicitSolid solid = make(model, pool);
@@ -69,11 +58,13 @@ SolidState settle(const SolidModel& model, double gravity, double dt, int steps,
 TEST_SUITE("physics") {
     TEST_CASE("a bar under its own weight sags as linear tetrahedra do") {
         // weight 1 uN/mm^3; ratios to the quadratic reference for two and three elements across
-        const double sag2 = tip_sag(bar_model(2, 3000.0, 0.3, true),
-                                    settle(bar_model(2, 3000.0, 0.3, true), 1000.0, 0.2, 40, linear_step));
+        const double sag2 =
+            scenes::tip_sag(bar_model(2, 3000.0, 0.3, true),
+                            settle(bar_model(2, 3000.0, 0.3, true), 1000.0, 0.2, 40, linear_step).position);
         CHECK(sag2 / 0.13284 == doctest::Approx(0.668).epsilon(0.01));
-        const double sag3 = tip_sag(bar_model(3, 3000.0, 0.45, true),
-                                    settle(bar_model(3, 3000.0, 0.45, true), 1000.0, 0.2, 40, linear_step));
+        const double sag3 =
+            scenes::tip_sag(bar_model(3, 3000.0, 0.45, true),
+                            settle(bar_model(3, 3000.0, 0.45, true), 1000.0, 0.2, 40, linear_step).position);
         CHECK(sag3 / 0.12847 == doctest::Approx(0.762).epsilon(0.01));
     }
 
@@ -327,7 +318,7 @@ TEST_SUITE("physics") {
             corner = old;
         }
         const SolidState state = settle(model, 9810.0, 0.01, 20, linear_step);
-        CHECK(std::isfinite(tip_sag(model, state)));
+        CHECK(std::isfinite(scenes::tip_sag(model, state.position)));
     }
 
     TEST_CASE("the age of the kept factor changes iterations, not the solution") {
