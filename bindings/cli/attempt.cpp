@@ -11,7 +11,7 @@
 #include "cli/report_json.hpp"
 #include "cli/series.hpp"
 #include "cli/timing.hpp"
-#include "session/recording.hpp"
+#include "session/prepared_state.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -47,7 +47,11 @@ public:
         Status status = begin();
         while (status && think()) {
             status = take_pictures();
-            if (!status || over()) {
+            const bool last = over();
+            if (status && wants_save(last)) {
+                status = save();
+            }
+            if (!status || last) {
                 break;
             }
             status = advance();
@@ -60,7 +64,10 @@ public:
 private:
     Status begin() {
         series_.add(session_.observation());
-        const Status started = host_.start(session_.schema(), session_.scene().instruments);
+        Status started = host_.start(session_.schema(), session_.scene().instruments);
+        if (started && !options_.save.when.empty()) {
+            started = host_.watch(options_.save.when, "--save-state");
+        }
         if (!started) {
             script_error_ = started.error().text();
         }
@@ -70,7 +77,8 @@ private:
                 return kept;
             }
         }
-        return writer_.add(RecordedStart{session_.observation(), session_.state_hash()});
+        Status status = options_.start.empty() ? success() : writer_.add(session_.copy_state());
+        return status ? writer_.add(RecordedStart{session_.observation(), session_.state_hash()}) : status;
     }
 
     /// The exercise sees what happened, then the surgeon. False when a script failed.
@@ -96,6 +104,27 @@ private:
         }
         samples_ = std::move(samples).value();
         return true;
+    }
+
+    bool wants_save(bool last) {
+        if (options_.save.path.empty() || saved_ || !script_error_.empty()) {
+            return false;
+        }
+        if (options_.save.at_s >= 0.0) {
+            return session_.time_s() + 1e-9 >= options_.save.at_s;
+        }
+        if (options_.save.when.empty()) {
+            return last;
+        }
+        const Result<bool> reached = host_.reached();
+        script_error_ = reached ? "" : reached.error().text();
+        return reached && reached.value();
+    }
+
+    /// The run goes on as if nothing had been kept.
+    Status save() {
+        saved_ = true;
+        return write_state(options_.save.path, {header_of(options_, host_, session_), session_.copy_state()});
     }
 
     bool over() {
@@ -177,6 +206,7 @@ private:
     std::string script_error_;
     bool end_pictured_ = false;
     bool cut_off_ = false;
+    bool saved_ = false;
 };
 
 Result<AttemptResult> Attempt::write_results() {
@@ -189,6 +219,7 @@ Result<AttemptResult> Attempt::write_results() {
     input.identity = host_.identity();
     input.surgeon = options_.exercise.surgeon;
     input.seed = options_.exercise.seed;
+    input.start = options_.start;
     input.patient = session_.scene().patient;
     input.duration_s = session_.time_s();
     input.state_hash = session_.state_hash();
@@ -204,6 +235,7 @@ Result<AttemptResult> Attempt::write_results() {
     result.report = make_report(input);
     result.script_error = script_error_;
     result.recording = writer_.file();
+    result.saved = saved_;
     // the report last: where it stands, all that it speaks of is there
     Status status = write_whole_file(options_.folder + "/series.json", series_.json().dump() + "\n");
     if (status) {
@@ -213,6 +245,26 @@ Result<AttemptResult> Attempt::write_results() {
         return status.error();
     }
     return result;
+}
+
+/// The session that the exercise asks for, in the state that the attempt starts from.
+Result<Session> make_session(const AttemptOptions& options, const ExerciseHost& host) {
+    SceneDescription scene = host.scene();
+    scene.threads = options.threads;
+    scene.instruction_set = options.instruction_set;
+    Result<Session> session = Session::create(scene, options.exercise.seed);
+    if (!session || options.start.empty()) {
+        return session;
+    }
+    const Result<PreparedState> state = read_state(options.start);
+    if (!state) {
+        return state.error();
+    }
+    const Status started = start_from(session.value(), state.value());
+    if (!started) {
+        return Error{started.error().what, options.start, started.error().allowed};
+    }
+    return session;
 }
 
 Result<std::optional<PictureBook>> open_book(const AttemptOptions& options, std::string& note) {
@@ -244,10 +296,7 @@ Result<AttemptResult> attempt(const AttemptOptions& options) {
     if (!host) {
         return host.error();
     }
-    SceneDescription scene = host.value().scene();
-    scene.threads = options.threads;
-    scene.instruction_set = options.instruction_set;
-    Result<Session> session = Session::create(scene, options.exercise.seed);
+    Result<Session> session = make_session(options, host.value());
     if (!session) {
         return session.error();
     }

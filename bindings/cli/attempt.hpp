@@ -18,11 +18,20 @@ enum class Drawing {
     video,  ///< pictures and a video, or no run
 };
 
+/// A state to keep of a run, to start others from.
+struct SaveOptions {
+    std::string path;    ///< empty: none
+    double at_s = -1.0;  ///< at this simulated time; below 0: see `when`
+    std::string when;    ///< as soon as this condition of the exercise holds; empty (and no time): at the end
+};
+
 struct AttemptOptions {
     ExerciseOptions exercise;
     std::string folder;  ///< receives everything
     int threads = 1;
     std::string instruction_set;  ///< as SceneDescription has it
+    std::string start;            ///< state file to start from; empty: the eye at rest
+    SaveOptions save;
     Drawing drawing = Drawing::if_possible;
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress
@@ -34,6 +43,7 @@ struct AttemptResult {
     std::string drawing_note;  ///< why there are no pictures; empty: there are
     std::string recording;     ///< path
     std::string html_error;    ///< why there is no report.html; empty: there is one
+    bool saved = false;        ///< the state that was to be kept is
 };
 
 /// Runs the exercise to its end and leaves everything in the folder. An error means bad input or a disk that cannot be

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis check: loads exercises and runs them for a moment, so that their mistakes are found by file and line.
 #include <cstdio>
+#include <filesystem>
 
 #include "cli/command.hpp"
+#include "cli/scenario_files.hpp"
+#include "cli/scenario_run.hpp"
+#include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "session/session.hpp"
 
@@ -14,7 +18,9 @@ constexpr const char* help =
     "show.\n"
     "\n"
     "  rhexis check curricula/groove\n"
-    "  rhexis check my_exercise/ other.lua";
+    "  rhexis check my_exercise/ other.lua my_exercise/tests/iris.lua\n"
+    "\n"
+    "Of a file of scenario tests it checks form, exercise, settings and start; rhexis test runs it.";
 
 constexpr int dry_steps = 20;
 
@@ -42,10 +48,27 @@ Status dry_run(const std::string& path, const Context& context) {
     return result ? success() : Status(result.error());
 }
 
+/// The scenario tests in a file: their form, their exercise, what they set and start from.
+Status check_scenarios(const std::string& path, const Context& context) {
+    const Result<ScenarioFile> file = read_scenarios(path, context.root);
+    if (!file) {
+        return file.error();
+    }
+    for (const nlohmann::json& scenario : file.value().scenarios) {
+        const Status good = check_scenario(file.value(), scenario, context.root);
+        if (!good) {
+            return good;
+        }
+    }
+    return success();
+}
+
 int check(const std::vector<std::string>& paths, const Context& context) {
     int status = done;
     for (const std::string& path : paths) {
-        const Status checked = dry_run(path, context);
+        const Status checked = is_scenario_file(std::filesystem::absolute(path).string())
+                                   ? check_scenarios(path, context)
+                                   : dry_run(path, context);
         if (checked) {
             std::printf("%s: good\n", path.c_str());
         } else {

@@ -29,6 +29,7 @@ void add_instruction_set(CLI::App& command, std::string& instruction_set);
 void add_run(CLI::App& app, Context& context);
 void add_lua(CLI::App& app, Context& context);
 void add_check(CLI::App& app, Context& context);
+void add_test(CLI::App& app, Context& context);
 void add_replay(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);  // only in a program built with the tests
 void add_report(CLI::App& app, Context& context);

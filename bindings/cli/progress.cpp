@@ -33,9 +33,12 @@ std::string left(double share, double elapsed_s) {
 Progress::Progress(std::string label, bool quiet)
     : label_(std::move(label)), visible_(!quiet && ::isatty(STDERR_FILENO) == 1), start_s_(wall_seconds()) {}
 
-Progress::~Progress() {
+Progress::~Progress() { clear(); }
+
+void Progress::clear() {
     if (visible_ && drawn_s_ > 0.0) {
         std::fprintf(stderr, "\r\033[K");
+        drawn_s_ = 0.0;
     }
 }
 

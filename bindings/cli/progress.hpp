@@ -17,6 +17,8 @@ public:
 
     /// share: 0 to 1 of the work; note: what is being done now. Redraws a few times a second.
     void show(double share, const std::string& note);
+    /// Makes room for a line of other output.
+    void clear();
 
 private:
     std::string label_;

@@ -73,6 +73,7 @@ json make_report(const ReportInput& input) {
     report["curriculum"] = curriculum_json(input.identity);
     report["surgeon"] = input.surgeon;
     report["seed"] = input.seed;
+    report["start"] = input.start.empty() ? json(nullptr) : json(input.start);
     report["patient"] = patient_json(input.patient);
     report["duration_s"] = input.duration_s;
     report["state_hash"] = hex(input.state_hash);

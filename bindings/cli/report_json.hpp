@@ -19,6 +19,7 @@ struct ReportInput {
     nlohmann::json identity;  ///< of the curriculum
     std::string surgeon;
     std::uint64_t seed = 0;
+    std::string start;  ///< state file that the run began from; empty: the eye at rest
     Patient patient;
     double duration_s = 0.0;
     std::uint64_t state_hash = 0;  ///< after the last step

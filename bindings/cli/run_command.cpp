@@ -8,6 +8,7 @@
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
 #include "cli/report_json.hpp"
+#include "cli/starts.hpp"
 #include "eye/patient.hpp"
 
 namespace rhexis::cli {
@@ -20,6 +21,8 @@ constexpr const char* help =
     "  rhexis run groove --surgeon novice --seed 7 --video --out runs/novice-7\n"
     "  rhexis run groove --set patient.age=80 --set phaco.power_limit=0.6\n"
     "  rhexis run my_exercise/ --surgeon none --json > report.json\n"
+    "  rhexis run groove --save-state \"half.rhxs@groove.depth_share > 0.3\"\n"
+    "  rhexis run groove --surgeon novice --start half.rhxs\n"
     "\n"
     "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.";
 
@@ -32,6 +35,8 @@ struct RunOptions {
     std::uint64_t seed = 1;
     std::string patient;
     std::string out;
+    std::string start;
+    std::string save_state;
     bool json = false;
     bool video = false;
     bool no_pictures = false;
@@ -64,6 +69,30 @@ Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) 
     return set;
 }
 
+/// FILE, FILE@SECONDS or FILE@CONDITION.
+Result<SaveOptions> save_options_of(const std::string& given) {
+    SaveOptions save;
+    const std::size_t at = given.rfind('@');
+    save.path = given.substr(0, at);
+    if (at == std::string::npos) {
+        return save;
+    }
+    const std::string moment = given.substr(at + 1);
+    if (save.path.empty() || moment.empty()) {
+        return Error{"--save-state " + given + " lacks its file or moment", "run",
+                     "FILE, FILE@SECONDS, or FILE@CONDITION, as in after.rhxs@12.5"};
+    }
+    char* end = nullptr;
+    const double seconds = std::strtod(moment.c_str(), &end);
+    if (*end != '\0') {
+        save.when = moment;
+        return save;
+    }
+    save.at_s = seconds;
+    const Status range = check_range("--save-state: time", seconds, 0.0, longest_limit);
+    return range ? Result<SaveOptions>(save) : range.error();
+}
+
 /// runs/groove-expert-1, from the last part of the curriculum's path.
 std::string default_folder(const RunOptions& given) {
     std::filesystem::path path(given.curriculum);
@@ -92,6 +121,9 @@ void print_summary(const RunOptions& given, const std::string& folder, const Att
         std::printf("  video      %s/video.mp4\n", folder.c_str());
     }
     std::printf("  recording  %s\n", result.recording.c_str());
+    if (result.saved) {
+        std::printf("  state      %s\n", save_options_of(given.save_state).value().path.c_str());
+    }
     std::printf("  cost       %.2f s of CPU per simulated second\n",
                 report["performance"]["cpu_s_per_s"].get<double>());
 }
@@ -105,6 +137,22 @@ int run(const RunOptions& given, const Context& context) {
         return complain(set.error());
     }
     AttemptOptions options;
+    Result<SaveOptions> save = save_options_of(given.save_state);
+    if (!save) {
+        return complain(save.error());
+    }
+    options.save = std::move(save).value();
+    const std::filesystem::path kept_in = std::filesystem::path(options.save.path).parent_path();
+    if (!kept_in.empty() && !std::filesystem::is_directory(kept_in)) {
+        return complain({"there is no such folder", kept_in.string(), "--save-state FILE in a folder that is there"});
+    }
+    if (!given.start.empty()) {
+        Result<std::string> start = find_start({given.curriculum, given.start, set.value(), context.root, given.json});
+        if (!start) {
+            return complain(start.error());
+        }
+        options.start = std::move(start).value();
+    }
     options.exercise = {given.curriculum, given.surgeon, given.seed, std::move(set).value(), context.root};
     options.folder = given.out.empty() ? default_folder(given) : given.out;
     options.threads = given.threads;
@@ -127,6 +175,9 @@ int run(const RunOptions& given, const Context& context) {
         return complain({result.value().script_error, "", "the exercise ended there; its recording is kept"},
                         found_failures);
     }
+    if (!options.save.path.empty() && !result.value().saved) {
+        return complain({"no state was kept: its moment did not come", given.save_state, ""}, found_failures);
+    }
     if (!result.value().html_error.empty()) {
         return complain({"no report.html: " + result.value().html_error, "", ""});
     }
@@ -144,6 +195,9 @@ void add_run(CLI::App& app, Context& context) {
         ->capture_default_str();
     command->add_option("--seed", given->seed, "Seed of all chance in the run")->capture_default_str();
     command->add_option("--patient", given->patient, "Patient file (JSON), as in assets/patients/");
+    command->add_option("--start", given->start, "Begin in a state: a file, or a name in the exercise's starts.lua");
+    command->add_option("--save-state", given->save_state,
+                        "Keep the state at the end to start from, or FILE@SECONDS, or FILE@CONDITION");
     command->add_option("--out", given->out, "Folder for everything [runs/CURRICULUM-SURGEON-SEED]");
     command->add_flag("--json", given->json, "Print report.json on stdout instead of a summary");
     CLI::Option* video = command->add_flag("--video", given->video, "Make a video, 640x480, 25 pictures a second");

@@ -17,18 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_script = std::uintmax_t{4} << 20;
 
-std::vector<std::string> curricula_in(const std::string& root) {
-    std::vector<std::string> names;
-    std::error_code failed;
-    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(root) / "curricula", failed)) {
-        if (fs::is_regular_file(entry.path() / "curriculum.lua", failed)) {
-            names.push_back(entry.path().filename().string());
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 std::string joined(const std::vector<std::string>& names) {
     std::string list;
     for (const std::string& name : names) {
@@ -37,12 +25,12 @@ std::string joined(const std::vector<std::string>& names) {
     return list.empty() ? "none" : list;
 }
 
-/// Paths of all scripts below a folder, relative to it, in a fixed order.
+/// Paths of all scripts below a folder but its tests, relative to it, in a fixed order.
 std::vector<std::string> scripts_below(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code failed;
     for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-        if (at->is_regular_file(failed) && at->path().extension() == ".lua") {
+        if (at->is_regular_file(failed) && at->path().extension() == ".lua" && !is_scenario_file(at->path().string())) {
             names.push_back(fs::relative(at->path(), folder, failed).generic_string());
         }
     }
@@ -95,6 +83,26 @@ Result<CurriculumFiles> from_file(const fs::path& given) {
 }
 
 }  // namespace
+
+std::vector<std::string> curricula_in(const std::string& root) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(root) / "curricula", failed)) {
+        if (fs::is_regular_file(entry.path() / "curriculum.lua", failed)) {
+            names.push_back(entry.path().filename().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+bool is_scenario_file(const std::string& path) {
+    const fs::path file(path);
+    return file.extension() == ".lua" &&
+           (file.parent_path().filename() == "tests" || file.stem().string().ends_with("_test"));
+}
+
+Result<std::string> hash_of_scripts(const std::string& folder) { return hash_of(folder, scripts_below(folder)); }
 
 Result<std::string> read_script(const std::string& path) {
     std::error_code failed;

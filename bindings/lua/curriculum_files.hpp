@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 
@@ -13,12 +14,22 @@ struct CurriculumFiles {
     std::string folder;  ///< searched by `require`, and for the plan of the virtual surgeon
     std::string script;  ///< path of the curriculum itself
     std::string chunk;   ///< its name in messages: "groove/curriculum.lua"
-    std::string sha256;  ///< over names and contents of all .lua files of the folder (of the file, if it stands alone)
+    std::string
+        sha256;  ///< over names and contents of all .lua files of the folder but its tests (of a lone file: its)
 };
 
 /// name: a folder with a curriculum.lua, a .lua file, or the bare name of a folder in root/curricula. Fails with near
 /// names when there is none.
 Result<CurriculumFiles> find_curriculum(const std::string& name, const std::string& root);
+
+/// SHA-256 over names and contents of all .lua files below a folder, tests left out.
+Result<std::string> hash_of_scripts(const std::string& folder);
+
+/// Whether a file holds scenario tests, by its name: tests/NAME.lua or NAME_test.lua.
+bool is_scenario_file(const std::string& path);
+
+/// The names of the folders in root/curricula, sorted.
+std::vector<std::string> curricula_in(const std::string& root);
 
 /// Content of a file; fails when it cannot be read or is larger than 4 MiB.
 Result<std::string> read_script(const std::string& path);

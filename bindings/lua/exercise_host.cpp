@@ -71,6 +71,22 @@ Result<std::vector<DeviceSample>> ExerciseHost::operate(const Percept& percept) 
 
 bool ExerciseHost::finished() const { return parts_->exercise.finished(); }
 bool ExerciseHost::has_surgeon() const { return parts_->surgeon.has_value(); }
-Result<json> ExerciseHost::result() { return parts_->exercise.result(); }
+const json& ExerciseHost::goals() const { return parts_->exercise.goals(); }
+Result<json> ExerciseHost::declared_events() { return parts_->exercise.ask("declared_events"); }
+Result<json> ExerciseHost::events() { return parts_->exercise.ask("events"); }
+Result<json> ExerciseHost::result() { return parts_->exercise.ask("result"); }
+
+Status ExerciseHost::watch(const std::string& when, const std::string& where) {
+    const Result<json> watching = parts_->exercise.ask("watch", {{"when", when}, {"where", where}});
+    return watching ? success() : Status(watching.error());
+}
+
+Result<bool> ExerciseHost::reached() {
+    const Result<json> now = parts_->exercise.ask("reached");
+    if (!now) {
+        return now.error();
+    }
+    return now.value() == true;
+}
 
 }  // namespace rhexis

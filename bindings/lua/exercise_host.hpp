@@ -50,6 +50,18 @@ public:
     [[nodiscard]] bool finished() const;
     [[nodiscard]] bool has_surgeon() const;
 
+    /// Named numbers of the exercise, after --set.
+    [[nodiscard]] const nlohmann::json& goals() const;
+    /// The error events that the exercise declares: [{"id", "title"}].
+    [[nodiscard]] Result<nlohmann::json> declared_events();
+    /// Those that were raised so far: [{"id", "title", "time_s", "outcome", "recovery_s"}].
+    [[nodiscard]] Result<nlohmann::json> events();
+
+    /// Watches for a moment of the run: a condition, as the exercise may write it. After start; where: for messages.
+    Status watch(const std::string& when, const std::string& where);
+    /// Whether that moment is now.
+    Result<bool> reached();
+
     /// "completed", "steps", "events", "osacss", "measures", "advice" of report.json, as far as the exercise has come.
     [[nodiscard]] Result<nlohmann::json> result();
 

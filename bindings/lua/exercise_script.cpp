@@ -2,6 +2,7 @@
 #include "lua/exercise_script.hpp"
 
 #include "lua/json.hpp"
+#include "lua/samples.hpp"
 #include "lua/stack.hpp"
 #include "session/settings.hpp"
 
@@ -44,47 +45,6 @@ SceneDescription scene_from(const json& given) {
     scene.step_s = given.at("step_s");
     scene.advance = advance_from(given.at("advance"));
     return scene;
-}
-
-std::string string_field(lua_State* L, const char* name) {
-    lua_getfield(L, -1, name);
-    std::string value = lua_isstring(L, -1) != 0 ? lua_tostring(L, -1) : "";
-    lua_pop(L, 1);
-    return value;
-}
-
-CommandKind kind_from(const std::string& name) {
-    if (name == "set") {
-        return CommandKind::set;
-    }
-    if (name == "picture") {
-        return CommandKind::picture;
-    }
-    return name == "finish" ? CommandKind::finish : CommandKind::say;
-}
-
-/// The command table on top of the stack.
-Command command_from(lua_State* L) {
-    Command command;
-    command.kind = kind_from(string_field(L, "kind"));
-    command.name = string_field(L, "name");
-    command.text = string_field(L, "text");
-    lua_getfield(L, -1, "value");
-    command.value = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    return command;
-}
-
-/// The list of command tables on top of the stack.
-std::vector<Command> commands_from(lua_State* L) {
-    std::vector<Command> commands;
-    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-    for (lua_Integer i = 1; i <= count; ++i) {
-        lua_rawgeti(L, -1, i);
-        commands.push_back(command_from(L));
-        lua_pop(L, 1);
-    }
-    return commands;
 }
 
 void push_schema(lua_State* L, const ObservationSchema& schema) {
@@ -173,6 +133,7 @@ Status ExerciseScript::read_scene() {
     version_ = given.at("version");
     plan_ = given.at("surgeon");
     time_limit_s_ = given.at("time_limit_s");
+    goals_ = given.at("goals");
     for (const auto& [name, value] : scene_.settings) {
         Status allowed = check_setting(name, value);
         if (!allowed) {
@@ -223,16 +184,12 @@ Result<std::vector<Command>> ExerciseScript::observe(const Observation& observat
     std::vector<Command> commands;
     const Status status = state_.run([&](lua_State* L) {
         row_.push(L);
-        lua_Integer at = 0;
-        for (const double value : observation.values) {
-            lua_pushnumber(L, value);
-            lua_rawseti(L, -2, ++at);
-        }
+        lua::fill_row(L, observation);
         lua_pop(L, 1);
         observe_.push(L);
         lua_pushnumber(L, observation.time_s);
         lua_call(L, 1, 1);
-        commands = commands_from(L);
+        commands = lua::commands_from(L);
         push_function(L, "finished");
         lua_call(L, 0, 1);
         finished_ = lua_toboolean(L, -1) != 0;
@@ -244,11 +201,12 @@ Result<std::vector<Command>> ExerciseScript::observe(const Observation& observat
     return commands;
 }
 
-Result<json> ExerciseScript::result() {
+Result<json> ExerciseScript::ask(const char* function, const json& argument) {
     json value;
     const Status status = state_.run([&](lua_State* L) {
-        push_function(L, "result");
-        lua_call(L, 0, 1);
+        push_function(L, function);
+        lua::push_json(L, argument);
+        lua_call(L, 1, 1);
         value = lua::to_json(L, -1);
     });
     if (!status) {

@@ -27,13 +27,15 @@ public:
     [[nodiscard]] const std::string& title() const { return title_; }
     [[nodiscard]] const nlohmann::json& version() const { return version_; }
     [[nodiscard]] double time_limit_s() const { return time_limit_s_; }
+    [[nodiscard]] const nlohmann::json& goals() const { return goals_; }
     /// File beside the curriculum, without .lua, that says what a virtual surgeon does.
     [[nodiscard]] const std::string& plan() const { return plan_; }
 
     Status start(const ObservationSchema& schema);
     Result<std::vector<Command>> observe(const Observation& observation);
     [[nodiscard]] bool finished() const { return finished_; }
-    Result<nlohmann::json> result();
+    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "watch", "reached".
+    Result<nlohmann::json> ask(const char* function, const nlohmann::json& argument = nullptr);
 
 private:
     explicit ExerciseScript(LuaState state) : state_(std::move(state)) {}
@@ -51,6 +53,7 @@ private:
     std::string title_;
     std::string plan_;
     nlohmann::json version_;
+    nlohmann::json goals_;
     double time_limit_s_ = 0.0;
     bool finished_ = false;
 };

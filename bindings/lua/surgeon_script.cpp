@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/rng.hpp"
+#include "lua/samples.hpp"
 #include "lua/stack.hpp"
 
 namespace rhexis {
@@ -54,51 +55,6 @@ void push_percept(lua_State* L, const Percept& percept) {
     lua_setfield(L, -2, "tools");
     push_landmarks(L, percept.landmarks);
     lua_setfield(L, -2, "landmarks");
-}
-
-/// Number i of the table on top of the stack.
-double item(lua_State* L, lua_Integer i) {
-    lua_rawgeti(L, -1, i);
-    const double value = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    return value;
-}
-
-double number_field(lua_State* L, const char* name) {
-    lua_getfield(L, -1, name);
-    const double value = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    return value;
-}
-
-/// The sample table on top of the stack.
-DeviceSample sample_from(lua_State* L) {
-    DeviceSample sample;
-    sample.instrument = static_cast<int>(number_field(L, "instrument"));
-    lua_getfield(L, -1, "present");
-    sample.present = lua_toboolean(L, -1) != 0;
-    lua_pop(L, 1);
-    lua_getfield(L, -1, "position");
-    sample.pose.position = Vec3(item(L, 1), item(L, 2), item(L, 3));
-    lua_pop(L, 1);
-    lua_getfield(L, -1, "orientation");
-    sample.pose.orientation = Quat(item(L, 1), item(L, 2), item(L, 3), item(L, 4));
-    lua_pop(L, 1);
-    sample.jaw = number_field(L, "jaw");
-    sample.pedal = number_field(L, "pedal");
-    return sample;
-}
-
-/// The list of sample tables on top of the stack.
-std::vector<DeviceSample> samples_from(lua_State* L) {
-    std::vector<DeviceSample> samples;
-    const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-    for (lua_Integer i = 1; i <= count; ++i) {
-        lua_rawgeti(L, -1, i);
-        samples.push_back(sample_from(L));
-        lua_pop(L, 1);
-    }
-    return samples;
 }
 
 /// A stream apart from the exercise's own.
@@ -162,7 +118,7 @@ Result<std::vector<DeviceSample>> SurgeonScript::operate(const Percept& percept)
         operate_.push(L);
         push_percept(L, percept);
         lua_call(L, 1, 1);
-        samples = samples_from(L);
+        samples = lua::samples_from(L);
     });
     if (!status) {
         return status.error();

@@ -31,6 +31,30 @@ void append(std::string& bytes, T value) {
 
 }  // namespace
 
+std::string first_line(const ChunkFile& kind) {
+    return std::string(kind.family).append(std::to_string(kind.version)).append("\n");
+}
+
+Status check_first_line(const ChunkFile& kind, std::string_view bytes, const std::string& path) {
+    const std::string noun(kind.noun);
+    if (bytes.starts_with(first_line(kind))) {
+        return success();
+    }
+    if (bytes.empty()) {
+        return Error{"the file is empty", path, std::string(kind.written)};
+    }
+    if (!bytes.starts_with(kind.family)) {
+        return Error{"this is not a " + noun, path, std::string(kind.written)};
+    }
+    const std::string_view rest = bytes.substr(kind.family.size());
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos || end > 8) {
+        return Error{"the " + noun + " is cut short or damaged in its first line", path, ""};
+    }
+    return Error{"the " + noun + " has format version " + std::string(rest.substr(0, end)), path,
+                 "this program reads version " + std::to_string(kind.version)};
+}
+
 std::string make_chunk(ChunkKind kind, std::string_view payload) {
     std::string chunk;
     chunk.reserve(head_size + payload.size() + tail_size);

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The envelope of a recording: kind, size, payload, checksum.
+// The envelope of recordings and states: a first line, then chunks of kind, size, payload and checksum.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "base/result.hpp"
+
 namespace rhexis {
 
-inline constexpr std::string_view recording_family = "rhexis recording ";
-inline constexpr std::string_view recording_magic = "rhexis recording 1\n";
+/// A kind of file made of chunks. Its first line is `family`, `version` and a newline. The versions rise whenever the
+/// fields in kernel/session/codec.cpp change.
+struct ChunkFile {
+    std::string_view family;
+    int version;
+    std::string_view noun;     ///< "recording"
+    std::string_view written;  ///< "a file written by ..."
+};
+
+inline constexpr ChunkFile recording_file{"rhexis recording ", 1, "recording", "a file written by rhexis run (.rhx)"};
+inline constexpr ChunkFile state_file{"rhexis state ", 1, "state", "a file written by rhexis run --save-state"};
+
+std::string first_line(const ChunkFile& kind);
+
+/// Fails on bytes of another kind or version, in one line that names the path.
+Status check_first_line(const ChunkFile& kind, std::string_view bytes, const std::string& path);
 
 enum class ChunkKind : std::uint32_t { header = 1, start = 2, step = 3, checkpoint = 4, end = 5 };
 

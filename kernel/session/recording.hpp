@@ -3,8 +3,9 @@
 //
 // A file is the line "rhexis recording 1\n", then chunks:
 //   u32 kind, u32 size, the payload, u64 XXH3 of all before it in the chunk.
-// Kinds: header, start, step, checkpoint, end. It is written chunk by chunk to NAME.part and renamed when it ends; cut
-// short anywhere, either file is readable to its last whole step.
+// Kinds: header, start, step, checkpoint, end. A checkpoint before the start is the state that the run began from;
+// without one it began at rest. The file is written chunk by chunk to NAME.part and renamed when it ends; cut short
+// anywhere, either file is readable to its last whole step.
 #pragma once
 
 #include <cstdint>

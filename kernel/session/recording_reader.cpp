@@ -23,25 +23,6 @@ Result<std::string> file_bytes(const std::string& path) {
     return std::move(content).str();
 }
 
-Status check_magic(const std::string& path, std::string_view bytes) {
-    if (bytes.substr(0, recording_magic.size()) == recording_magic) {
-        return success();
-    }
-    if (bytes.empty()) {
-        return Error{"the file is empty", path, "a recording (.rhx)"};
-    }
-    if (bytes.substr(0, recording_family.size()) != recording_family) {
-        return Error{"this is not a recording", path, "a file written by rhexis run (.rhx)"};
-    }
-    const std::string_view rest = bytes.substr(recording_family.size());
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos || end > 8) {
-        return Error{"the recording is cut short or damaged in its first line", path, ""};
-    }
-    return Error{"the recording has format version " + std::string(rest.substr(0, end)), path,
-                 "this program reads version 1"};
-}
-
 /// Takes chunks into a recording as long as they follow each other as they must.
 class Assembler {
 public:
@@ -55,7 +36,7 @@ public:
             case ChunkKind::step:
                 return start_ && take_step(chunk.payload);
             case ChunkKind::checkpoint:
-                return start_ && take_checkpoint(chunk.payload);
+                return header_ && take_checkpoint(chunk.payload);  // before the start: what it began from
             case ChunkKind::end:
                 recording.whole = start_;
                 return start_;
@@ -121,12 +102,12 @@ Result<Recording> read_recording(const std::string& path) {
         return content.error();
     }
     const std::string_view bytes = content.value();
-    const Status magic = check_magic(path, bytes);
+    const Status magic = check_first_line(recording_file, bytes, path);
     if (!magic) {
         return magic.error();
     }
     Assembler assembler;
-    std::size_t offset = recording_magic.size();
+    std::size_t offset = first_line(recording_file).size();
     std::string fault;
     while (fault.empty() && !assembler.recording.whole) {
         const ChunkView chunk = next_chunk(bytes.substr(offset));

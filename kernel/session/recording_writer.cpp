@@ -64,7 +64,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::string& path, const R
     if (parts->descriptor < 0) {
         return parts->failure(errno);
     }
-    parts->waiting = recording_magic;
+    parts->waiting = first_line(recording_file);
     const Status status = parts->add(ChunkKind::header, encode(header));
     if (!status) {
         ::unlink(parts->file.c_str());  // not even a header: nothing to keep

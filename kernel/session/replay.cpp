@@ -57,6 +57,12 @@ Result<Session> session_of(const Recording& recording) {
         return Error{"the recording was made by a program with other measures (" + recording.header.build + ")",
                      "recording", "replay it with that program"};
     }
+    if (session && !recording.checkpoints.empty() && recording.checkpoints.front().step == 0) {
+        const Status restored = session.value().restore(recording.checkpoints.front());
+        if (!restored) {
+            return restored.error();
+        }
+    }
     return session;
 }
 

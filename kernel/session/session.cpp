@@ -285,8 +285,12 @@ Frame Session::frame() const {
 }
 
 Snapshot Session::snapshot() const {
+    parts_->physics.drop_caches();
+    return copy_state();
+}
+
+Snapshot Session::copy_state() const {
     const Parts& p = *parts_;
-    parts_->physics.drop_caches();  // so that this session goes on as one restored from the snapshot does
     return {p.state, p.tools, p.settings, p.observer_memory, p.step};
 }
 

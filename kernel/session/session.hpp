@@ -58,7 +58,10 @@ public:
     [[nodiscard]] const Profile& profile() const;
     [[nodiscard]] const Log& log() const;
 
+    /// For checkpoints: this session goes on as one that is restored from it does.
     [[nodiscard]] Snapshot snapshot() const;
+    /// The same for others: this session goes on as if nobody had asked.
+    [[nodiscard]] Snapshot copy_state() const;
     /// Fails when the snapshot does not fit the scene.
     Status restore(const Snapshot& snapshot);
 

@@ -25,6 +25,7 @@ local kinds = {
     yes_no = { function(v) return type(v) == "boolean" end, "true or false" },
     texts = { list_of_text, "a list of texts, like { \"lens\", \"bag\" }" },
     table = { function(v) return type(v) == "table" end, "a table { ... }" },
+    any = { function() return true end, "anything" },
     call = { function(v) return type(v) == "function" end, "a function" },
 }
 

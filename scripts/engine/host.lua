@@ -2,6 +2,7 @@
 -- What bindings/lua/exercise_host.cpp calls: the whole border between the kernel and the exercise engine.
 
 local Run = require "engine.run"
+local condition = require "engine.condition"
 local language = require "exercise"
 local osacss = require "osacss"
 local scoring = require "scoring"
@@ -39,7 +40,14 @@ function host.scene()
     return { title = exercise.title, version = exercise.version, surgeon = exercise.surgeon,
         patient = words.as_object(exercise.patient), tissues = exercise.tissues, instruments = exercise.instruments,
         settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance,
-        time_limit_s = exercise.time_limit_s }
+        time_limit_s = exercise.time_limit_s, goals = words.as_object(exercise.goals) }
+end
+
+--- The error events that the exercise declares.
+function host.declared_events()
+    local list = {}
+    for i, event in ipairs(host.exercise.errors) do list[i] = { id = event.id, title = event.title } end
+    return list
 end
 
 --- schema: list of { name, unit, meaning }. The row that observe reads is returned: the host overwrites it.
@@ -52,6 +60,24 @@ end
 function host.observe(time_s) return host.run:observe(time_s, host.row) end
 
 function host.finished() return host.run ~= nil and host.run.finished == true end
+
+--- The error events so far.
+function host.events()
+    local list = {}
+    for i, event in ipairs(host.run.events) do
+        list[i] = { id = event.id, title = event.title, time_s = event.time_s, outcome = event.outcome,
+            recovery_s = event.recovery_s }
+    end
+    return list
+end
+
+--- Watches for a moment besides what the exercise watches: moment = { when, where }.
+function host.watch(moment)
+    host.moment = condition.bind(condition.read(moment.when, moment.where, "when"), host.run.eye, "in 'when'")
+end
+
+--- Whether that moment is now.
+function host.reached() return host.moment.test() end
 
 function host.result()
     return host.run and host.run:result() or words.as_object({})

@@ -37,10 +37,11 @@ local function quaternion(x, y, z)
 end
 
 --- Orientation of an instrument whose shaft points along `shaft` (from the tip to the hand) and whose own x axis points
---- to the surgeon's right.
+--- to the surgeon's right; away from the surgeon if the shaft itself lies across.
 function vector.orientation(shaft)
     local z = vector.unit(shaft)
-    local x = vector.unit(vector.sub({ 1, 0, 0 }, vector.scale(z, z[1])))
+    local across = math.abs(z[1]) < 0.999 and { 1, 0, 0 } or { 0, 1, 0 }
+    local x = vector.unit(vector.sub(across, vector.scale(z, vector.dot(z, across))))
     return quaternion(x, vector.cross(z, x), z)
 end
 

@@ -42,6 +42,10 @@ TEST_SUITE("bindings") {
         expect_success(run("tests/bindings/api_matches_stubs.lua"));
     }
 
+    TEST_CASE("the words of scenario tests and their stubs are the same") {
+        expect_success(run("tests/bindings/scenario_words.lua"));
+    }
+
     TEST_CASE("every example of the stubs runs") { expect_success(run("tests/bindings/stub_examples.lua")); }
 
     TEST_CASE("docs/api.md is what the stubs say") {

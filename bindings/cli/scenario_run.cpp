@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/scenario_run.hpp"
+
+#include "base/clock.hpp"
+#include "cli/starts.hpp"
+#include "lua/exercise_host.hpp"
+#include "lua/scenario_script.hpp"
+#include "session/prepared_state.hpp"
+#include "session/settings.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+using nlohmann::json;
+
+json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+json schema_json(const ObservationSchema& schema) {
+    json list = json::array();
+    for (const MeasureInfo& info : schema) {
+        list.push_back({{"name", info.name}, {"unit", info.unit}});
+    }
+    return list;
+}
+
+json settings_json() {
+    json settings = json::object();
+    for (const SettingInfo& info : setting_table()) {
+        settings[std::string(info.name)] = {{"minimum", info.minimum}, {"maximum", info.maximum}, {"live", info.live}};
+    }
+    return settings;
+}
+
+json instruments_json(const Session& session) {
+    json list = json::array();
+    for (std::size_t i = 0; i < session.scene().instruments.size(); ++i) {
+        const ToolState& tool = session.tools()[i];
+        list.push_back({{"name", session.scene().instruments[i]},
+                        {"present", tool.present},
+                        {"position", vector_json(tool.pose.position)},
+                        {"shaft", vector_json(tool.pose.orientation * Vec3::UnitZ())},
+                        {"pedal", tool.pedal}});
+    }
+    return list;
+}
+
+json landmarks_json(const Session& session) {
+    json marks = json::object();
+    for (const Landmark& mark : session.percept().landmarks) {
+        marks[mark.name] = {{"position", vector_json(mark.position)}};
+    }
+    return marks;
+}
+
+/// The values of a scenario belong to its line, not to a command line.
+Error at_scenario(const ScenarioFile& file, const json& scenario, const Error& error) {
+    const std::string what = error.where.empty() ? error.what : error.where + ": " + error.what;
+    return {"scenario '" + scenario.at("name").get<std::string>() + "': " + what,
+            file.path + ":" + std::to_string(scenario.at("line").get<int>()), error.allowed};
+}
+
+ExerciseOptions options_of(const ScenarioFile& file, const json& scenario, const std::string& root) {
+    return {file.curriculum, "none", scenario.at("seed").get<std::uint64_t>(), settings_of(scenario), root};
+}
+
+class Play {
+public:
+    Play(ExerciseHost host, Session session, ScenarioScript script)
+        : host_(std::move(host)), session_(std::move(session)), script_(std::move(script)) {}
+
+    Status begin(std::size_t number) {
+        Status started = host_.start(session_.schema(), session_.scene().instruments);
+        const Result<json> declared = host_.declared_events();
+        if (!started || !declared) {
+            return started ? Status(declared.error()) : started;
+        }
+        declared_ = declared.value();
+        return script_.start({{"number", number + 1},
+                              {"schema", schema_json(session_.schema())},
+                              {"goals", host_.goals()},
+                              {"events", declared_},
+                              {"settings", settings_json()},
+                              {"instruments", instruments_json(session_)},
+                              {"landmarks", landmarks_json(session_)},
+                              {"step_s", session_.scene().step_s}});
+    }
+
+    Status run() {
+        for (;;) {
+            Result<std::vector<Command>> commands = host_.observe(session_.observation());
+            if (!commands) {
+                return commands.error();
+            }
+            const Result<json> events = host_.events();
+            if (!events) {
+                return events.error();
+            }
+            const Result<ScenarioStep> wanted = script_.step(session_.observation(), events.value());
+            if (!wanted) {
+                return wanted.error();
+            }
+            if (wanted.value().done) {
+                return success();
+            }
+            const Status stepped = step(wanted.value(), std::move(commands).value());
+            if (!stepped) {
+                return stepped;
+            }
+        }
+    }
+
+    void fill(ScenarioResult& result, const ScenarioFile& file, const Status& status) {
+        result.declared = declared_;
+        result.simulated_s = session_.time_s();
+        const Result<json> outcome = script_.outcome();
+        if (!status || !outcome) {
+            const Error& error = status ? outcome.error() : status.error();
+            // what failed outside the file failed for a line in it
+            const bool outside = outcome && !error.where.starts_with(file.chunk + ":");
+            const std::string at = outside ? place_in_file(file, outcome.value().at("at")) + ": " : "";
+            result.error = at + Error{error.what, place_in_file(file, error.where), error.allowed}.text();
+        }
+        if (!outcome) {
+            return;
+        }
+        result.covered = outcome.value().at("covered");
+        for (const json& failure : outcome.value().at("failures")) {
+            char time[48];
+            std::snprintf(time, sizeof time, " (after %.2f s)", failure.at("time_s").get<double>());
+            result.failures.push_back(
+                {place_in_file(file, failure.at("where")), failure.at("message").get<std::string>() + time});
+        }
+    }
+
+private:
+    Status step(const ScenarioStep& wanted, std::vector<Command> commands) {
+        commands.insert(commands.end(), wanted.commands.begin(), wanted.commands.end());
+        const StepOutcome outcome = session_.step(wanted.samples, commands);
+        if (outcome.failure != StepFailure::none) {
+            return script_.refused("the step could not be solved; nothing moved in it");
+        }
+        for (; logged_ < session_.log().size(); ++logged_) {
+            const std::string& text = session_.log()[logged_].text;
+            if (text.starts_with("sample refused") || text.starts_with("command refused")) {
+                const Status said = script_.refused(text);
+                if (!said) {
+                    return said;
+                }
+            }
+        }
+        return success();
+    }
+
+    ExerciseHost host_;
+    Session session_;
+    ScenarioScript script_;
+    json declared_;
+    std::size_t logged_ = 0;
+};
+
+Result<Session> session_for(const ExerciseHost& host, std::uint64_t seed, const std::string& start) {
+    Result<Session> session = Session::create(host.scene(), seed);
+    if (!session || start.empty()) {
+        return session;
+    }
+    const Result<PreparedState> state = read_state(start);
+    if (!state) {
+        return state.error();
+    }
+    const Status started = start_from(session.value(), state.value());
+    if (!started) {
+        return started.error();
+    }
+    return session;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> settings_of(const json& scenario) {
+    return scenario.at("set").get<std::map<std::string, std::string>>();
+}
+
+Status check_scenario(const ScenarioFile& file, const json& scenario, const std::string& root) {
+    const Result<ExerciseHost> host = ExerciseHost::load(options_of(file, scenario, root));
+    if (!host) {
+        return at_scenario(file, scenario, host.error());
+    }
+    if (scenario.contains("start") && scenario.at("start").is_string()) {
+        const Status start = check_start({file.curriculum, scenario.at("start"), settings_of(scenario), root, true});
+        if (!start) {
+            return at_scenario(file, scenario, start.error());
+        }
+    }
+    return success();
+}
+
+ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const std::string& start,
+                            const std::string& root) {
+    const json& scenario = file.scenarios.at(number);
+    const double cpu_start = thread_cpu_seconds();
+    ScenarioResult result;
+    const auto failed = [&](const Error& error) {
+        result.error = at_scenario(file, scenario, error).text();
+        return result;
+    };
+    Result<ExerciseHost> host = ExerciseHost::load(options_of(file, scenario, root));
+    if (!host) {
+        return failed(host.error());
+    }
+    Result<Session> session = session_for(host.value(), scenario.at("seed"), start);
+    if (!session) {
+        return failed(session.error());
+    }
+    Result<ScenarioScript> script = ScenarioScript::load(file.path, "scenarios", root);
+    if (!script) {
+        return failed(script.error());
+    }
+    Play play(std::move(host).value(), std::move(session).value(), std::move(script).value());
+    Status status = play.begin(number);
+    if (status) {
+        status = play.run();
+    }
+    play.fill(result, file, status);
+    result.cpu_s = thread_cpu_seconds() - cpu_start;
+    return result;
+}
+
+}  // namespace rhexis::cli

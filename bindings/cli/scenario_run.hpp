@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scenario test played on a session of its own.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "cli/scenario_files.hpp"
+
+namespace rhexis::cli {
+
+struct ScenarioFailure {
+    std::string where;    ///< file:line
+    std::string message;  ///< what was expected, what was seen
+};
+
+struct ScenarioResult {
+    std::vector<ScenarioFailure> failures;
+    std::string error;        ///< a script failed: "file:line: what"; empty: none did
+    nlohmann::json declared;  ///< error events of the exercise: [{"id", "title"}]
+    nlohmann::json covered;   ///< event id -> {"raised", "recovered", "not_recovered", "silent"}, as far as true
+    double simulated_s = 0.0;
+    double cpu_s = 0.0;
+    [[nodiscard]] bool passed() const { return failures.empty() && error.empty(); }
+};
+
+/// What is wrong with the declaration of a scenario, without simulating: the values that it sets, its start.
+Status check_scenario(const ScenarioFile& file, const nlohmann::json& scenario, const std::string& root);
+
+/// The `set` of a scenario.
+std::map<std::string, std::string> settings_of(const nlohmann::json& scenario);
+
+/// number: from 0. start: path of the prepared state; empty: none.
+ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const std::string& start,
+                            const std::string& root);
+
+}  // namespace rhexis::cli

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/starts.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/hash.hpp"
+#include "base/near_names.hpp"
+#include "cli/places.hpp"
+#include "cli/progress.hpp"
+#include "lua/curriculum_files.hpp"
+#include "lua/exercise_host.hpp"
+#include "lua/scenario_script.hpp"
+#include "session/prepared_state.hpp"
+#include "session/settings.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* folder_of_states = "runs/states";
+
+/// How an exercise says that a state is made.
+struct Recipe {
+    std::string name;
+    CurriculumFiles files;
+    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "where"}
+    std::map<std::string, std::string> set;
+    std::string fingerprint;  ///< of everything that the state depends on
+};
+
+bool is_file(const std::string& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+}
+
+/// A value that decides what is built, which the state and the run that starts from it must share.
+bool builds_the_scene(const std::string& name) {
+    const SettingInfo* setting = find_setting(name);
+    return name.starts_with("patient.") || name == "step_s" || name == "advance" ||
+           (setting != nullptr && !setting->live);
+}
+
+std::vector<std::string> names_of(const json& starts) {
+    std::vector<std::string> names;
+    for (const auto& [name, recipe] : starts.items()) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+/// Everything that may change what a run comes to: scripts, program, recipe.
+Result<std::string> fingerprint_of(const Recipe& recipe, const std::string& root) {
+    const Result<std::string> scripts = hash_of_scripts(root + "/scripts");
+    if (!scripts) {
+        return scripts.error();
+    }
+    const Result<std::string> program = read_whole_file("/proc/self/exe");
+    if (!program) {
+        return program.error();
+    }
+    StateHash bytes;
+    bytes.add_bytes(program.value().data(), program.value().size());
+    const json parts = {recipe.files.sha256, scripts.value(), hex(bytes.value()),
+                        build_note(),        recipe.text,     recipe.set};
+    return sha256_hex(parts.dump());
+}
+
+Result<Recipe> find_recipe(const StartRequest& request) {
+    const Result<CurriculumFiles> files = find_curriculum(request.curriculum, request.root);
+    if (!files) {
+        return files.error();
+    }
+    Recipe recipe{request.start, files.value(), {}, {}, {}};
+    const std::string path = files.value().folder + "/starts.lua";
+    if (!is_file(path)) {
+        return Error{"there is no start '" + request.start + "'", files.value().id,
+                     "a state file; the exercise prepares none (it has no starts.lua)"};
+    }
+    const Result<ScenarioScript> script = ScenarioScript::load(path, "starts", request.root);
+    if (!script) {
+        return script.error();
+    }
+    const json& starts = script.value().listing();
+    if (!starts.contains(request.start)) {
+        return Error{"there is no start '" + request.start + "'", files.value().id,
+                     suggestion(request.start, names_of(starts))};
+    }
+    recipe.text = starts.at(request.start);
+    recipe.set = recipe.text.at("set").get<std::map<std::string, std::string>>();
+    for (const auto& [name, value] : request.set) {
+        if (builds_the_scene(name)) {
+            recipe.set[name] = value;
+        }
+    }
+    return recipe;
+}
+
+/// One attempt by the recipe's surgeon, until its moment comes.
+class Making {
+public:
+    Making(const Recipe& recipe, ExerciseHost host, Session session, bool quiet)
+        : recipe_(recipe),
+          host_(std::move(host)),
+          session_(std::move(session)),
+          limit_s_(recipe.text.at("limit_s")),
+          progress_("preparing " + recipe.name, quiet) {}
+
+    Result<PreparedState> run() {
+        Status status = host_.start(session_.schema(), session_.scene().instruments);
+        if (status) {
+            status = host_.watch(recipe_.text.at("when"), recipe_.text.at("where"));
+        }
+        while (status) {
+            const Result<bool> reached = look();
+            if (!reached) {
+                return reached.error();
+            }
+            if (reached.value()) {
+                return PreparedState{header(), session_.copy_state()};
+            }
+            status = host_.finished() || session_.time_s() >= limit_s_ ? too_late() : advance();
+        }
+        return status.error();
+    }
+
+private:
+    Result<bool> look() {
+        Result<std::vector<Command>> commands = host_.observe(session_.observation());
+        if (!commands) {
+            return commands.error();
+        }
+        commands_ = std::move(commands).value();
+        return host_.reached();
+    }
+
+    Status advance() {
+        const Result<std::vector<DeviceSample>> samples = host_.operate(session_.percept());
+        if (!samples) {
+            return samples.error();
+        }
+        session_.step(samples.value(), commands_);
+        char note[64];
+        std::snprintf(note, sizeof note, "%.1f s simulated", session_.time_s());
+        progress_.show(session_.time_s() / limit_s_, note);
+        return success();
+    }
+
+    [[nodiscard]] Status too_late() const {
+        char time[32];
+        std::snprintf(time, sizeof time, "%.1f s", session_.time_s());
+        return Error{"start " + recipe_.name + ": its moment did not come in " + time, recipe_.text.at("where"),
+                     "when = \"" + recipe_.text.at("when").get<std::string>() + "\""};
+    }
+
+    [[nodiscard]] RecordingHeader header() const {
+        json identity = host_.identity();
+        identity["start"] = {{"name", recipe_.name}, {"fingerprint", recipe_.fingerprint}};
+        RecordingHeader header;
+        header.scene = session_.scene();
+        header.seed = recipe_.text.at("seed");
+        header.curriculum = recipe_.files.id;
+        header.identity = identity.dump();
+        header.surgeon = recipe_.text.at("surgeon");
+        header.set = recipe_.set;
+        header.build = build_note();
+        header.schema = session_.schema();
+        return header;
+    }
+
+    const Recipe& recipe_;
+    ExerciseHost host_;
+    Session session_;
+    double limit_s_;
+    Progress progress_;
+    std::vector<Command> commands_;
+};
+
+Status make(const Recipe& recipe, const StartRequest& request, const std::string& path) {
+    Result<ExerciseHost> host =
+        ExerciseHost::load({recipe.files.script, recipe.text.at("surgeon"), recipe.text.at("seed").get<std::uint64_t>(),
+                            recipe.set, request.root});
+    if (!host) {
+        return host.error();
+    }
+    Result<Session> session = Session::create(host.value().scene(), recipe.text.at("seed").get<std::uint64_t>());
+    if (!session) {
+        return session.error();
+    }
+    const Result<PreparedState> state =
+        Making(recipe, std::move(host).value(), std::move(session).value(), request.quiet).run();
+    if (!state) {
+        return state.error();
+    }
+    const Status folder = prepare_folder(folder_of_states);
+    return folder ? write_state(path, state.value()) : folder;
+}
+
+/// Whether a kept state is what the recipe would make.
+bool still_good(const std::string& path, const Recipe& recipe) {
+    const Result<PreparedState> kept = is_file(path) ? read_state(path) : Error{};
+    if (!kept) {
+        return false;
+    }
+    const json identity = json::parse(kept.value().made.identity, nullptr, false);
+    return identity.is_object() && identity.value("/start/fingerprint"_json_pointer, "") == recipe.fingerprint;
+}
+
+}  // namespace
+
+Status check_start(const StartRequest& request) {
+    if (is_file(request.start)) {
+        return success();
+    }
+    const Result<Recipe> recipe = find_recipe(request);
+    return recipe ? success() : Status(recipe.error());
+}
+
+Result<std::string> find_start(const StartRequest& request) {
+    if (is_file(request.start)) {
+        return request.start;
+    }
+    Result<Recipe> recipe = find_recipe(request);
+    if (!recipe) {
+        return recipe.error();
+    }
+    const Result<std::string> fingerprint = fingerprint_of(recipe.value(), request.root);
+    if (!fingerprint) {
+        return fingerprint.error();
+    }
+    recipe.value().fingerprint = fingerprint.value();
+    // one file per exercise, start and set: what was made by older scripts is overwritten
+    const std::string variant = sha256_hex(recipe.value().files.script + json(recipe.value().set).dump());
+    const std::string path = std::string(folder_of_states) + "/" + recipe.value().files.id + "-" + request.start + "-" +
+                             variant.substr(0, 12) + ".rhxs";
+    if (!still_good(path, recipe.value())) {
+        const Status made = make(recipe.value(), request, path);
+        if (!made) {
+            return made.error();
+        }
+    }
+    return path;
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// States that an exercise prepares to start from: declared in its starts.lua, made when they are asked for, and kept.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "base/result.hpp"
+
+namespace rhexis::cli {
+
+struct StartRequest {
+    std::string curriculum;                  ///< as for rhexis run
+    std::string start;                       ///< name in starts.lua, or a state file
+    std::map<std::string, std::string> set;  ///< of the run that is to start; its patient and fixed settings count
+    std::string root;
+    bool quiet = false;  ///< no progress
+};
+
+/// Path of the state: the file itself, or the one kept in runs/states/, which is made again when it is missing or was
+/// made by other scripts, another program or for another patient.
+Result<std::string> find_start(const StartRequest& request);
+
+/// Fails when the exercise has no such start and there is no such file; makes nothing.
+Status check_start(const StartRequest& request);
+
+}  // namespace rhexis::cli

@@ -1,0 +1,135 @@
+---@meta
+-- SPDX-License-Identifier: GPL-3.0-or-later
+
+-- The words of scenario tests (docs/scenarios.md). Places are { x, y, z } in the eye's frame [mm]: origin in the middle
+-- of the lens, +x to the surgeon's right, +y away from the surgeon, +z to the microscope. Times are simulated [s].
+
+---Ends a file of scenario tests: `return scenarios { ... }` for the exercise in whose folder the file lies,
+---`return scenarios "groove" { ... }` for any.
+---@param list rhexis.Scenario[] | string
+function scenarios(list) end
+
+---One test: `scenario "iris touched, put right" { fields, function(t) ... end }`.
+---@param name string
+---@return fun(fields: rhexis.Scenario): rhexis.Scenario
+function scenario(name) end
+
+---Ends the file starts.lua of an exercise: states that it prepares to start from.
+---@param list table<string, rhexis.Start>
+function starts(list) end
+
+---@class rhexis.Scenario
+---@field seed? integer # of the session; default 1
+---@field set? table # as --set of rhexis run: { patient = { age = 80 }, ["phaco.power_limit"] = 0.6 }
+---@field start? string # a name in the exercise's starts.lua, or a state file
+---@field silent_twin_of? string | string[] # error events that it nearly raises, and must not have raised at its end
+---@field time_limit_s? number # simulated time it may take; default 300
+---@field [1] fun(t: rhexis.ScenarioTest)
+
+---@class rhexis.Start
+---@field surgeon? string # who operates until the moment comes; default "d"
+---@field seed? integer # default 1
+---@field set? table # as in a scenario
+---@field when string # the moment that is kept: a condition, as in the exercise
+---@field limit_s? number # simulated time in which it must come; default 300
+
+---@class rhexis.ScenarioTest
+---@field phaco rhexis.Instrument
+---@field probe rhexis.Instrument
+---@field [string] rhexis.Instrument # every other instrument of the exercise by its name
+local ScenarioTest = {}
+
+---Lets time pass.
+---@param seconds number
+function ScenarioTest:wait(seconds) end
+
+---Waits until a condition holds; fails when `longest` seconds pass first.
+---@param condition string | function | table # as in an exercise
+---@param longest number
+---@return boolean # whether it came true
+function ScenarioTest:wait_until(condition, longest) end
+
+---Runs functions side by side, for instruments that move at once; goes on when all have ended.
+---@param ... fun()
+function ScenarioTest:together(...) end
+
+---Sets machine settings from the next step on: `t:set { ["phaco.power_limit"] = 0.4 }`.
+---@param values table<string, number>
+function ScenarioTest:set(values) end
+
+---A condition holds now.
+---@param condition string | function | table
+---@return boolean
+function ScenarioTest:expect(condition) end
+
+---A measure, or a sum of some, is now within a tolerance of a value.
+---@param measure string
+---@param value number
+---@param tolerance number
+---@return boolean
+function ScenarioTest:expect_near(measure, value, tolerance) end
+
+---An error event has happened, by its title or id.
+---@param name string
+---@param options? { recovered: boolean?, within: number? } # put right, or its deadline passed; seconds to wait for it
+---@return boolean
+function ScenarioTest:expect_event(name, options) end
+
+---An error event has not happened so far; without a name: none has.
+---@param name? string
+---@return boolean
+function ScenarioTest:expect_no_event(name) end
+
+---The value of a measure now; nil when it is not defined.
+---@param measure string
+---@return number | boolean | nil
+function ScenarioTest:value(measure) end
+
+---Time since the start [s].
+---@return number
+function ScenarioTest:time_s() end
+
+---@class rhexis.Movement
+---@field speed? number # [mm/s], 0.01 to 200; of a smooth movement its peak; default 5
+---@field seconds? number # how long it takes, instead of a speed
+---@field motion? "smooth" | "even" # minimum jerk, or one speed from start to end; default smooth
+---@field shaft? rhexis.Vec3 | "wound" # direction from tip to hand at the end; "wound": turning about the wound again
+---@field stop? string | function | table # ends the movement as soon as this condition holds
+
+---An instrument in an exact hand. Its shaft turns about the wound that it goes through.
+---@class rhexis.Instrument
+local Instrument = {}
+
+---Appears outside its wound and goes in; the tip stops in the wound.
+---@param options? { speed: number?, through: string? } # through: landmark of another wound, like "incision"
+function Instrument:enter(options) end
+
+---Straight back to the wound, out of it, and gone.
+---@param options? { speed: number? }
+function Instrument:withdraw(options) end
+
+---In a straight line to a place.
+---@param place rhexis.Vec3
+---@param options? rhexis.Movement
+---@return boolean # whether `stop` ended it
+function Instrument:move_to(place, options) end
+
+---The same by a shift from where the tip is.
+---@param shift rhexis.Vec3
+---@param options? rhexis.Movement
+---@return boolean
+function Instrument:move_by(shift, options) end
+
+---Through several places without a halt.
+---@param places rhexis.Vec3[]
+---@param options? rhexis.Movement
+---@return boolean
+function Instrument:path(places, options) end
+
+---The foot: 0 up, 1 irrigation, 2 aspiration, 3 ultrasound; the fraction is travel within the position.
+---@param position number
+function Instrument:pedal(position) end
+
+---Where the tip is.
+---@return rhexis.Vec3
+function Instrument:tip() end

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/prepared_state.hpp"
+
+#include <optional>
+
+#include "base/numbers.hpp"
+#include "base/text_file.hpp"
+#include "session/chunk.hpp"
+#include "session/codec.hpp"
+#include "session/settings.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr std::size_t largest_state = std::size_t{1} << 30;
+
+/// The payload of the chunk at the front of the bytes, which is taken from them.
+Result<std::string_view> take_chunk(std::string_view& bytes, ChunkKind kind, const std::string& path) {
+    const ChunkView chunk = next_chunk(bytes);
+    if (chunk.state == ChunkState::cut) {
+        return Error{"the state is cut short", path, ""};
+    }
+    if (chunk.state == ChunkState::damaged || chunk.kind != kind) {
+        return Error{"the state is damaged", path, ""};
+    }
+    bytes.remove_prefix(chunk.size);
+    return chunk.payload;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) {
+        list += (list.empty() ? "" : " + ") + name;
+    }
+    return list.empty() ? "none" : list;
+}
+
+/// Collects what two scenes do not have in common.
+class Differences {
+public:
+    void add(const std::string& name, const std::string& there, const std::string& here) {
+        if (there != here) {
+            text_ += (text_.empty() ? "" : "; ") + name + " " + there + " there, " + here + " here";
+        }
+    }
+    void add(const std::string& name, double there, double here) {
+        if (there != here) {
+            add(name, short_number(there), short_number(here));
+        }
+    }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+Status check_same_scene(const PreparedState& state, const SceneDescription& here, const Snapshot& fresh) {
+    const SceneDescription& there = state.made.scene;
+    Differences differences;
+    differences.add("patient.age", there.patient.age, here.patient.age);
+    differences.add("patient.nuclear_grade", there.patient.nuclear_grade, here.patient.nuclear_grade);
+    differences.add("patient.pupil_mm", there.patient.pupil_mm, here.patient.pupil_mm);
+    differences.add("patient.side", there.patient.side, here.patient.side);
+    differences.add("patient.tetrahedra", there.patient.tetrahedra, here.patient.tetrahedra);
+    differences.add("tissues", joined(there.tissues), joined(here.tissues));
+    differences.add("instruments", joined(there.instruments), joined(here.instruments));
+    differences.add("step_s", there.step_s, here.step_s);
+    for (const SettingInfo& info : setting_table()) {
+        const auto then = state.snapshot.settings.find(std::string(info.name));
+        const auto now = fresh.settings.find(std::string(info.name));
+        if (!info.live && then != state.snapshot.settings.end() && now != fresh.settings.end()) {
+            differences.add(then->first, then->second, now->second);
+        }
+    }
+    return differences.text().empty()
+               ? success()
+               : Status(Error{"the state was made for another scene: " + differences.text(), "start", ""});
+}
+
+}  // namespace
+
+Status write_state(const std::string& path, const PreparedState& state) {
+    return write_text_file(path, first_line(state_file) + make_chunk(ChunkKind::header, encode(state.made)) +
+                                     make_chunk(ChunkKind::checkpoint, encode(state.snapshot)) +
+                                     make_chunk(ChunkKind::end, ""));
+}
+
+Result<PreparedState> read_state(const std::string& path) {
+    const Result<std::string> content = read_text_file(path, largest_state);
+    if (!content) {
+        return content.error();
+    }
+    std::string_view bytes = content.value();
+    const Status kind = check_first_line(state_file, bytes, path);
+    if (!kind) {
+        return kind.error();
+    }
+    bytes.remove_prefix(first_line(state_file).size());
+    std::string_view payloads[3];
+    const ChunkKind kinds[3] = {ChunkKind::header, ChunkKind::checkpoint, ChunkKind::end};
+    for (int i = 0; i < 3; ++i) {
+        const Result<std::string_view> payload = take_chunk(bytes, kinds[i], path);
+        if (!payload) {
+            return payload.error();
+        }
+        payloads[i] = payload.value();
+    }
+    std::optional<RecordingHeader> header = decode_header(payloads[0]);
+    std::optional<Snapshot> snapshot = decode_snapshot(payloads[1]);
+    if (!header || !snapshot || !bytes.empty()) {
+        // the checksums hold, so these bytes were meant: by a program that keeps other things
+        return Error{"the state holds something else than this program keeps", path, "make it again"};
+    }
+    return PreparedState{std::move(*header), std::move(*snapshot)};
+}
+
+Status start_from(Session& session, const PreparedState& state) {
+    const Snapshot fresh = session.copy_state();
+    Status same = check_same_scene(state, session.scene(), fresh);
+    if (!same) {
+        return same;
+    }
+    Snapshot start = state.snapshot;
+    start.settings = fresh.settings;
+    start.observer_memory = fresh.observer_memory;
+    start.step = fresh.step;
+    start.world.time_s = fresh.world.time_s;
+    return session.restore(start);
+}
+
+}  // namespace rhexis

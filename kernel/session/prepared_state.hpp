@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// States to start from (.rhxs): a moment of one run, from which others begin. The line "rhexis state 1\n", then three
+// chunks as in a recording: header, checkpoint, end.
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+#include "session/recording.hpp"
+
+namespace rhexis {
+
+struct PreparedState {
+    RecordingHeader made;  ///< by which run
+    Snapshot snapshot;
+};
+
+/// The file appears whole or not at all.
+Status write_state(const std::string& path, const PreparedState& state);
+
+/// Fails on a file that is no state, of another version, cut short, or damaged anywhere.
+Result<PreparedState> read_state(const std::string& path);
+
+/// Puts a session that has not begun into the state: tissues and instruments as they were then; clock and counters of
+/// the measures at zero; settings of the machine as the session has them. Fails, naming all differences, when the
+/// session was built for another patient, other tissues, instruments or step, or for fixed settings of other values.
+Status start_from(Session& session, const PreparedState& state);
+
+}  // namespace rhexis

@@ -1,0 +1,55 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- What bindings/lua/scenario_script.cpp calls: the border between the kernel and a file of scenarios or starts.
+
+local Test = require "scenario.test"
+local language = require "scenario.language"
+local words = require "engine.words"
+
+local host = {}
+
+--- The words that such a file finds besides the standard ones.
+function host.environment()
+    return setmetatable({ scenarios = language.scenarios, scenario = language.scenario, starts = language.starts },
+        { __index = _G })
+end
+
+host.begin_file = words.begin_file
+
+--- After it ran: what it returned. kind: what it must be.
+function host.accept(kind, value)
+    if type(value) ~= "table" or value.kind ~= kind then
+        words.fail(words.where(nil, 1), ("the file must end with: return %s { ... }"):format(kind))
+    end
+    host.declared = value
+end
+
+--- What the file declares, without its functions.
+function host.listing()
+    if host.declared.kind == "starts" then return host.declared.starts end
+    local list = {}
+    for i, scenario in ipairs(host.declared.list) do
+        list[i] = { name = scenario.name, line = scenario.line, seed = scenario.seed, set = scenario.set,
+            start = scenario.start, silent_twin_of = scenario.silent_twin_of }
+    end
+    return { exercise = host.declared.exercise, list = list }
+end
+
+--- Begins scenario number `setup.number`. Returns the row that step reads: the host overwrites it.
+function host.start(setup)
+    host.test = Test.new(setup, host.declared.list[setup.number])
+    host.test:begin()
+    host.row = {}
+    return host.row
+end
+
+function host.step(time_s, events)
+    return host.test:step(time_s, host.row, events)
+end
+
+function host.refused(why) host.test:refused(why) end
+
+function host.outcome()
+    return { at = host.test.at, failures = host.test.failures, covered = words.as_object(host.test.covered) }
+end
+
+return host

@@ -1,0 +1,135 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The words that scenario tests are written in. See curricula/groove/tests for some that use most of them.
+--
+--   return scenarios {                                    -- of the exercise in whose folder this file lies
+--       scenario "iris touched, put right" {
+--           set = { ["patient.pupil_mm"] = 6 },           -- as --set of rhexis run
+--           start = "after_groove",                       -- a state that the exercise prepares, in its starts.lua
+--           function(t)
+--               local tip = t.phaco
+--               tip:enter()
+--               tip:move_to({ 2.5, 1, 2.6 }, { speed = 5 })
+--               t:expect_event("Iris touched")
+--           end } }
+
+local fields = require "engine.fields"
+local words = require "engine.words"
+
+local language = {}
+
+local scenario_rules = {
+    seed = { kind = "number", default = 1, from = 0, to = 2 ^ 53, whole = true },
+    set = { kind = "table", default = {} },
+    start = { kind = "text" },             -- a state of the exercise's starts.lua, or a state file beside this one
+    silent_twin_of = { kind = "texts", default = {} },  -- error events that it nearly raises, and must not
+    time_limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },  -- simulated time it may take
+}
+
+local start_rules = {
+    surgeon = { kind = "text", default = "d" },
+    seed = scenario_rules.seed,
+    set = scenario_rules.set,
+    when = { kind = "text", required = true },  -- the moment that is kept: a condition, as in the exercise
+    limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },
+}
+
+local function text_of(value, where, name)
+    if type(value) == "boolean" then return tostring(value) end
+    if type(value) == "string" then return value end
+    fields.check_value({ kind = "number" }, value, where, "set: " .. name)
+    return math.type(value) == "integer" and tostring(value) or ("%.17g"):format(value)
+end
+
+-- { patient = { age = 70 } } and { ["patient.age"] = 70 } both become { ["patient.age"] = "70" }.
+local function flatten(set, where, prefix, out)
+    for key in pairs(set) do
+        if type(key) ~= "string" then words.fail(where, "set holds an entry without a name") end
+    end
+    for _, key in ipairs(words.keys(set)) do
+        if type(set[key]) == "table" then
+            flatten(set[key], where, prefix .. key .. ".", out)
+        else
+            out[prefix .. key] = text_of(set[key], where, prefix .. key)
+        end
+    end
+    return words.as_object(out)
+end
+
+-- The fields of a declaration without its function, and the function.
+local function split(given, owner, line)
+    if type(given) ~= "table" then
+        words.fail(words.where(nil, line), owner .. " must be followed by a table { ... }")
+    end
+    local named = {}
+    for key, value in pairs(given) do
+        if key ~= 1 then named[key] = value end
+    end
+    if type(given[1]) ~= "function" then
+        words.fail(words.where(nil, line), owner .. " lacks what happens in it: function(t) ... end")
+    end
+    return named, given[1]
+end
+
+-- One name in quotes will do where a list is allowed.
+local function as_list(value) return type(value) == "string" and { value } or value end
+
+--- scenario "name" { fields, function(t) ... end }
+function language.scenario(name)
+    if type(name) ~= "string" or name == "" then
+        words.fail(words.where(nil, words.line_here()), "scenario must be followed by a name in quotes")
+    end
+    return function(given)
+        local line = words.line_here()
+        local owner = ("scenario '%s'"):format(name)
+        local named, play = split(given, owner, line)
+        named.silent_twin_of = as_list(named.silent_twin_of)
+        local result = fields.read(named, scenario_rules, owner, line)
+        result.kind, result.name, result.play, result.line = "scenario", name, play, line
+        result.set = flatten(result.set, words.where("set", line), "", {})
+        return result
+    end
+end
+
+local function collect(given, exercise)
+    if type(given) ~= "table" then words.fail(words.where(), "scenarios must be followed by a table { ... }") end
+    local seen, list = {}, {}
+    for i, entry in ipairs(given) do
+        if type(entry) ~= "table" or entry.kind ~= "scenario" then
+            words.fail(words.where(), ("scenarios: entry %d is no scenario \"name\" { ... }"):format(i))
+        end
+        if seen[entry.name] then
+            words.fail(words.where(nil, entry.line), ("scenario '%s' is there twice"):format(entry.name))
+        end
+        seen[entry.name], list[i] = true, entry
+    end
+    for key in pairs(given) do
+        if not list[key] then words.fail(words.where(), "scenarios: only scenario \"name\" { ... } may stand in it") end
+    end
+    if #list == 0 then words.fail(words.where(), "scenarios: there is none in it") end
+    return { kind = "scenarios", exercise = exercise, list = list }
+end
+
+--- scenarios { ... } for the exercise in whose folder the file lies, scenarios "exercise" { ... } for any.
+function language.scenarios(given)
+    if type(given) ~= "string" then return collect(given, nil) end
+    return function(list) return collect(list, given) end
+end
+
+--- starts { name = { surgeon, seed, when, ... } }: the file starts.lua of an exercise.
+function language.starts(given)
+    if type(given) ~= "table" then words.fail(words.where(), "starts must be followed by a table { ... }") end
+    local line = words.line_here()
+    local result = {}
+    for name, recipe in pairs(given) do
+        if type(name) ~= "string" or not name:find("^[%w_]+$") then
+            words.fail(words.where(nil, line), "starts: a name has letters, digits and _ only, not " .. tostring(name))
+        end
+        local read = fields.read(recipe, start_rules, "start " .. name, line)
+        read.set = flatten(read.set, words.where(name, line), "", {})
+        read.where = words.where(name, line)
+        result[name] = read
+    end
+    return { kind = "starts", starts = words.as_object(result) }
+end
+
+return language
