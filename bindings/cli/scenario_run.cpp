@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 json schema_json(const ObservationSchema& schema) {
     json list = json::array();
     for (const MeasureInfo& info : schema) {
@@ -31,23 +29,12 @@ json settings_json() {
     return settings;
 }
 
-json instruments_json(const Session& session) {
-    json list = json::array();
-    for (std::size_t i = 0; i < session.scene().instruments.size(); ++i) {
-        const ToolState& tool = session.tools()[i];
-        list.push_back({{"name", session.scene().instruments[i]},
-                        {"present", tool.present},
-                        {"position", vector_json(tool.pose.position)},
-                        {"shaft", vector_json(tool.pose.orientation * Vec3::UnitZ())},
-                        {"pedal", tool.pedal}});
-    }
-    return list;
-}
-
 json landmarks_json(const Session& session) {
     json marks = json::object();
     for (const Landmark& mark : session.percept().landmarks) {
-        marks[mark.name] = {{"position", vector_json(mark.position)}};
+        if (mark.visible) {
+            marks[mark.name] = {{"position", {mark.position.x(), mark.position.y(), mark.position.z()}}};
+        }
     }
     return marks;
 }
@@ -80,7 +67,7 @@ public:
                               {"goals", host_.goals()},
                               {"events", declared_},
                               {"settings", settings_json()},
-                              {"instruments", instruments_json(session_)},
+                              {"instruments", session_.scene().instruments},
                               {"landmarks", landmarks_json(session_)},
                               {"step_s", session_.scene().step_s}});
     }

@@ -121,6 +121,7 @@ Status start_from(Session& session, const PreparedState& state) {
         return same;
     }
     Snapshot start = state.snapshot;
+    start.tools = fresh.tools;
     start.settings = fresh.settings;
     start.observer_memory = fresh.observer_memory;
     start.step = fresh.step;

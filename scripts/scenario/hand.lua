@@ -59,12 +59,11 @@ local function way_out(wound)
     return vector.unit({ wound[1], wound[2], 0.5 * math.sqrt(wound[1] * wound[1] + wound[2] * wound[2]) })
 end
 
---- given: { name, present, position, shaft, pedal } at the start; landmarks: name -> { position }.
-function Hand.new(given, index, landmarks, test)
-    local self = setmetatable({ name = given.name, index = index, test = test, landmarks = landmarks, inside =
-        given.present, place = given.position, pedal_now = given.pedal, axis = given.present and given.shaft or nil },
-        Hand)
-    self:go_through(landmarks[entries[given.name]] and entries[given.name] or main_entry)
+--- index: of the instrument, from 0; landmarks: name -> { position }.
+function Hand.new(name, index, landmarks, test)
+    local self = setmetatable({ name = name, index = index, test = test, landmarks = landmarks, inside = false,
+        place = { 0, 0, 0 }, pedal_now = 0 }, Hand)
+    self:go_through(landmarks[entries[name]] and entries[name] or main_entry)
     return self
 end
 

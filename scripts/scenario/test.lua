@@ -40,15 +40,15 @@ local function front(object, names, parts, what)
     })
 end
 
---- setup: schema, goals, events (declared), settings, instruments, landmarks, step_s; scenario: as declared.
+--- setup: schema, goals, events (declared), settings, instruments (names), landmarks, step_s; scenario: as declared.
 function Test.new(setup, scenario)
     local self = setmetatable({ scenario = scenario, step_s = setup.step_s, declared = setup.events,
         settings = setup.settings, eye = Eye.new(setup.schema, setup.goals), events = {}, failures = {}, covered = {},
         commands = {}, hands = {}, at = words.where(nil, scenario.line) }, Test)
     local instruments = {}
-    for i, given in ipairs(setup.instruments) do
-        self.hands[i] = Hand.new(given, i - 1, setup.landmarks, self)
-        instruments[given.name] = front(self.hands[i], Hand.public, {}, given.name)
+    for i, name in ipairs(setup.instruments) do
+        self.hands[i] = Hand.new(name, i - 1, setup.landmarks, self)
+        instruments[name] = front(self.hands[i], Hand.public, {}, name)
     end
     self.t = front(self, Test.public, instruments, "t")
     return self

@@ -59,7 +59,8 @@ TEST_SUITE("prepared state") {
         REQUIRE(start_from(session, read.value()).ok());
         CHECK(session.state().removed_mass == made.state().removed_mass);
         CHECK(session.state().solids[0].position == made.state().solids[0].position);
-        CHECK(session.tools()[0].present);
+        CHECK(made.tools()[0].present);
+        CHECK_FALSE(session.tools()[0].present);
         CHECK(session.step_count() == 0);
         CHECK(session.time_s() == 0.0);
         CHECK(session.copy_state().settings.at("phaco.power_limit") == 0.25);
