@@ -14,13 +14,14 @@ namespace rhexis::cli {
 namespace {
 
 constexpr const char* help =
-    "Loads each exercise, builds its scene and lets it watch a moment of it, so that wrong names, values and syntax "
-    "show.\n"
+    "Loads each exercise with its starts and scenario tests, builds its scene and lets it watch a moment of it, so "
+    "that "
+    "wrong names, values and syntax show.\n"
     "\n"
     "  rhexis check curricula/groove\n"
     "  rhexis check my_exercise/ other.lua my_exercise/tests/iris.lua\n"
     "\n"
-    "Of a file of scenario tests it checks form, exercise, settings and start; rhexis test runs it.";
+    "Of scenario tests it checks form, exercise, settings and start; rhexis test runs them.";
 
 constexpr int dry_steps = 20;
 
@@ -63,12 +64,38 @@ Status check_scenarios(const std::string& path, const Context& context) {
     return success();
 }
 
+/// An exercise with its starts and its scenario tests.
+Status check_exercise(const std::string& path, const Context& context) {
+    const Status runs = dry_run(path, context);
+    const Result<CurriculumFiles> files = find_curriculum(path, context.root);
+    if (!runs || !files) {
+        return runs ? Status(files.error()) : runs;
+    }
+    if (std::filesystem::path(files.value().script).filename() != "curriculum.lua") {
+        return success();  // a lone file: what lies beside it is not its own
+    }
+    const std::string starts = files.value().folder + "/starts.lua";
+    if (std::filesystem::exists(starts)) {
+        const Result<ScenarioScript> script = ScenarioScript::load(starts, "starts", context.root);
+        if (!script) {
+            return script.error();
+        }
+    }
+    for (const std::string& file : scenarios_below(files.value().folder)) {
+        const Status good = check_scenarios(file, context);
+        if (!good) {
+            return good;
+        }
+    }
+    return success();
+}
+
 int check(const std::vector<std::string>& paths, const Context& context) {
     int status = done;
     for (const std::string& path : paths) {
         const Status checked = is_scenario_file(std::filesystem::absolute(path).string())
                                    ? check_scenarios(path, context)
-                                   : dry_run(path, context);
+                                   : check_exercise(path, context);
         if (checked) {
             std::printf("%s: good\n", path.c_str());
         } else {

@@ -13,19 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> scenarios_below(const fs::path& folder) {
-    std::vector<std::string> paths;
-    std::error_code failed;
-    for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-        // made absolute, so that the folder "." inside tests/ is known as such
-        if (at->is_regular_file(failed) && is_scenario_file(fs::absolute(at->path()).lexically_normal().string())) {
-            paths.push_back(at->path().lexically_normal().string());
-        }
-    }
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
-
 bool has_curriculum(const fs::path& folder) {
     std::error_code failed;
     return fs::is_regular_file(folder / "curriculum.lua", failed);
@@ -63,6 +50,19 @@ Result<std::string> exercise_of(const std::string& path, const nlohmann::json& n
 
 }  // namespace
 
+std::vector<std::string> scenarios_below(const std::string& folder) {
+    std::vector<std::string> paths;
+    std::error_code failed;
+    for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+        // made absolute, so that the folder "." inside tests/ is known as such
+        if (at->is_regular_file(failed) && is_scenario_file(fs::absolute(at->path()).lexically_normal().string())) {
+            paths.push_back(at->path().lexically_normal().string());
+        }
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
 Result<std::vector<std::string>> scenario_paths(const std::string& given, const std::string& root) {
     std::error_code failed;
     if (fs::is_regular_file(given, failed)) {
@@ -77,7 +77,7 @@ Result<std::vector<std::string>> scenario_paths(const std::string& given, const 
         }
         folder = fs::path(root) / "curricula" / given / "tests";
     }
-    std::vector<std::string> paths = scenarios_below(folder);
+    std::vector<std::string> paths = scenarios_below(folder.string());
     if (paths.empty()) {
         return Error{"there are no scenario tests here", folder.string(), "tests/*.lua or *_test.lua"};
     }

@@ -22,6 +22,9 @@ struct ScenarioFile {
 /// those of a bare name in curricula/. Sorted; fails when there are none.
 Result<std::vector<std::string>> scenario_paths(const std::string& given, const std::string& root);
 
+/// The scenario files in a folder and below it, sorted; maybe none.
+std::vector<std::string> scenarios_below(const std::string& folder);
+
 /// Reads a file and finds its exercise: the one that it names, or the one in whose folder it lies.
 Result<ScenarioFile> read_scenarios(const std::string& path, const std::string& root);
 

@@ -3,8 +3,6 @@
 
 #include "base/clock.hpp"
 #include "cli/starts.hpp"
-#include "lua/exercise_host.hpp"
-#include "lua/scenario_script.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
 
@@ -55,14 +53,15 @@ public:
     Play(ExerciseHost host, Session session, ScenarioScript script)
         : host_(std::move(host)), session_(std::move(session)), script_(std::move(script)) {}
 
-    Status begin(std::size_t number) {
+    /// which: "number" or "start" and its value.
+    Status begin(const char* which, const json& value) {
         Status started = host_.start(session_.schema(), session_.scene().instruments);
         const Result<json> declared = host_.declared_events();
         if (!started || !declared) {
             return started ? Status(declared.error()) : started;
         }
         declared_ = declared.value();
-        return script_.start({{"number", number + 1},
+        return script_.start({{which, value},
                               {"schema", schema_json(session_.schema())},
                               {"goals", host_.goals()},
                               {"events", declared_},
@@ -119,6 +118,18 @@ public:
         }
     }
 
+    /// The first failure, as an error.
+    Status first_failure() {
+        const Result<json> outcome = script_.outcome();
+        if (!outcome || outcome.value().at("failures").empty()) {
+            return outcome ? success() : Status(outcome.error());
+        }
+        const json& first = outcome.value().at("failures").front();
+        return Error{first.at("message"), first.at("where"), ""};
+    }
+
+    [[nodiscard]] Session take_session() { return std::move(session_); }
+
 private:
     Status step(const ScenarioStep& wanted, std::vector<Command> commands) {
         commands.insert(commands.end(), wanted.commands.begin(), wanted.commands.end());
@@ -163,6 +174,17 @@ Result<Session> session_for(const ExerciseHost& host, std::uint64_t seed, const 
 
 }  // namespace
 
+Result<Session> play_start(ExerciseHost host, Session session, ScenarioScript script, const std::string& start) {
+    Play play(std::move(host), std::move(session), std::move(script));
+    Status status = play.begin("start", start);
+    status = status ? play.run() : status;
+    status = status ? play.first_failure() : status;
+    if (!status) {
+        return status.error();
+    }
+    return play.take_session();
+}
+
 std::map<std::string, std::string> settings_of(const json& scenario) {
     return scenario.at("set").get<std::map<std::string, std::string>>();
 }
@@ -203,7 +225,7 @@ ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const 
         return failed(script.error());
     }
     Play play(std::move(host).value(), std::move(session).value(), std::move(script).value());
-    Status status = play.begin(number);
+    Status status = play.begin("number", number + 1);
     if (status) {
         status = play.run();
     }

@@ -8,6 +8,9 @@
 
 #include "base/result.hpp"
 #include "cli/scenario_files.hpp"
+#include "lua/exercise_host.hpp"
+#include "lua/scenario_script.hpp"
+#include "session/session.hpp"
 
 namespace rhexis::cli {
 
@@ -25,6 +28,9 @@ struct ScenarioResult {
     double cpu_s = 0.0;
     [[nodiscard]] bool passed() const { return failures.empty() && error.empty(); }
 };
+
+/// Leads the instruments of a session as the function of a start says; the session comes back as that left it.
+Result<Session> play_start(ExerciseHost host, Session session, ScenarioScript script, const std::string& start);
 
 /// What is wrong with the declaration of a scenario, without simulating: the values that it sets, its start.
 Status check_scenario(const ScenarioFile& file, const nlohmann::json& scenario, const std::string& root);

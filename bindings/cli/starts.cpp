@@ -9,6 +9,7 @@
 #include "base/near_names.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
+#include "cli/scenario_run.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/scenario_script.hpp"
@@ -27,7 +28,7 @@ constexpr const char* folder_of_states = "runs/states";
 struct Recipe {
     std::string name;
     CurriculumFiles files;
-    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "where"}
+    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "where", "by_hand"}
     std::map<std::string, std::string> set;
     std::string fingerprint;  ///< of everything that the state depends on
 };
@@ -99,6 +100,20 @@ Result<Recipe> find_recipe(const StartRequest& request) {
     return recipe;
 }
 
+RecordingHeader header_of(const Recipe& recipe, json identity, const Session& session) {
+    identity["start"] = {{"name", recipe.name}, {"fingerprint", recipe.fingerprint}};
+    RecordingHeader header;
+    header.scene = session.scene();
+    header.seed = recipe.text.at("seed");
+    header.curriculum = recipe.files.id;
+    header.identity = identity.dump();
+    header.surgeon = recipe.text.at("surgeon");
+    header.set = recipe.set;
+    header.build = build_note();
+    header.schema = session.schema();
+    return header;
+}
+
 /// One attempt by the recipe's surgeon, until its moment comes.
 class Making {
 public:
@@ -109,7 +124,7 @@ public:
           limit_s_(recipe.text.at("limit_s")),
           progress_("preparing " + recipe.name, quiet) {}
 
-    Result<PreparedState> run() {
+    Result<Session> run() {
         Status status = host_.start(session_.schema(), session_.scene().instruments);
         if (status) {
             status = host_.watch(recipe_.text.at("when"), recipe_.text.at("where"));
@@ -120,7 +135,7 @@ public:
                 return reached.error();
             }
             if (reached.value()) {
-                return PreparedState{header(), session_.copy_state()};
+                return std::move(session_);
             }
             status = host_.finished() || session_.time_s() >= limit_s_ ? too_late() : advance();
         }
@@ -156,21 +171,6 @@ private:
                      "when = \"" + recipe_.text.at("when").get<std::string>() + "\""};
     }
 
-    [[nodiscard]] RecordingHeader header() const {
-        json identity = host_.identity();
-        identity["start"] = {{"name", recipe_.name}, {"fingerprint", recipe_.fingerprint}};
-        RecordingHeader header;
-        header.scene = session_.scene();
-        header.seed = recipe_.text.at("seed");
-        header.curriculum = recipe_.files.id;
-        header.identity = identity.dump();
-        header.surgeon = recipe_.text.at("surgeon");
-        header.set = recipe_.set;
-        header.build = build_note();
-        header.schema = session_.schema();
-        return header;
-    }
-
     const Recipe& recipe_;
     ExerciseHost host_;
     Session session_;
@@ -178,6 +178,18 @@ private:
     Progress progress_;
     std::vector<Command> commands_;
 };
+
+/// The session as the hand or the surgeon of the recipe leaves it.
+Result<Session> play(const Recipe& recipe, ExerciseHost host, Session session, const StartRequest& request) {
+    if (!recipe.text.at("by_hand").get<bool>()) {
+        return Making(recipe, std::move(host), std::move(session), request.quiet).run();
+    }
+    Result<ScenarioScript> script = ScenarioScript::load(recipe.files.folder + "/starts.lua", "starts", request.root);
+    if (!script) {
+        return script.error();
+    }
+    return play_start(std::move(host), std::move(session), std::move(script).value(), recipe.name);
+}
 
 Status make(const Recipe& recipe, const StartRequest& request, const std::string& path) {
     Result<ExerciseHost> host =
@@ -190,13 +202,13 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
     if (!session) {
         return session.error();
     }
-    const Result<PreparedState> state =
-        Making(recipe, std::move(host).value(), std::move(session).value(), request.quiet).run();
-    if (!state) {
-        return state.error();
+    const json identity = host.value().identity();
+    const Result<Session> made = play(recipe, std::move(host).value(), std::move(session).value(), request);
+    if (!made) {
+        return made.error();
     }
     const Status folder = prepare_folder(folder_of_states);
-    return folder ? write_state(path, state.value()) : folder;
+    return folder ? write_state(path, {header_of(recipe, identity, made.value()), made.value().copy_state()}) : folder;
 }
 
 /// Whether a kept state is what the recipe would make.

@@ -28,12 +28,12 @@ public:
     static Result<ScenarioScript> load(const std::string& path, const std::string& kind, const std::string& root);
 
     /// What the file declares: {"exercise", "list": [{"name","line","seed","set","start","silent_twin_of"}]} of
-    /// scenarios, a map of {"surgeon","seed","set","when","limit_s","where"} of starts.
+    /// scenarios, a map of {"surgeon","seed","set","when","limit_s","where","by_hand"} of starts.
     [[nodiscard]] const nlohmann::json& listing() const { return listing_; }
     /// The name that stands for the file in messages.
     [[nodiscard]] const std::string& chunk() const { return chunk_; }
 
-    /// Begins a scenario. setup: {"number" (from 1), "schema", "goals", "events", "settings", "instruments",
+    /// Begins a scenario or a start that is made by hand. setup: {"number" (from 1) or "start" (name), "schema", "goals", "events", "settings", "instruments",
     /// "landmarks", "step_s"}, as scripts/scenario/test.lua reads them.
     Status start(const nlohmann::json& setup);
     /// events: as ExerciseHost::events gives them.

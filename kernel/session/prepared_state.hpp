@@ -23,8 +23,8 @@ Result<PreparedState> read_state(const std::string& path);
 
 /// Puts a session that has not begun into the state: tissues as they were then; instruments outside the eye, because no
 /// hand holds them yet; clock and counters of the measures at zero; settings of the machine as the session has them.
-/// Fails, naming all differences, when the session was built for another patient, other tissues, instruments or step, or
-/// for fixed settings of other values.
+/// Fails, naming all differences, when the session was built for another patient, other tissues, instruments or step,
+/// or for fixed settings of other values.
 Status start_from(Session& session, const PreparedState& state);
 
 }  // namespace rhexis

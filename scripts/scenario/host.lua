@@ -25,8 +25,14 @@ end
 
 --- What the file declares, without its functions.
 function host.listing()
-    if host.declared.kind == "starts" then return host.declared.starts end
     local list = {}
+    if host.declared.kind == "starts" then
+        for name, start in pairs(host.declared.starts) do
+            list[name] = { surgeon = start.surgeon, seed = start.seed, set = start.set, when = start.when,
+                limit_s = start.limit_s, where = start.where, by_hand = start.play ~= nil }
+        end
+        return words.as_object(list)
+    end
     for i, scenario in ipairs(host.declared.list) do
         list[i] = { name = scenario.name, line = scenario.line, seed = scenario.seed, set = scenario.set,
             start = scenario.start, silent_twin_of = scenario.silent_twin_of }
@@ -34,9 +40,16 @@ function host.listing()
     return { exercise = host.declared.exercise, list = list }
 end
 
---- Begins scenario number `setup.number`. Returns the row that step reads: the host overwrites it.
+-- A start that is made by hand, as a scenario without expectations.
+local function hand_of(name)
+    local start = host.declared.starts[name]
+    return { play = start.play, line = start.line, time_limit_s = start.limit_s, silent_twin_of = {} }
+end
+
+--- Begins scenario number `setup.number`, or the hand of start `setup.start`. Returns the row that step reads: the host
+--- overwrites it.
 function host.start(setup)
-    host.test = Test.new(setup, host.declared.list[setup.number])
+    host.test = Test.new(setup, setup.start and hand_of(setup.start) or host.declared.list[setup.number])
     host.test:begin()
     host.row = {}
     return host.row

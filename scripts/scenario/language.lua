@@ -26,10 +26,10 @@ local scenario_rules = {
 }
 
 local start_rules = {
-    surgeon = { kind = "text", default = "d" },
+    surgeon = { kind = "text" },           -- d, unless a function(t) leads the instruments; then its end is kept
     seed = scenario_rules.seed,
     set = scenario_rules.set,
-    when = { kind = "text", required = true },  -- the moment that is kept: a condition, as in the exercise
+    when = { kind = "text" },              -- the moment that is kept: a condition, as in the exercise
     limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },
 }
 
@@ -115,7 +115,25 @@ function language.scenarios(given)
     return function(list) return collect(list, given) end
 end
 
---- starts { name = { surgeon, seed, when, ... } }: the file starts.lua of an exercise.
+local function read_start(name, recipe, line)
+    local owner = "start " .. name
+    local where = words.where(name, line)
+    local play = type(recipe) == "table" and recipe[1]
+    local named = recipe
+    if play ~= nil and play ~= false then named, play = split(recipe, owner, line) end
+    local read = fields.read(named, start_rules, owner, line)
+    if play and (read.surgeon or read.when) then
+        words.fail(where, owner .. " has a function: neither surgeon nor when goes with it")
+    end
+    if not play and not read.when then words.fail(where, owner .. " lacks 'when' (or a function(t) ... end)") end
+    read.surgeon = read.surgeon or (play and "none" or "d")
+    read.set = flatten(read.set, where, "", {})
+    read.where, read.line, read.play = where, tonumber(where:match(":(%d+)$")), play or nil
+    return read
+end
+
+--- starts { name = { surgeon, seed, when, ... } } or { name = { function(t) ... end } }: the file starts.lua of an
+--- exercise.
 function language.starts(given)
     if type(given) ~= "table" then words.fail(words.where(), "starts must be followed by a table { ... }") end
     local line = words.line_here()
@@ -124,10 +142,7 @@ function language.starts(given)
         if type(name) ~= "string" or not name:find("^[%w_]+$") then
             words.fail(words.where(nil, line), "starts: a name has letters, digits and _ only, not " .. tostring(name))
         end
-        local read = fields.read(recipe, start_rules, "start " .. name, line)
-        read.set = flatten(read.set, words.where(name, line), "", {})
-        read.where = words.where(name, line)
-        result[name] = read
+        result[name] = read_start(name, recipe, line)
     end
     return { kind = "starts", starts = words.as_object(result) }
 end

@@ -27,11 +27,12 @@ function starts(list) end
 ---@field [1] fun(t: rhexis.ScenarioTest)
 
 ---@class rhexis.Start
----@field surgeon? string # who operates until the moment comes; default "d"
+---@field surgeon? string # who operates until the moment comes; default "d"; none beside a function
 ---@field seed? integer # default 1
 ---@field set? table # as in a scenario
----@field when string # the moment that is kept: a condition, as in the exercise
+---@field when? string # the moment that is kept: a condition, as in the exercise
 ---@field limit_s? number # simulated time in which it must come; default 300
+---@field [1]? fun(t: rhexis.ScenarioTest) # instead of surgeon and moment: leads the instruments; its end is kept
 
 ---@class rhexis.ScenarioTest
 ---@field phaco rhexis.Instrument

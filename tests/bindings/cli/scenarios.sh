@@ -156,5 +156,8 @@ rm "$demo/tests/c_wrong.lua"
 expect 0 "" "$rhexis" test "$demo"
 expect 1 "" "$rhexis" test "$demo" --require-all
 expect 0 "" "$rhexis" check "$demo/tests/a_far.lua"
+expect 0 "" "$rhexis" check "$demo"
+echo 'return 3' >"$demo/tests/d_broken.lua"
+expect 1 "tests/d_broken.lua:1: the file must end with: return scenarios" "$rhexis" check "$demo"
 cd / || exit 2
 finished

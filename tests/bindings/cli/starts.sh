@@ -60,6 +60,17 @@ mkdir mine/tests
 cat >mine/starts.lua <<'L'
 return starts {
     begun = { surgeon = "d", seed = 5, when = "lens.removed_mm3 > 0.01", limit_s = 20 },
+    by_hand = { function(t)
+        t.phaco:enter()
+        t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
+        t.phaco:pedal(3)
+        t.phaco:move_to({ 0, 0, 1.2 }, { speed = 3 })
+        t:expect("lens.removed_mm3 > 0.01")
+    end },
+    wrong = { function(t)
+        t:wait(0.1)
+        t:expect("lens.removed_mm3 > 0.01")
+    end },
     never = { when = "lens.removed_mm3 > 1e6", limit_s = 0.5 },
 }
 L
@@ -96,9 +107,16 @@ expect 0 "" "$rhexis" run mine "${small[@]}" --limit 5 --start begun --out by_ex
 expect 0 "" "$rhexis" replay by_expert --verify --score-with mine
 says "identical: all 500 steps"
 expect 2 "there is no start 'begin' (did you mean begun?)" "$rhexis" run mine "${small[@]}" --start begin
-expect 2 "mine/starts.lua:3: start never: its moment did not come in 0.5 s" "$rhexis" run mine "${small[@]}" --start never
+expect 0 "" "$rhexis" run mine "${small[@]}" --limit 0.1 --surgeon none --start by_hand --out from_hand
+expect 2 "mine/starts.lua:12: expected \"lens.removed_mm3 > 0.01\", seen: lens.removed_mm3 = 0" "$rhexis" run mine \
+    "${small[@]}" --start wrong
+expect 2 "mine/starts.lua:14: start never: its moment did not come in 0.5 s" "$rhexis" run mine "${small[@]}" --start never
 echo 'return starts { begun = { when = 3 } }' >mine/starts.lua
 expect 2 "mine/starts.lua:1: start begun: when must be a text in quotes, not 3" "$rhexis" run mine "${small[@]}" --start begun
+echo 'return starts { begun = { seed = 3 } }' >mine/starts.lua
+expect 2 "mine/starts.lua:1: start begun lacks 'when' (or a function(t) ... end)" "$rhexis" run mine --start begun
+echo 'return starts { begun = { when = "time_s > 1", function(t) end } }' >mine/starts.lua
+expect 2 "start begun has a function: neither surgeon nor when goes with it" "$rhexis" run mine --start begun
 echo 'return starts { begun = { when = "lens.removed_mm3 >" } }' >mine/starts.lua
 expect 2 "mine/starts.lua:1: a number or a measure is missing" "$rhexis" run mine "${small[@]}" --start begun
 cd / || exit 2
