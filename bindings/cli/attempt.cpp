@@ -252,19 +252,7 @@ Result<Session> make_session(const AttemptOptions& options, const ExerciseHost& 
     SceneDescription scene = host.scene();
     scene.threads = options.threads;
     scene.instruction_set = options.instruction_set;
-    Result<Session> session = Session::create(scene, options.exercise.seed);
-    if (!session || options.start.empty()) {
-        return session;
-    }
-    const Result<PreparedState> state = read_state(options.start);
-    if (!state) {
-        return state.error();
-    }
-    const Status started = start_from(session.value(), state.value());
-    if (!started) {
-        return Error{started.error().what, options.start, started.error().allowed};
-    }
-    return session;
+    return create_session(scene, options.exercise.seed, options.start);
 }
 
 Result<std::optional<PictureBook>> open_book(const AttemptOptions& options, std::string& note) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scenario_run.hpp"
 
+#include <filesystem>
+
 #include "base/clock.hpp"
-#include "cli/starts.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
 
@@ -156,23 +157,17 @@ private:
     std::size_t logged_ = 0;
 };
 
-Result<Session> session_for(const ExerciseHost& host, std::uint64_t seed, const std::string& start) {
-    Result<Session> session = Session::create(host.scene(), seed);
-    if (!session || start.empty()) {
-        return session;
-    }
-    const Result<PreparedState> state = read_state(start);
-    if (!state) {
-        return state.error();
-    }
-    const Status started = start_from(session.value(), state.value());
-    if (!started) {
-        return started.error();
-    }
-    return session;
-}
-
 }  // namespace
+
+StartRequest start_of(const ScenarioFile& file, const json& scenario, const std::string& root) {
+    std::string start = scenario.at("start");
+    const std::filesystem::path beside = std::filesystem::path(file.path).parent_path() / start;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(beside, ignored)) {
+        start = std::filesystem::absolute(beside).string();
+    }
+    return {file.curriculum, start, settings_of(scenario), root, false};
+}
 
 Result<Session> play_start(ExerciseHost host, Session session, ScenarioScript script, const std::string& start) {
     Play play(std::move(host), std::move(session), std::move(script));
@@ -194,8 +189,8 @@ Status check_scenario(const ScenarioFile& file, const json& scenario, const std:
     if (!host) {
         return at_scenario(file, scenario, host.error());
     }
-    if (scenario.contains("start") && scenario.at("start").is_string()) {
-        const Status start = check_start({file.curriculum, scenario.at("start"), settings_of(scenario), root, true});
+    if (scenario.contains("start")) {
+        const Status start = check_start(start_of(file, scenario, root));
         if (!start) {
             return at_scenario(file, scenario, start.error());
         }
@@ -216,7 +211,7 @@ ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const 
     if (!host) {
         return failed(host.error());
     }
-    Result<Session> session = session_for(host.value(), scenario.at("seed"), start);
+    Result<Session> session = create_session(host.value().scene(), scenario.at("seed"), start);
     if (!session) {
         return failed(session.error());
     }

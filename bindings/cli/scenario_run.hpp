@@ -8,6 +8,7 @@
 
 #include "base/result.hpp"
 #include "cli/scenario_files.hpp"
+#include "cli/starts.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/scenario_script.hpp"
 #include "session/session.hpp"
@@ -34,6 +35,9 @@ Result<Session> play_start(ExerciseHost host, Session session, ScenarioScript sc
 
 /// What is wrong with the declaration of a scenario, without simulating: the values that it sets, its start.
 Status check_scenario(const ScenarioFile& file, const nlohmann::json& scenario, const std::string& root);
+
+/// What a scenario starts from, if it names a start; a state file may lie beside its file.
+StartRequest start_of(const ScenarioFile& file, const nlohmann::json& scenario, const std::string& root);
 
 /// The `set` of a scenario.
 std::map<std::string, std::string> settings_of(const nlohmann::json& scenario);

@@ -38,6 +38,9 @@ bool is_file(const std::string& path) {
     return fs::is_regular_file(path, ignored);
 }
 
+/// Names in starts.lua have neither dots nor slashes; all else is a file.
+bool is_name(const std::string& start) { return start.find_first_of("./") == std::string::npos; }
+
 /// A value that decides what is built, which the state and the run that starts from it must share.
 bool builds_the_scene(const std::string& name) {
     const SettingInfo* setting = find_setting(name);
@@ -196,7 +199,9 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
         ExerciseHost::load({recipe.files.script, recipe.text.at("surgeon"), recipe.text.at("seed").get<std::uint64_t>(),
                             recipe.set, request.root});
     if (!host) {
-        return host.error();
+        const std::string where = host.error().where.empty() ? "" : host.error().where + ": ";
+        return Error{"start " + recipe.name + ": " + where + host.error().what, recipe.text.at("where"),
+                     host.error().allowed};
     }
     Result<Session> session = Session::create(host.value().scene(), recipe.text.at("seed").get<std::uint64_t>());
     if (!session) {
@@ -224,15 +229,16 @@ bool still_good(const std::string& path, const Recipe& recipe) {
 }  // namespace
 
 Status check_start(const StartRequest& request) {
-    if (is_file(request.start)) {
-        return success();
+    if (!is_name(request.start)) {
+        const Result<PreparedState> state = read_state(request.start);
+        return state ? success() : Status(state.error());
     }
     const Result<Recipe> recipe = find_recipe(request);
     return recipe ? success() : Status(recipe.error());
 }
 
 Result<std::string> find_start(const StartRequest& request) {
-    if (is_file(request.start)) {
+    if (!is_name(request.start)) {
         return request.start;
     }
     Result<Recipe> recipe = find_recipe(request);

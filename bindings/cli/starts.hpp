@@ -11,7 +11,7 @@ namespace rhexis::cli {
 
 struct StartRequest {
     std::string curriculum;                  ///< as for rhexis run
-    std::string start;                       ///< name in starts.lua, or a state file
+    std::string start;                       ///< name in starts.lua; with a dot or slash in it, a state file
     std::map<std::string, std::string> set;  ///< of the run that is to start; its patient and fixed settings count
     std::string root;
     bool quiet = false;  ///< no progress
@@ -21,7 +21,7 @@ struct StartRequest {
 /// made by other scripts, another program or for another patient.
 Result<std::string> find_start(const StartRequest& request);
 
-/// Fails when the exercise has no such start and there is no such file; makes nothing.
+/// Fails when the exercise has no such start, or the file is no good; makes nothing.
 Status check_start(const StartRequest& request);
 
 }  // namespace rhexis::cli

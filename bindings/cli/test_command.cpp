@@ -98,8 +98,7 @@ public:
             if (!scenario.contains("start")) {
                 continue;
             }
-            const Result<std::string> start =
-                find_start({file.curriculum, scenario.at("start"), settings_of(scenario), root, false});
+            const Result<std::string> start = find_start(start_of(file, scenario, root));
             if (!start) {
                 return start.error();
             }

@@ -33,8 +33,8 @@ public:
     /// The name that stands for the file in messages.
     [[nodiscard]] const std::string& chunk() const { return chunk_; }
 
-    /// Begins a scenario or a start that is made by hand. setup: {"number" (from 1) or "start" (name), "schema", "goals", "events", "settings", "instruments",
-    /// "landmarks", "step_s"}, as scripts/scenario/test.lua reads them.
+    /// Begins a scenario or a start that is made by hand. setup: {"number" (from 1) or "start" (name), "schema",
+    /// "goals", "events", "settings", "instruments", "landmarks", "step_s"}, as scripts/scenario/test.lua reads them.
     Status start(const nlohmann::json& setup);
     /// events: as ExerciseHost::events gives them.
     Result<ScenarioStep> step(const Observation& observation, const nlohmann::json& events);

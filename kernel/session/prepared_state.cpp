@@ -74,7 +74,7 @@ Status check_same_scene(const PreparedState& state, const SceneDescription& here
     }
     return differences.text().empty()
                ? success()
-               : Status(Error{"the state was made for another scene: " + differences.text(), "start", ""});
+               : Status(Error{"the state was made for another scene: " + differences.text(), "", ""});
 }
 
 }  // namespace
@@ -127,6 +127,22 @@ Status start_from(Session& session, const PreparedState& state) {
     start.step = fresh.step;
     start.world.time_s = fresh.world.time_s;
     return session.restore(start);
+}
+
+Result<Session> create_session(const SceneDescription& scene, std::uint64_t seed, const std::string& state) {
+    Result<Session> session = Session::create(scene, seed);
+    if (!session || state.empty()) {
+        return session;
+    }
+    const Result<PreparedState> read = read_state(state);
+    if (!read) {
+        return read.error();
+    }
+    const Status started = start_from(session.value(), read.value());
+    if (!started) {
+        return Error{started.error().what, state, started.error().allowed};
+    }
+    return session;
 }
 
 }  // namespace rhexis

@@ -27,4 +27,7 @@ Result<PreparedState> read_state(const std::string& path);
 /// or for fixed settings of other values.
 Status start_from(Session& session, const PreparedState& state);
 
+/// A session that begins in the state of a file; at rest if the path is empty.
+Result<Session> create_session(const SceneDescription& scene, std::uint64_t seed, const std::string& state);
+
 }  // namespace rhexis

@@ -20,7 +20,7 @@ local language = {}
 local scenario_rules = {
     seed = { kind = "number", default = 1, from = 0, to = 2 ^ 53, whole = true },
     set = { kind = "table", default = {} },
-    start = { kind = "text" },             -- a state of the exercise's starts.lua, or a state file beside this one
+    start = { kind = "text" },             -- a state of the exercise's starts.lua, or a state file (.rhxs)
     silent_twin_of = { kind = "texts", default = {} },  -- error events that it nearly raises, and must not
     time_limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },  -- simulated time it may take
 }

@@ -42,7 +42,7 @@ expect 2 "changed.rhxs: the state is damaged" "${from[@]}" changed.rhxs
 (printf 'rhexis state 99\n'; tail -c +16 half.rhxs) >other.rhxs
 expect 2 "other.rhxs: the state has format version 99" "${from[@]}" other.rhxs
 expect 2 "from/recording.rhx: this is not a state" "${from[@]}" from/recording.rhx
-expect 2 "there is no start 'nowhere.rhxs'" "${from[@]}" nowhere.rhxs
+expect 2 "nowhere.rhxs: does not exist" "${from[@]}" nowhere.rhxs
 [ ! -e bad ] || fail "a run that could not start left $(ls bad)"
 expect 2 "there is no such folder" "$rhexis" run groove "${small[@]}" --save-state nowhere/a.rhxs
 expect 2 "--save-state: time is 9000 (0 to 7200)" "$rhexis" run groove "${small[@]}" --save-state a.rhxs@9000
@@ -111,6 +111,13 @@ expect 0 "" "$rhexis" run mine "${small[@]}" --limit 0.1 --surgeon none --start 
 expect 2 "mine/starts.lua:12: expected \"lens.removed_mm3 > 0.01\", seen: lens.removed_mm3 = 0" "$rhexis" run mine \
     "${small[@]}" --start wrong
 expect 2 "mine/starts.lua:14: start never: its moment did not come in 0.5 s" "$rhexis" run mine "${small[@]}" --start never
+echo 'return starts { begun = { surgeon = "x", when = "time_s > 1" } }' >mine/starts.lua
+expect 2 "mine/starts.lua:1: start begun: surgeon: there is no surgeon 'x'" "$rhexis" run mine "${small[@]}" --start begun
+cp half.rhxs mine/tests
+sed -i 's/"begun"/"half.rhxs"/' mine/tests/begun.lua
+expect 0 "" "$rhexis" test mine
+cp cut.rhxs mine/tests/half.rhxs
+expect 2 "half.rhxs: the state is cut short" "$rhexis" test mine
 echo 'return starts { begun = { when = 3 } }' >mine/starts.lua
 expect 2 "mine/starts.lua:1: start begun: when must be a text in quotes, not 3" "$rhexis" run mine "${small[@]}" --start begun
 echo 'return starts { begun = { seed = 3 } }' >mine/starts.lua
