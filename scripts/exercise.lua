@@ -66,7 +66,7 @@ local exercise_rules = {
     objectives = { kind = "texts", default = {} },
     patient = { kind = "table", default = {} },
     tissues = { kind = "texts", required = true, choices = { "lens", "bag", "iris", "cornea" } },
-    instruments = { kind = "texts", required = true, choices = { "phaco", "probe" } },
+    instruments = { kind = "texts", required = true, choices = { "phaco", "probe", "spatula" } },
     settings = { kind = "table", default = {} },
     goals = { kind = "table", default = {} },
     steps = { kind = "table", required = true },

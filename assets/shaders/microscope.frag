@@ -96,6 +96,8 @@ uniform float iris_z;
 uniform float pupil_radius;
 uniform vec3 incision;
 uniform float incision_width;
+uniform vec3 side_port;
+uniform float side_port_width;
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.
 vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
@@ -120,8 +122,8 @@ vec3 iris_colour(vec3 at, float radius) {
     return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
 }
 
-// The main wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
-vec2 wound(vec3 at) {
+// A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
+vec2 wound(vec3 at, vec3 incision, float incision_width) {
     float inner = length(incision.xy);
     if (incision_width <= 0.0 || inner < 1.0) {
         return vec2(0.0);
@@ -324,7 +326,7 @@ void main() {
         // Cornea: the pale ring of age, the wound, the tear film.
         float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
         inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
-        vec2 cut = wound(on_cornea);
+        vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
 #endif
         picture = mix(inner, picture, white);

@@ -17,19 +17,44 @@ struct ExerciseHost::Parts {
     json identity;
 };
 
+namespace {
+
+constexpr std::string_view surgeon_prefix = "surgeon.";
+
+/// What is set of the surgeon, without the prefix; the rest stays.
+std::map<std::string, std::string> take_habits(std::map<std::string, std::string>& set) {
+    std::map<std::string, std::string> habits;
+    std::erase_if(set, [&](const auto& entry) {
+        if (!entry.first.starts_with(surgeon_prefix)) {
+            return false;
+        }
+        habits[entry.first.substr(surgeon_prefix.size())] = entry.second;
+        return true;
+    });
+    return habits;
+}
+
+}  // namespace
+
 Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
     const Result<CurriculumFiles> files = find_curriculum(options.curriculum, options.root);
     if (!files) {
         return files.error();
     }
-    Result<ExerciseScript> exercise = ExerciseScript::load(files.value(), options.root, options.seed, options.set);
+    std::map<std::string, std::string> set = options.set;
+    const std::map<std::string, std::string> habits = take_habits(set);
+    if (options.surgeon == "none" && !habits.empty()) {
+        return Error{"--set surgeon." + habits.begin()->first + ": nobody operates", "",
+                     "a virtual surgeon, as in --surgeon a"};
+    }
+    Result<ExerciseScript> exercise = ExerciseScript::load(files.value(), options.root, options.seed, set);
     if (!exercise) {
         return exercise.error();
     }
     std::optional<SurgeonScript> surgeon;
     if (options.surgeon != "none") {
-        Result<SurgeonScript> loaded =
-            SurgeonScript::load(options.surgeon, files.value(), exercise.value().plan(), options.root, options.seed);
+        Result<SurgeonScript> loaded = SurgeonScript::load(options.surgeon, files.value(), exercise.value().plan(),
+                                                           habits, options.root, options.seed);
         if (!loaded) {
             return loaded.error();
         }

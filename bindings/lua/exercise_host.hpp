@@ -23,7 +23,8 @@ struct ExerciseOptions {
     std::string curriculum;        ///< folder, file, or bare name of a folder in curricula/
     std::string surgeon = "none";  ///< "none", or a script in scripts/surgeons: "expert", "novice", a..d
     std::uint64_t seed = 1;
-    std::map<std::string, std::string> set;  ///< --set key=value: patient fields and settings of the exercise
+    std::map<std::string, std::string> set;  ///< --set key=value: patient fields, settings of the
+                                             ///< exercise, habits of the virtual surgeon (surgeon.recovery)
     std::string root;                        ///< folder that holds scripts/ and curricula/
 };
 

@@ -216,6 +216,8 @@ int anatomy(lua_State* L) {
     set_field(L, "anterior_chamber_depth", eye.anterior_chamber_depth);
     set_field(L, "incision", eye.incision);
     set_field(L, "incision_width", eye.incision_width);
+    set_field(L, "side_port", eye.side_port);
+    set_field(L, "side_port_width", eye.side_port_width);
     return 1;
 }
 

@@ -67,7 +67,8 @@ std::uint64_t surgeon_seed(std::uint64_t seed) {
 }  // namespace
 
 Result<SurgeonScript> SurgeonScript::load(const std::string& name, const CurriculumFiles& files,
-                                          const std::string& plan, const std::string& root, std::uint64_t seed) {
+                                          const std::string& plan, const std::map<std::string, std::string>& habits,
+                                          const std::string& root, std::uint64_t seed) {
     LuaOptions options;
     options.seed = surgeon_seed(seed);
     options.folders = {{root + "/scripts", "scripts"}, {files.folder, files.id}};
@@ -86,7 +87,11 @@ Result<SurgeonScript> SurgeonScript::load(const std::string& name, const Curricu
         lua_getfield(L, -1, "choose");
         lua::push(L, std::string_view(name));
         lua::push(L, std::string_view(plan));
-        lua_call(L, 2, 1);
+        lua_createtable(L, 0, static_cast<int>(habits.size()));
+        for (const auto& [habit, value] : habits) {
+            lua::set_field(L, habit.c_str(), std::string_view(value));
+        }
+        lua_call(L, 3, 1);
         if (lua_isstring(L, -1) != 0) {
             complaint = lua_tostring(L, -1);
         }

@@ -2,6 +2,7 @@
 // A virtual surgeon in a Lua state of its own. It is given a percept and nothing else: no observation, event or score.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ namespace rhexis {
 class SurgeonScript {
 public:
     /// name: of a group or an alias in scripts/surgeons/groups.lua. plan: file of the curriculum's folder, without
-    /// .lua. Fails with near names for an unknown surgeon.
+    /// .lua. habits: what --set surgeon.* asked for, by name. Fails with near names for an unknown surgeon or habit.
     static Result<SurgeonScript> load(const std::string& name, const CurriculumFiles& files, const std::string& plan,
-                                      const std::string& root, std::uint64_t seed);
+                                      const std::map<std::string, std::string>& habits, const std::string& root,
+                                      std::uint64_t seed);
 
     Status start(const std::vector<std::string>& instruments, double step_s);
     Result<std::vector<DeviceSample>> operate(const Percept& percept);

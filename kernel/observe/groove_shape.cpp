@@ -9,9 +9,6 @@
 namespace rhexis {
 namespace {
 
-/// A column belongs to the groove from this loss on [mm]: less is a scratch, about half a fine tetrahedron.
-constexpr double footprint_loss = 0.2;
-
 /// Largest patch of connected cells (8 neighbours) with at least footprint_loss, cells ascending.
 class Footprint {
 public:
@@ -68,28 +65,6 @@ Vec2 mean_place(const ColumnGrid& grid, const std::vector<int>& cells) {
         sum += grid.centre(cell);
     }
     return sum / static_cast<double>(cells.size());
-}
-
-/// Principal direction of the patch, pointing to +y. The half angle is taken by square roots alone, so that no library
-/// function decides its last bit.
-Vec2 principal_direction(const ColumnGrid& grid, const std::vector<int>& cells, const Vec2& mean) {
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    for (const int cell : cells) {
-        const Vec2 offset = grid.centre(cell) - mean;
-        xx += offset.x() * offset.x();
-        xy += offset.x() * offset.y();
-        yy += offset.y() * offset.y();
-    }
-    const double difference = yy - xx;
-    const double length = std::sqrt(difference * difference + 4.0 * xy * xy);
-    if (length <= 1e-12 * (xx + yy)) {
-        return Vec2::UnitY();
-    }
-    const double along_y = std::sqrt(0.5 * (1.0 + difference / length));
-    const double along_x = std::sqrt(std::max(0.0, 0.5 * (1.0 - difference / length)));
-    return {xy < 0.0 ? -along_x : along_x, along_y};
 }
 
 struct Extent {
@@ -164,19 +139,41 @@ double local_depth(const ColumnGrid& grid, const ColumnFill& fill, int cell) {
     return around[4];
 }
 
-GrooveShape groove_shape(const ColumnGrid& grid, const ColumnFill& fill) {
-    const std::vector<int> cells = Footprint(grid, fill).largest();
+/// The half angle is taken by square roots alone, so that no library function decides its last bit.
+Vec2 principal_direction(const ColumnGrid& grid, const std::vector<int>& cells) {
+    const Vec2 mean = mean_place(grid, cells);
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (const int cell : cells) {
+        const Vec2 offset = grid.centre(cell) - mean;
+        xx += offset.x() * offset.x();
+        xy += offset.x() * offset.y();
+        yy += offset.y() * offset.y();
+    }
+    const double difference = yy - xx;
+    const double length = std::sqrt(difference * difference + 4.0 * xy * xy);
+    if (length <= 1e-12 * (xx + yy)) {
+        return Vec2::UnitY();
+    }
+    const double along_y = std::sqrt(0.5 * (1.0 + difference / length));
+    const double along_x = std::sqrt(std::max(0.0, 0.5 * (1.0 - difference / length)));
+    return {xy < 0.0 ? -along_x : along_x, along_y};
+}
+
+GrooveShape shape_of(const ColumnGrid& grid, const ColumnFill& fill, const std::vector<int>& cells,
+                     const std::vector<int>& depth_cells, const Vec2& direction) {
     GrooveShape shape;
     if (cells.empty()) {
         return shape;
     }
     shape.exists = true;
     const Vec2 mean = mean_place(grid, cells);
-    shape.direction = principal_direction(grid, cells, mean);
+    shape.direction = direction;
     const Extent extent = extent_along(grid, cells, mean, shape.direction);
     shape.length = extent.high - extent.low + grid.cell;
     shape.width = static_cast<double>(cells.size()) * grid.cell * grid.cell / shape.length;
-    add_depths(grid, fill, cells, shape);
+    add_depths(grid, fill, depth_cells, shape);
     const std::vector<Slice> slices = slices_along(grid, fill, cells, mean, shape.direction, extent);
     for (const Slice& slice : slices) {
         shape.mean_depth += slice.depth / static_cast<double>(slices.size());
@@ -185,6 +182,11 @@ GrooveShape groove_shape(const ColumnGrid& grid, const ColumnFill& fill) {
     shape.near_end = on_front(grid, mean + extent.low * shape.direction, shape.floor.z());
     shape.far_end = on_front(grid, mean + extent.high * shape.direction, shape.floor.z());
     return shape;
+}
+
+GrooveShape groove_shape(const ColumnGrid& grid, const ColumnFill& fill) {
+    const std::vector<int> cells = Footprint(grid, fill).largest();
+    return cells.empty() ? GrooveShape{} : shape_of(grid, fill, cells, cells, principal_direction(grid, cells));
 }
 
 }  // namespace rhexis

@@ -7,6 +7,9 @@
 
 namespace rhexis {
 
+/// A column belongs to a groove from this loss on [mm]: less is a scratch, about half a fine tetrahedron.
+constexpr double footprint_loss = 0.2;
+
 struct GrooveShape {
     bool exists = false;
     double depth = 0.0;              ///< greatest depth below the front surface [mm], see local_depth
@@ -25,6 +28,15 @@ struct GrooveShape {
 /// it, so that one odd tetrahedron does not pass for a depth. [mm]
 double local_depth(const ColumnGrid& grid, const ColumnFill& fill, int cell);
 
+/// In which these cells (at least one) spread most; unit, pointing to +y.
+Vec2 principal_direction(const ColumnGrid& grid, const std::vector<int>& cells);
+
+/// The shape of the groove that takes up these cells (ascending) and runs in a direction (unit); `depth_cells`: the
+/// part of them whose depth counts.
+GrooveShape shape_of(const ColumnGrid& grid, const ColumnFill& fill, const std::vector<int>& cells,
+                     const std::vector<int>& depth_cells, const Vec2& direction);
+
+/// Of the largest connected patch.
 GrooveShape groove_shape(const ColumnGrid& grid, const ColumnFill& fill);
 
 }  // namespace rhexis

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the lens as a whole has moved, and how much of it has gone.
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 #include "observe/measure_group.hpp"
 
@@ -15,7 +14,6 @@ public:
     void describe(ObservationSchema& schema) const override {
         schema.push_back({"lens.displacement_mm", "mm", "How far the lens as a whole has been shifted."});
         schema.push_back({"lens.peak_displacement_mm", "mm", "The most it has been shifted so far."});
-        schema.push_back({"lens.rotation_deg", "deg", "How far it has been turned about the view axis, ccw positive."});
         schema.push_back({"lens.removed_mm3", "mm^3", "Volume emulsified so far."});
         schema.push_back({"lens.removed_mg", "mg", "Mass emulsified so far."});
         schema.push_back({"lens.removal_rate_mm3_s", "mm^3/s", "Volume emulsified per second now."});
@@ -30,11 +28,10 @@ public:
         memory[peak_displacement_mm] = std::max(memory[peak_displacement_mm], displacement);
         values[0] = displacement;
         values[1] = memory[peak_displacement_mm];
-        values[2] = std::atan2(lens.motion->turn.y(), lens.motion->turn.x()) * 180.0 / std::numbers::pi;
-        values[3] = removed;
-        values[4] = input.state.removed_mass * 1e3;
-        values[5] = (removed - memory[last_removed_mm3]) / input.dt;
-        values[6] = input.state.ablation_energy;
+        values[2] = removed;
+        values[3] = input.state.removed_mass * 1e3;
+        values[4] = (removed - memory[last_removed_mm3]) / input.dt;
+        values[5] = input.state.ablation_energy;
         memory[last_removed_mm3] = removed;
     }
 };

@@ -12,7 +12,7 @@
 #include "flow/observation.hpp"
 #include "flow/tool.hpp"
 #include "flow/world.hpp"
-#include "observe/groove_shape.hpp"
+#include "observe/groove_arms.hpp"
 #include "observe/lens_columns.hpp"
 #include "observe/lens_motion.hpp"
 #include "observe/reflex.hpp"
@@ -35,6 +35,7 @@ struct LensView {
     const ColumnGrid* grid = nullptr;
     const ColumnFill* fill = nullptr;
     const GrooveShape* groove = nullptr;
+    const std::vector<GrooveShape>* arms = nullptr;  ///< see GrooveFinder
     const LensMotion* motion = nullptr;
     const Reflex* reflex = nullptr;
 };
@@ -56,6 +57,8 @@ std::unique_ptr<MeasureGroup> tool_measures(const ToolModel& model, int tool, bo
 std::unique_ptr<MeasureGroup> tremor_measures(const std::string& instrument, int tool, double dt);
 std::unique_ptr<MeasureGroup> lens_measures();
 std::unique_ptr<MeasureGroup> groove_measures(bool bag);
+std::unique_ptr<MeasureGroup> grooves_measures();
+std::unique_ptr<MeasureGroup> turn_measures(bool bag);
 std::unique_ptr<MeasureGroup> bag_measures();
 std::unique_ptr<MeasureGroup> iris_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();

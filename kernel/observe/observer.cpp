@@ -18,6 +18,8 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (tissues.lens) {
         groups.push_back(lens_measures());
         groups.push_back(groove_measures(tissues.bag));
+        groups.push_back(grooves_measures());
+        groups.push_back(turn_measures(tissues.bag));
         groups.push_back(reflex_measures());
     }
     if (tissues.bag) {
@@ -47,13 +49,14 @@ Observer::Observer(const WorldModel& world, const ObservedTissues& tissues, doub
 }
 
 LensView Observer::view() const {
-    return lens_ == nullptr ? LensView{} : LensView{lens_, &grid_, &fill_, &groove_, &motion_, &reflex_};
+    return lens_ == nullptr ? LensView{} : LensView{lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &reflex_};
 }
 
 void Observer::look_at_lens(const ObserveInput& input) {
     const SolidState& state = input.state.solids[0];
     if (update_columns(*lens_, grid_, state.fraction, fill_)) {
         groove_ = groove_shape(grid_, fill_);
+        arms_ = groove_finder_.find(grid_, fill_);
     }
     motion_ = lens_motion(*lens_, volumes_, state);
     reflex_ = reflex_of(grid_, fill_, motion_, input.eye.anatomy.pupil_radius);

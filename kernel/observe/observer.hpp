@@ -50,6 +50,8 @@ private:
     std::vector<double> volumes_;
     ColumnFill fill_;
     GrooveShape groove_;
+    GrooveFinder groove_finder_;
+    std::vector<GrooveShape> arms_;
     LensMotion motion_;
     Reflex reflex_;
 };

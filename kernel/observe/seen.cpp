@@ -32,6 +32,19 @@ Landmark surface_at_tip(const ObserveInput& input, const LensView& lens) {
     return in_lens("surface_at_tip", true, place, 0.0, *lens.motion, input.eye.anatomy);
 }
 
+/// Of each groove that can be told apart: both ends on the front of the lens and the deepest place of its floor. They
+/// turn with the lens, so that a turn can be seen.
+void add_groove_landmarks(const LensView& lens, const EyeAnatomy& eye, std::vector<Landmark>& marks) {
+    for (std::size_t i = 0; i < lens.arms->size(); ++i) {
+        const GrooveShape& groove = (*lens.arms)[i];
+        const std::string name = "groove_" + std::to_string(i + 1);
+        const double size = 0.5 * groove.width;
+        marks.push_back(in_lens(name + "_start", true, groove.near_end, size, *lens.motion, eye));
+        marks.push_back(in_lens(name + "_end", true, groove.far_end, size, *lens.motion, eye));
+        marks.push_back(in_lens(name + "_floor", true, groove.floor, 0.0, *lens.motion, eye));
+    }
+}
+
 void add_lens_landmarks(const ObserveInput& input, const LensView& lens, std::vector<Landmark>& marks) {
     const EyeAnatomy& eye = input.eye.anatomy;
     const GrooveShape& groove = *lens.groove;
@@ -41,6 +54,7 @@ void add_lens_landmarks(const ObserveInput& input, const LensView& lens, std::ve
     marks.push_back(in_lens("groove_near", groove.exists, groove.near_end, 0.5 * groove.width, *lens.motion, eye));
     marks.push_back(in_lens("groove_far", groove.exists, groove.far_end, 0.5 * groove.width, *lens.motion, eye));
     marks.push_back(in_lens("groove_floor", groove.exists, groove.floor, 0.0, *lens.motion, eye));
+    add_groove_landmarks(lens, eye, marks);
 }
 
 }  // namespace
@@ -54,6 +68,7 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
     }
     percept.landmarks.push_back({"pupil", iris, Vec3(0.0, 0.0, eye.iris_z), eye.pupil_radius});
     percept.landmarks.push_back({"incision", true, eye.incision, 0.5 * eye.incision_width});
+    percept.landmarks.push_back({"side_port", eye.side_port_width > 0.0, eye.side_port, 0.5 * eye.side_port_width});
     if (!input.tools.empty()) {
         percept.pedal = input.tools[0].pedal;
         percept.power = input.tools[0].power;

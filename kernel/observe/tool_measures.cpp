@@ -79,7 +79,8 @@ void ToolMeasures::describe_lens(ObservationSchema& schema) const {
 
 void ToolMeasures::describe_bag(ObservationSchema& schema) const {
     const std::string group = model_.name + ".";
-    schema.push_back({group + "tip_posterior_mm", "mm", "Distance of the tip from the posterior capsule."});
+    schema.push_back(
+        {group + "tip_posterior_mm", "mm", "Distance of the tip from the posterior capsule; negative: through it."});
     schema.push_back({group + "capsule_gap_mm", "mm", "Gap between instrument and capsule; negative: through it."});
     schema.push_back({group + "capsule_touch", "bool", "The instrument touches the capsule."});
     schema.push_back({group + "capsule_touches", "1", "Touches of the capsule so far."});
@@ -144,7 +145,9 @@ void measure_bag(const ToolModel& model, const ToolState& tool, const BagModel& 
     double gap = not_defined;
     double posterior = not_defined;
     if (tool.present) {
-        posterior = posterior_distance(bag.shape, state.pose.to_body(tool.pose.position));
+        const Vec3 tip = state.pose.to_body(tool.pose.position);
+        const bool through = tip.z() < 0.0 && bag_distance(bag.shape, tip).distance > 0.0;
+        posterior = (through ? -1.0 : 1.0) * posterior_distance(bag.shape, tip);
         gap = tool_gap(model, tool.pose,
                        [&](const Vec3& point) { return bag_wall_distance(bag, state.pose.to_body(point)); });
     }

@@ -19,10 +19,16 @@ struct PupilOnScreen {
 /// Through what the lens is seen: the pupil, or all that lies behind the limbus where there is no iris.
 double opening_of(const EyeAnatomy& eye) { return eye.has_iris ? eye.pupil_radius : eye.limbus_radius; }
 
-/// Within this, at the iris, neither its edge nor the wound nor the limbus can show. [mm]
+/// How near to the axis a wound shows. [mm]
+double reach_of_wound(const EyeAnatomy& eye, const Vec3& inner_lip, double width) {
+    return width > 0.0 ? 1.075 * inner_lip.head<2>().norm() - 0.35 : eye.limbus_radius;
+}
+
+/// Within this, at the iris, neither its edge nor a wound nor the limbus can show. [mm]
 double core_radius(const EyeAnatomy& eye) {
     const double magnified = 1.15;  // by the cornea, at most
-    const double wound = eye.incision_width > 0.0 ? 1.075 * eye.incision.head<2>().norm() - 0.35 : eye.limbus_radius;
+    const double wound = std::min(reach_of_wound(eye, eye.incision, eye.incision_width),
+                                  reach_of_wound(eye, eye.side_port, eye.side_port_width));
     const double clear = std::min(wound, eye.limbus_radius - 1.5) / magnified;
     return std::min(opening_of(eye) - 0.25, clear);
 }
@@ -50,6 +56,8 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("sclera_extent", sclera_extent_mm);
     program.set("incision", eye.incision);
     program.set("incision_width", eye.incision_width);
+    program.set("side_port", eye.side_port);
+    program.set("side_port_width", eye.side_port_width);
 }
 
 void set_bag(const Program& program, const Frame& frame) {

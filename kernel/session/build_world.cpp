@@ -32,6 +32,12 @@ void set_up_lens(SolidModel& lens, Advance asked) {
     lens.formulation = implicit ? Formulation::linear : Formulation::nodal_pressure;
 }
 
+constexpr double side_port_width = 1.0;  // [mm]
+
+bool has_instrument(const SceneDescription& scene, const std::string& name) {
+    return std::find(scene.instruments.begin(), scene.instruments.end(), name) != scene.instruments.end();
+}
+
 }  // namespace
 
 std::map<std::string, double> all_settings(const SceneDescription& scene) {
@@ -58,6 +64,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     set_up_lens(eye.value().lens, scene.advance);
     eye.value().anatomy.has_iris = has_tissue(scene, "iris");
     eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
+    eye.value().anatomy.side_port_width = has_instrument(scene, "spatula") ? side_port_width : 0.0;
     std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
     if (has_tissue(scene, "lens")) {
         world->solids.push_back(eye.value().lens);

@@ -12,7 +12,7 @@ namespace rhexis {
 namespace {
 
 const std::array<std::string, 4> known_tissues{"lens", "bag", "iris", "cornea"};
-const std::array<std::string, 2> known_instruments{"phaco", "probe"};
+const std::array<std::string, 3> known_instruments{"phaco", "probe", "spatula"};
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {

@@ -4,10 +4,11 @@
 #include "base/near_names.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
+#include "tools/spatula.hpp"
 
 namespace rhexis {
 
-std::vector<std::string> tool_names() { return {"phaco", "probe"}; }
+std::vector<std::string> tool_names() { return {"phaco", "probe", "spatula"}; }
 
 Result<ToolModel> make_tool(std::string_view name) {
     if (name == "phaco") {
@@ -16,8 +17,11 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "probe") {
         return probe(0.25, 30.0);
     }
+    if (name == "spatula") {
+        return spatula();
+    }
     return Error{"there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-                 "phaco, probe"};
+                 "phaco, probe, spatula"};
 }
 
 }  // namespace rhexis

@@ -36,9 +36,73 @@ local function attention(stream, person, dt)
     end
 end
 
--- What a plan may do. Everything that takes time waits until it is over. Speeds are peak speeds [mm/s].
+-- One hand with its instrument: `name` begins the names of its streams of chance, `wound` is the landmark that holds
+-- the shaft of its instrument.
+local function make_hand(stream, person, dt, name, wound)
+    return { present = false, wound = wound, hand = motion.hand(stream(name .. "aim"), person.aim_error),
+        tremble = tremor.start(stream(name .. "tremor"), person.tremor_um * 1e-3, dt) }
+end
+
+-- Waits until these hands are still. `watch` stops them as soon as it returns something: that is how a person reacts to
+-- danger, so it is not heeded by a person who does not. `reached` stops them where their purpose is fulfilled.
+local function carry_out(self, hands, watch, reached)
+    local function moving()
+        for _, side in ipairs(hands) do
+            if side.hand:moving() then return true end
+        end
+        return false
+    end
+    while moving() do
+        coroutine.yield()
+        local reason = self.seen and ((self.recovers and watch and watch(self.seen))
+            or (reached and reached(self.seen) and "reached"))
+        if reason then
+            for _, side in ipairs(hands) do side.hand:stop() end
+            return reason
+        end
+    end
+    return nil
+end
+
+-- What a plan may do with one hand. Speeds are peak speeds [mm/s].
+local function hand_words(self, side)
+    local words = {}
+
+    --- Where the hand believes the tip to be.
+    function words.tip() return side.hand.place end
+
+    --- The instrument appears with its tip at a place outside the wound; its shaft turns about the wound from then on.
+    function words.take_up(place)
+        side.present = true
+        side.hand:put(place)
+    end
+
+    function words.put_down() side.present = false end
+
+    --- Begins a movement along a path, a function of the share of the way (0 to 1), and does not wait for its end.
+    function words.begin(path, speed) side.hand:follow(path, speed) end
+
+    --- Moves the tip in a straight line. `watch`, a function of what is seen, may stop it by returning a reason, which
+    --- is returned then; `reached`, likewise, by returning true: the reason is "reached". nil at the end of the
+    --- movement.
+    function words.go(place, speed, watch, reached)
+        side.hand:move(place, speed)
+        return carry_out(self, { side }, watch, reached)
+    end
+
+    --- The same along a path, a function of the share of the way (0 to 1).
+    function words.follow(path, speed, watch, reached)
+        side.hand:follow(path, speed)
+        return carry_out(self, { side }, watch, reached)
+    end
+    return words
+end
+
+-- What a plan may do. The words of a hand are those of the leading hand; me.left has the same for the other one. There
+-- is one pair of eyes, one foot and one attention. Everything that takes time waits until it is over.
 local function make_me(self)
-    local me = {}
+    local me = hand_words(self, self.right)
+    me.left = hand_words(self, self.left)
 
     --- What is seen now: tools, landmarks, tip_brightness, reflex_brightness, pedal, power. nil before the first look.
     function me.see() return self.seen end
@@ -47,9 +111,6 @@ local function make_me(self)
 
     --- A quantity as this person really chooses it: about the value that the plan asks for.
     function me.about(value) return value * math.exp(self.person.planning_error * self.planning:normal()) end
-
-    --- Where the hand believes the tip to be.
-    function me.tip() return self.hand.place end
 
     --- Waits until a test of what is seen is true; false when `longest` seconds passed first.
     function me.wait_until(test, longest)
@@ -65,50 +126,21 @@ local function make_me(self)
         me.wait_until(function() return false end, seconds)
     end
 
-    --- The instrument appears with its tip at a place outside the wound; its shaft turns about the wound from then on.
-    function me.take_up(place)
-        self.present = true
-        self.hand:put(place)
-    end
-
-    function me.put_down() self.present = false end
-
     --- Presses the foot: 0 up, 1 irrigation, 2 aspiration, 3 ultrasound; the fraction is travel within the position.
     function me.pedal(position) self.pedal_target = position end
 
-    -- Waits for the end of the movement; `watch` stops it as soon as it returns something.
-    local function carry_out(watch)
-        while self.hand:moving() do
-            coroutine.yield()
-            local reason = watch and self.seen and watch(self.seen)
-            if reason then
-                self.hand:stop()
-                return reason
-            end
-        end
-        return nil
-    end
-
-    --- Moves the tip in a straight line. `watch`, a function of what is seen, may stop it by returning a reason, which
-    --- is returned then; nil at the end of the movement.
-    function me.go(place, speed, watch)
-        self.hand:move(place, speed)
-        return carry_out(watch)
-    end
-
-    --- The same along a path, a function of the share of the way (0 to 1).
-    function me.follow(path, speed, watch)
-        self.hand:follow(path, speed)
-        return carry_out(watch)
-    end
+    --- Waits until both hands are still, as me.go does for one.
+    function me.together(watch, reached) return carry_out(self, { self.right, self.left }, watch, reached) end
     return me
 end
 
--- The shaft goes through the wound; while the tip is still outside or close to it, it points as it did on the way in.
-local function shaft(self, tip)
-    local entry = vector.unit({ 0, -1, 0.5 })
-    if not self.wound then return entry end
-    local out = vector.sub(self.wound, tip)
+-- The shaft goes through the wound; while the tip is still outside or close to it, it points as it did on the way in:
+-- outwards and up.
+local function shaft(wound, tip)
+    if not wound then return vector.unit({ 0, -1, 0.5 }) end
+    local across = math.sqrt(wound[1] * wound[1] + wound[2] * wound[2])
+    local entry = vector.unit({ wound[1] / across, wound[2] / across, 0.5 })
+    local out = vector.sub(wound, tip)
     local depth = vector.dot(out, entry)
     local turned = math.max(0, math.min(1, (depth - 0.5) / 1.5))
     if turned == 0 then return entry end
@@ -118,14 +150,16 @@ end
 local Operator = {}
 Operator.__index = Operator
 
---- plan: function(me), run as a coroutine. seed: an integer. dt: [s].
-function operator.start(plan, group, seed, dt)
+--- plan: function(me), run as a coroutine. seed: an integer. dt: [s]. habits: { recovers = false } for a person who
+--- sees danger and does nothing about it.
+function operator.start(plan, group, seed, dt, habits)
     local person = operator.person(group, seed)
     local function stream(purpose) return chance.stream(seed, purpose) end
-    local self = setmetatable({ person = person, dt = dt, time_s = 0, present = false, pedal = 0, pedal_target = 0,
-        hand = motion.hand(stream("aim"), person.aim_error), planning = stream("planning"),
-        tremble = tremor.start(stream("tremor"), person.tremor_um * 1e-3, dt),
-        look = perception.start(stream("perception"), person, dt),
+    local self = setmetatable({ person = person, dt = dt, time_s = 0, pedal = 0, pedal_target = 0,
+        recovers = not habits or habits.recovers ~= false,
+        right = make_hand(stream, person, dt, "", "incision"),
+        left = make_hand(stream, person, dt, "left ", "side_port"), planning = stream("planning"),
+        look = perception.start(stream("perception"), person, dt, stream),
         inattentive = attention(stream("attention"), person, dt) }, Operator)
     local me = make_me(self)
     self.thread = coroutine.create(function() plan(me) end)
@@ -147,22 +181,26 @@ end
 --- The plan has run to its end.
 function Operator:done() return coroutine.status(self.thread) == "dead" end
 
---- Takes the picture of now; returns what the hand and foot do in the coming step: { present, position, orientation,
---- jaw, pedal }.
+-- What one hand does in the coming step. The wound holds the shaft, wherever one believes it to be.
+local function move(self, side, landmarks, orientation, pedal)
+    local wound = landmarks[side.wound]
+    local tip = vector.add(side.hand:advance(self.dt), side.tremble())
+    return { present = side.present, position = tip, orientation = orientation(shaft(wound and wound.position, tip)),
+        jaw = 0, pedal = pedal }
+end
+
+--- Takes the picture of now; returns what the leading hand with the foot, and what the other hand do in the coming
+--- step: { present, position, orientation, jaw, pedal }.
 function Operator:operate(percept)
     self.time_s = percept.time_s
-    local incision = percept.landmarks.incision
-    self.wound = incision and incision.position  -- it holds the shaft, wherever one believes it to be
     local seen = self.look(percept)
     if not self.inattentive() then
         self.seen = seen
         think(self)
     end
     press(self)
-    local aim = self.hand:advance(self.dt)
-    local tip = vector.add(aim, self.tremble())
-    return { present = self.present, position = tip, orientation = vector.orientation(shaft(self, tip)), jaw = 0,
-        pedal = self.pedal }
+    return move(self, self.right, percept.landmarks, vector.orientation, self.pedal),
+        move(self, self.left, percept.landmarks, vector.upright, 0)
 end
 
 return operator

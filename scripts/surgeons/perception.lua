@@ -25,12 +25,26 @@ local function place_error(stream, person, dt)
     end
 end
 
+-- What comes and goes, or is there in some exercises only, has a stream of chance of its own, so that it changes
+-- nothing for the rest.
+local own_stream = { "^groove_%d", "^side_port$", "^spatula$" }
+
+local function has_own_stream(name)
+    for _, pattern in ipairs(own_stream) do
+        if name:find(pattern) then return true end
+    end
+    return false
+end
+
 -- Everything in the picture shares one misjudgement of place per kind, so that errors between an instrument and what
 -- lies beside it are those of one look.
-local function judgement(stream, person, dt)
+local function judgement(stream, person, dt, stream_of)
     local places, bright = {}, drift(stream, dt)
     local function place_of(name, place)
-        places[name] = places[name] or place_error(stream, person, dt)
+        if not places[name] then
+            local source = has_own_stream(name) and stream_of("perception of " .. name) or stream
+            places[name] = place_error(source, person, dt)
+        end
         return places[name](place)
     end
     return function(raw)
@@ -48,9 +62,9 @@ local function judgement(stream, person, dt)
 end
 
 --- Returns a function that takes the picture of now and gives what the person sees now: the picture of reaction_s ago
---- with this person's errors, or nil before there is one.
-function perception.start(stream, person, dt)
-    local judge = judgement(stream, person, dt)
+--- with this person's errors, or nil before there is one. stream_of: gives the stream of another purpose.
+function perception.start(stream, person, dt, stream_of)
+    local judge = judgement(stream, person, dt, stream_of)
     local queue, first = {}, 1
     local seen
     return function(raw)

@@ -14,12 +14,35 @@ local function known_names()
     return names
 end
 
---- name: of a group, or an alias; plan: module of the curriculum's folder. Returns a complaint, or nil.
-function surgeon.choose(name, plan)
+-- What --set surgeon.* may change.
+local habits = {
+    recovery = "1: what is seen to go wrong is reacted to; 0: it is not",
+}
+
+-- The habits that were asked for, as texts by name; or nil and a complaint.
+local function read_habits(given)
+    for _, key in ipairs(words.keys(given)) do
+        local shown = ("--set surgeon.%s=%s: "):format(key, given[key])
+        if not habits[key] then
+            return nil, ("%snothing is called 'surgeon.%s'%s"):format(shown, key, words.hint(key, words.keys(habits)))
+        end
+        if given[key] ~= "0" and given[key] ~= "1" then
+            return nil, ("%ssurgeon.%s must be 0 or 1 (%s)"):format(shown, key, habits[key])
+        end
+    end
+    return { recovers = given.recovery ~= "0" }
+end
+
+--- name: of a group, or an alias; plan: module of the curriculum's folder; given: habits, texts by name. Returns a
+--- complaint, or nil.
+function surgeon.choose(name, plan, given)
     local group = groups.aliases[name] or name
     if not groups.meaning[group] then
         return ("there is no surgeon '%s'%s"):format(name, words.hint(name, known_names()))
     end
+    local complaint
+    surgeon.habits, complaint = read_habits(given)
+    if complaint then return complaint end
     surgeon.group = group
     surgeon.plan = require(plan)
     if type(surgeon.plan) ~= "function" then
@@ -31,12 +54,13 @@ end
 
 --- instruments: names, in the scene's order; dt: step [s].
 function surgeon.start(instruments, dt)
-    local person = operator.start(surgeon.plan, surgeon.group, surgeon.seed, dt)
-    -- The plans so far use one instrument, the first.
+    local person = operator.start(surgeon.plan, surgeon.group, surgeon.seed, dt, surgeon.habits)
+    -- The leading hand holds the first instrument, the other hand the second.
     function surgeon.operate(percept)
         local samples = { person:operate(percept) }
         samples[1].instrument = 0
-        for i = 2, #instruments do
+        if #instruments > 1 then samples[2].instrument = 1 else samples[2] = nil end
+        for i = 3, #instruments do
             samples[i] = { instrument = i - 1, present = false, position = { 0, 0, 0 },
                 orientation = { 1, 0, 0, 0 }, jaw = 0, pedal = 0 }
         end

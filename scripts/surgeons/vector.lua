@@ -45,4 +45,11 @@ function vector.orientation(shaft)
     return quaternion(x, vector.cross(z, x), z)
 end
 
+--- The same for an instrument that comes from the side: its own y axis points up as far as the shaft lets it.
+function vector.upright(shaft)
+    local z = vector.unit(shaft)
+    local y = vector.unit(vector.sub({ 0, 0, 1 }, vector.scale(z, z[3])))
+    return quaternion(vector.cross(y, z), y, z)
+end
+
 return vector

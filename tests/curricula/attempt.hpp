@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -43,12 +44,18 @@ public:
             Result<std::vector<DeviceSample>> own = host_->operate(session_->percept());
             REQUIRE_MESSAGE(own.ok(), (own ? std::string() : own.error().text()));
             samples = std::move(own).value();
+            for (DeviceSample& sample : samples) {
+                sample.pedal = std::min(sample.pedal, most_pedal_);
+            }
         }
         const StepOutcome outcome = session_->step(samples, commands.value());
         REQUIRE(outcome.failure == StepFailure::none);
         rollbacks_ += outcome.rollbacks;
         return true;
     }
+
+    /// A foot that goes no further, whatever the virtual surgeon wants.
+    void limit_pedal(double most) { most_pedal_ = most; }
 
     void run(double seconds) {
         const double end = session_->time_s() + seconds;
@@ -133,6 +140,7 @@ private:
     std::unique_ptr<ExerciseHost> host_;
     std::unique_ptr<Session> session_;
     Vec3 tip_ = Vec3::Zero();
+    double most_pedal_ = 3.0;
     int rollbacks_ = 0;
 };
 

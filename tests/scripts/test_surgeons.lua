@@ -178,8 +178,10 @@ case("a plan sees late pictures only and nothing else of the world", function()
     local function plan(me)
         me.wait_until(function(seen) return seen end)
         first = me.time_s() - me.see().time_s
-        for name, value in pairs(me) do
-            if type(value) ~= "function" then found[#found + 1] = name end
+        for _, words in ipairs({ me, me.left }) do
+            for name, value in pairs(words) do
+                if type(value) ~= "function" and name ~= "left" then found[#found + 1] = name end
+            end
         end
     end
     local person = operator.start(plan, "d", 4, dt)
@@ -206,6 +208,109 @@ case("the shaft passes the wound once the tip is inside, and an orientation is a
             equal(vector.dot(z, to_wound) > 0, true, "the hand is outside")
         end
     end
+end)
+
+local function two_handed(t)
+    local seen = percept(t, 0)
+    seen.tools.spatula = { present = true, position = { -1, 0, 2 }, orientation = { 1, 0, 0, 0 } }
+    seen.landmarks.side_port = { position = { -4.2, -0.7, 2.7 }, size = 0.5 }
+    return seen
+end
+
+-- What one hand did over n steps, as a text.
+local function way_of(which, plan, picture, n, habits)
+    local person = operator.start(plan, "a", 7, dt, habits)
+    local texts = {}
+    for i = 0, n - 1 do
+        local s = select(which, person:operate(picture(i * dt)))
+        texts[#texts + 1] = ("%s %.17g %.17g %.17g %.17g"):format(s.present, s.position[1], s.position[2],
+            s.position[3], s.pedal)
+    end
+    return table.concat(texts, "\n")
+end
+
+local function with_both(me)
+    me.wait_until(function(seen) return seen end)
+    me.take_up({ 0, -6, 3 })
+    me.left.take_up({ -6, -1, 3 })
+    for _ = 1, 3 do
+        me.pedal(3)
+        me.left.begin(function(share) return { -6 + 5 * share, 0, 2 } end, 3)
+        me.go({ 0, 2, 1 }, me.about(4))
+        me.pedal(1)
+        me.go({ 0, -1, 1 }, 6)
+        me.together()
+    end
+end
+
+case("the other hand has chances of its own: what the leading hand does is the same with and without it", function()
+    local function leading_only(me)
+        me.left = { take_up = function() end, begin = function() end }
+        me.together = function() end
+        with_both(me)
+    end
+    equal(way_of(1, with_both, two_handed, 200), way_of(1, leading_only, function(t) return percept(t, 0) end, 200))
+    equal(way_of(2, with_both, two_handed, 200) ~= way_of(1, with_both, two_handed, 200), true)
+end)
+
+case("both hands move at once, the foot goes with the leading one, and the other shaft passes the side port", function()
+    local person = operator.start(with_both, "d", 3, dt)
+    local moved_at_once, before_right, before_left = 0, nil, nil
+    for i = 0, 300 do
+        local right, left = person:operate(two_handed(i * dt))
+        if before_right then
+            local a, b = vector.distance(right.position, before_right), vector.distance(left.position, before_left)
+            if a > 0.02 and b > 0.02 and a < 1 and b < 1 then moved_at_once = moved_at_once + 1 end
+        end
+        before_right, before_left = right.position, left.position
+        equal(left.pedal, 0)
+    end
+    equal(moved_at_once > 50, true, "steps in which both moved: " .. moved_at_once)
+    local _, left = person:operate(two_handed(301 * dt))
+    local q = left.orientation
+    local z = { 2 * (q[2] * q[4] + q[1] * q[3]), 2 * (q[3] * q[4] - q[1] * q[2]), 1 - 2 * (q[2] ^ 2 + q[3] ^ 2) }
+    local y = { 2 * (q[2] * q[3] - q[1] * q[4]), 1 - 2 * (q[2] ^ 2 + q[4] ^ 2), 2 * (q[3] * q[4] + q[1] * q[2]) }
+    local to_wound = vector.sub({ -4.2, -0.7, 2.7 }, left.position)
+    near(vector.norm(vector.cross(z, to_wound)), 0, 1e-9, "wound off the shaft")
+    equal(y[3] > 0.5, true, "its bent end points down")
+end)
+
+case("who does not react to danger goes on, but still stops where a movement has reached its purpose", function()
+    local function plan(me)
+        me.wait_until(function(seen) return seen end)
+        me.take_up({ 0, 0, 0 })
+        local reason = me.go({ 10, 0, 0 }, 5, function(seen) return seen.time_s > 1 and "danger" end,
+            function(seen) return seen.time_s > 2 end)
+        me.take_up({ reason == "danger" and 1 or reason == "reached" and 2 or 3, 0, 0 })
+    end
+    local function last_x(habits)
+        local person = operator.start(plan, "d", 5, dt, habits)
+        local x
+        for i = 0, 400 do x = person:operate(percept(i * dt, 0)).position[1] end
+        return math.floor(x + 0.5)
+    end
+    equal(last_x(nil), 1)
+    equal(last_x({ recovers = true }), 1)
+    equal(last_x({ recovers = false }), 2)
+end)
+
+case("marks that come and go do not change how the rest is seen", function()
+    local person = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3 }
+    local function stream_of(purpose) return chance.stream(2, purpose) end
+    local function tip_after(with_marks)
+        local see = perception.start(chance.stream(2, "p"), person, dt, stream_of)
+        local seen
+        for i = 0, 300 do
+            local raw = percept(i * dt, 0, 0.5)
+            if with_marks and i > 100 then raw.landmarks.groove_1_start = { position = { 0, -2, 1 }, size = 1 } end
+            seen = see(raw)
+        end
+        return ("%.17g"):format(seen.tools.phaco.position[1]), seen.landmarks.groove_1_start
+    end
+    local plain = tip_after(false)
+    local marked, mark = tip_after(true)
+    equal(plain, marked)
+    equal(mark.position[2] ~= -2, true, "misjudged like everything else")
 end)
 
 case("people of a group vary about its parameters, and the groups keep their order", function()

@@ -12,7 +12,7 @@ local eye = {}
 ---@field side? "right"|"left" # default "right"
 ---@field tetrahedra? integer # wanted size of the lens mesh; 500 to 24000; default 3000
 ---@field tissues? string[] # of "lens", "bag", "iris", "cornea"; what is not named is not built; default all four
----@field instruments? string[] # of "phaco", "probe"; default {"phaco"}
+---@field instruments? string[] # of "phaco", "probe", "spatula"; default {"phaco"}
 ---@field step? number # length of a step [s]; 0.001 to 0.02; default 0.01
 ---@field threads? integer # that work on a step; the result does not depend on it; 1 to 64; default 1
 ---@field advance? "automatic"|"explicit"|"implicit" # way to advance the lens in time; default "automatic"

@@ -309,6 +309,8 @@ function Scene:measures() end
 ---@field anterior_chamber_depth number # front of the cornea to front of the lens [mm]
 ---@field incision rhexis.Vec3 # centre of the main wound at its inner lip [mm]
 ---@field incision_width number # [mm]
+---@field side_port rhexis.Vec3 # centre of the second, narrow wound at its inner lip [mm]
+---@field side_port_width number # [mm]; 0: it is not cut, because no instrument needs it
 
 ---In the scene of an eye: sizes and places of what surrounds the lens.
 ---```lua

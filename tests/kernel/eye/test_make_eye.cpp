@@ -169,6 +169,14 @@ TEST_SUITE("eye") {
                 CHECK(eye.incision.y() < -eye.pupil_radius + 0.5);
                 CHECK(eye.incision.z() > eye.iris_z);
                 CHECK(eye.incision.z() < eye.cornea_apex_z - eye.cornea_thickness);
+                // The side port: at the surgeon's left, 60 to 100 degrees from the main wound.
+                const Vec2 port = eye.side_port.head<2>();
+                const double apart = std::acos(port.normalized().dot(eye.incision.head<2>().normalized()));
+                CHECK(apart > 60.0 * 3.14159265 / 180.0);
+                CHECK(apart < 100.0 * 3.14159265 / 180.0);
+                CHECK(port.x() < 0.0);
+                CHECK(port.norm() < eye.limbus_radius - 0.5);
+                CHECK(eye.side_port.z() > eye.iris_z);
             }
         }
         CHECK(make_anatomy(Patient{}).anterior_chamber_depth == doctest::Approx(3.02).epsilon(0.01));

@@ -189,6 +189,75 @@ TEST_SUITE("observe") {
         CHECK(bench.value(observer, "lens.rotation_deg") == doctest::Approx(angle * 180.0 / 3.14159265).epsilon(1e-6));
     }
 
+    TEST_CASE("turns of the lens add up past half a turn, and what the bag did not follow is slip") {
+        Bench bench;
+        Observer observer(bench.world, all_tissues, 0.01);
+        const std::vector<Vec3> rest = bench.state.solids[0].position;
+        bench.state.bags[0].pose.orientation = Quat(Eigen::AngleAxisd(0.05, Vec3::UnitZ()));
+        for (int degrees = 0; degrees >= -400; degrees -= 20) {
+            const Mat3 turn = Eigen::AngleAxisd(degrees * 3.14159265358979 / 180.0, Vec3::UnitZ()).toRotationMatrix();
+            for (std::size_t i = 0; i < rest.size(); ++i) {
+                bench.state.solids[0].position[i] = turn * rest[i];
+            }
+            bench.observe(observer);
+            CHECK(bench.value(observer, "lens.rotation_deg") == doctest::Approx(degrees).epsilon(1e-6));
+        }
+        const double bag_turn = 0.05 * 180.0 / 3.14159265358979;
+        CHECK(bench.value(observer, "bag.turn_deg") == doctest::Approx(bag_turn));
+        CHECK(bench.value(observer, "bag.slip_deg") == doctest::Approx(-400.0 - bag_turn));
+        CHECK(bench.value(observer, "zonules.torque_mNmm") < 0.0);  // they turn the bag back
+    }
+
+    TEST_CASE("torque on the lens is arm times force about the bag's axis, tools and bag apart") {
+        Bench bench;
+        Observer observer(bench.world, all_tissues, 0.01);
+        bench.state.bags[0].pose.position = Vec3(0.5, 0.0, 0.0);
+        Contact push;
+        push.point = Vec3(0.5, 2.0, 1.0);
+        push.force = Vec3(300.0, 0.0, -500.0);
+        Contact drag = push;
+        drag.partner = ContactPartner::bag;
+        drag.point = Vec3(3.5, 0.0, 0.0);
+        drag.force = Vec3(10.0, 100.0, 0.0);
+        bench.contacts = {push, drag};
+        bench.observe(observer);
+        CHECK(bench.value(observer, "lens.tool_torque_mNmm") == doctest::Approx(-0.6));
+        CHECK(bench.value(observer, "lens.bag_torque_mNmm") == doctest::Approx(0.3));
+    }
+
+    TEST_CASE("a cross cut into the lens is measured as two grooves, and their ends turn with it in the picture") {
+        Bench bench(3000);
+        const ColumnGrid grid = make_columns(bench.world.solids[0], 0.2);
+        bench.remove(trench(grid, 0.7, 2.5, 3.0, 0.0));
+        bench.remove(trench(grid, 0.7, 2.5, 2.0, 1.5708));
+        Observer observer(bench.world, all_tissues, 0.01);
+        bench.observe(observer);
+        CHECK(bench.value(observer, "grooves.count") == 2.0);
+        CHECK(bench.value(observer, "grooves.angle_deg") > 85.0);
+        CHECK(bench.value(observer, "groove_1.depth_mm") == doctest::Approx(3.0).epsilon(0.12));
+        CHECK(bench.value(observer, "groove_2.depth_mm") == doctest::Approx(2.0).epsilon(0.12));
+        for (const char* length : {"groove_1.length_mm", "groove_2.length_mm"}) {
+            CHECK(bench.value(observer, length) == doctest::Approx(5.0).epsilon(0.12));
+        }
+        const auto end_of_first = [&] {
+            for (const Landmark& mark : observer.percept(bench.input()).landmarks) {
+                if (mark.name == "groove_1_end") {
+                    return mark;
+                }
+            }
+            return Landmark{};
+        };
+        const Vec3 before = end_of_first().position;
+        CHECK(before.y() > 2.0);
+        const Mat3 turn = Eigen::AngleAxisd(-1.5708, Vec3::UnitZ()).toRotationMatrix();
+        for (Vec3& x : bench.state.solids[0].position) {
+            x = turn * x;
+        }
+        bench.observe(observer);
+        CHECK((end_of_first().position - turn * before).norm() < 0.2);
+        CHECK(bench.value(observer, "grooves.count") == 2.0);
+    }
+
     TEST_CASE("the tip's depth and distances are those of the geometry") {
         Bench bench;
         Observer observer(bench.world, all_tissues, 0.01);

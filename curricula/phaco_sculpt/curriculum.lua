@@ -1,0 +1,151 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A cross in the nucleus: a groove, a quarter turn, a second groove across the first. It prepares cracking into
+-- quarters.
+
+-- Where the tip must be after something went wrong: pedal let go, tip out of the lens and well over it.
+local tip_clear = "phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.0"
+
+return exercise {
+    title = "Sculpting a cross",
+    version = 1,
+    summary = "The capsule is open and the nucleus turns freely. Sculpt a groove, turn the nucleus by a quarter with "
+        .. "the second instrument, and sculpt another groove across the first: each at least 4 mm long and so deep "
+        .. "that the red reflex glows in it, without touching posterior capsule or iris and without pushing the lens.",
+    objectives = {
+        "Judge depth by the red reflex",
+        "Turn the nucleus by its groove, with little load on the zonules",
+        "Work with two instruments through two wounds",
+    },
+
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    tissues = { "lens", "bag", "iris", "cornea" },
+    instruments = { "phaco", "spatula" },
+
+    goals = {
+        length_mm = { 4.0, from = 1, to = 7, meaning = "how long each groove must be" },
+        depth_percent = { 60, from = 10, to = 90, meaning = "how deep, of the lens's thickness" },
+        angle_deg = { 90, from = 30, to = 90, meaning = "between the two grooves" },
+        tolerance_deg = { 10, from = 1, to = 30, meaning = "how far from that angle they may be" },
+    },
+    reference = { time_s = 150, path_mm = 400 },
+
+    steps = {
+        step "approach" {
+            title = "Enter the eye and come to the lens",
+            hint = "Go in through the main incision with irrigation on (pedal 1), and bring the tip to the front of "
+                .. "the lens, on your own side of its centre.",
+            done = "phaco.tip_depth_mm > -0.5",
+            time_limit_s = 60,
+        },
+        step "first groove" {
+            title = "Sculpt the first groove",
+            hint = "Stroke away from yourself with ultrasound (pedal 3), come back without it. Take a thin layer each "
+                .. "time. Stop when the groove glows red.",
+            done = "groove_1.length_mm >= goal.length_mm and 100 * groove_1.depth_share >= goal.depth_percent "
+                .. "and phaco.tip_depth_mm < 0",
+            time_limit_s = 150,
+        },
+        step "rotate" {
+            title = "Turn the nucleus by a quarter",
+            hint = "Back to pedal 1. Bring the spatula in through the side port, put its end into the groove near the "
+                .. "far end, and push the wall sideways along an arc: the lens must turn, not shift.",
+            done = "abs(abs(lens.rotation_deg) - goal.angle_deg) < goal.tolerance_deg and not spatula.in_contact",
+            time_limit_s = 90,
+        },
+        step "second groove" {
+            title = "Sculpt the second groove, across the first",
+            hint = "The same again. In the middle, where the first groove is, nothing is left to sculpt: keep the tip "
+                .. "from dropping in.",
+            done = "grooves.count >= 2 and groove_2.length_mm >= goal.length_mm "
+                .. "and 100 * min(groove_1.depth_share, groove_2.depth_share) >= goal.depth_percent "
+                .. "and abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg and phaco.tip_depth_mm < 0",
+            time_limit_s = 150,
+        },
+        step "depth check" {
+            title = "Look at the depth",
+            hint = "Pedal 1, tip over the lens, and look for two seconds: both grooves glow evenly from end to end, or "
+                .. "you go back to the one that does not.",
+            done = "phaco.tip_depth_mm < 0 and phaco.pedal < 1.5 and step.time_s >= 1.5 "
+                .. "and 100 * min(groove_1.depth_share, groove_2.depth_share) >= goal.depth_percent",
+            time_limit_s = 60,
+        },
+        step "withdraw" {
+            title = "Leave the eye",
+            hint = "Pedal 1, tips over the lens, and out through the wounds.",
+            done = "not phaco.present and not spatula.present",
+        },
+    },
+
+    errors = {
+        error_event "Groove too deep" {
+            when = "phaco.tip_posterior_mm < 0.3 and (phaco.aspirating or phaco.ultrasound)",
+            recovered = tip_clear,
+            deadline_s = 2,
+            harm = "phaco.tip_posterior_mm < 0.1",
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "The reflex in the groove is bright, and the plate at its floor feels soft.",
+            advice = "Too deep: let go to pedal 1 and lift the tip straight out of the groove, well over the lens. "
+                .. "Look before you go on, and go on elsewhere.",
+            items = { "T9", "G4" },
+            evidence = { "grooves.count", "groove_1.depth_share", "phaco.power", "reflex.tip" },
+        },
+        error_event "Pushing the nucleus" {
+            when = "lens.displacement_mm > 0.5 and (phaco.in_contact or spatula.in_contact)",
+            recovered = { "phaco.pedal < 1.5", "lens.displacement_mm < 0.25 and not spatula.in_contact "
+                .. "and phaco.tip_depth_mm < -1.0" },
+            deadline_s = 3,
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "The whole lens moves away from the instrument.",
+            advice = "You push more than you cut or turn: stop, lift the tip out of the lens and let it come back; "
+                .. "then more slowly, or with more power.",
+            items = { "T9", "T10" },
+            evidence = { "phaco.force_mN", "spatula.force_mN", "phaco.speed_mm_s", "phaco.power", "zonules.strain" },
+        },
+        error_event "Zonules overstrained" {
+            when = "zonules.strain > 0.30",
+            recovered = "zonules.strain < 0.15 and not spatula.in_contact and phaco.tip_depth_mm < -1.0",
+            deadline_s = 3,
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "The edge of the pupil shows the rim of the bag, the reflex becomes uneven.",
+            advice = "The zonules carry the load: take the instruments off the lens. Push along the groove's wall at "
+                .. "a right angle to it, and not down.",
+            items = { "T10", "G4" },
+            evidence = { "zonules.load_mN", "zonules.torque_mNmm", "lens.tool_torque_mNmm", "bag.turn_deg",
+                "bag.slip_deg" },
+        },
+        error_event "Spatula on the capsule" {
+            when = "spatula.capsule_touch",
+            recovered = "spatula.tip_depth_mm < -0.6",
+            deadline_s = 3,
+            near_miss_s = 0,
+            harm = "spatula.tip_posterior_mm < 0.1",
+            severity = "critical",
+            cue = "The edge of the capsulorhexis dents, or folds run from the instrument.",
+            advice = "The spatula touches the capsule: stop, and lift it straight up. Work inside the opening of the "
+                .. "capsule.",
+            items = { "T10", "G4" },
+            evidence = { "spatula.capsule_gap_mm", "spatula.tip_posterior_mm" },
+        },
+        error_event "Iris touched" {
+            when = "iris.touch",
+            recovered = "iris.gap_mm > 0.1 and phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.0",
+            deadline_s = 2,
+            near_miss_s = 0,
+            severity = "minor",
+            cue = "The pupil's edge moves with the instrument.",
+            advice = "Iris touched: stop, lift the tip over the lens to the middle of the pupil, and look at the "
+                .. "shaft.",
+            items = { "G5", "G4" },
+            evidence = { "iris.gap_mm", "phaco.pedal" },
+        },
+    },
+
+    -- The attempt is over when both instruments have left the eye after work, whatever was reached.
+    over = { "phaco.tip_depth_mm > -0.5", "not phaco.present and not spatula.present" },
+    time_limit_s = 300,
+
+    scoring = osacss { "T7", "T8", "T9", "T10", "G3", "G4", "G5", "G6" },
+}

@@ -1,0 +1,206 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- How a virtual surgeon sculpts a cross: a groove, a quarter turn of the nucleus, a second groove, a look at the depth.
+-- All groups follow this plan; what they make of it depends on their hands, eyes and attention
+-- (scripts/surgeons/groups.lua). The plan sees the picture only: no measure, no event, no score. [mm]
+--
+-- The nucleus is turned with the spatula: its end goes into the groove, away from the middle, and pushes the wall
+-- sideways along an arc, so that the lens turns and is not shifted.
+
+local sculpting = require "surgeons.sculpting"
+local vector = require "surgeons.vector"
+
+local goal_turn = 90          -- between the grooves [deg]
+local near_enough = 5         -- of it that a surgeon is content with [deg]
+local arm = 2.0               -- of the push about the middle of the lens
+local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
+local engaged = 0.55          -- depth of the spatula's end in the groove
+local deeper = 0.15           -- the same, more each time that the lens did not turn
+local spatula_radius = 0.2
+local turn_speed = 2.5        -- of the spatula's end [mm/s]
+local clear_of_lens = 1.0     -- height over the lens at which nothing touches it
+local out_of_danger = 1.4     -- height over the lens to which a tip is lifted when something went wrong
+local escape_speed = 14.0     -- of that lift [mm/s]
+local iris_margin = 0.15      -- of the tip's edge from the pupil's at which to stop
+local tip_radius = 0.45
+
+-- The grooves that can be told apart in the picture, each with its direction: clockwise from away-from-the-surgeon
+-- [deg], by the ends that began as its near and its far one.
+local function grooves_seen(seen)
+    local list = {}
+    for i = 1, 4 do
+        local name = "groove_" .. i
+        local from, to = seen.landmarks[name .. "_start"], seen.landmarks[name .. "_end"]
+        if from and to then
+            local way = vector.sub(to.position, from.position)
+            list[#list + 1] = { direction = math.deg(math.atan(way[1], way[2])), half_width = from.size,
+                length = vector.norm(way), floor = seen.landmarks[name .. "_floor"] }
+        end
+    end
+    return list
+end
+
+-- Angle between a direction and the line of sight, whichever way it points [deg].
+local function off_sight(direction) return math.abs((direction + 90) % 180 - 90) end
+
+-- Floor of the groove that is being sculpted: the one along the line of sight.
+local function floor_ahead(seen)
+    for _, groove in ipairs(grooves_seen(seen)) do
+        if off_sight(groove.direction) < 40 then return groove.floor end
+    end
+    return nil
+end
+
+local function height(eye, place)
+    return sculpting.surface(eye, math.sqrt((place[1] - eye.pupil[1]) ^ 2 + (place[2] - eye.pupil[2]) ^ 2))
+end
+
+-- Something went wrong: pedal up, and the tip straight out of the lens.
+local function get_clear(me, eye)
+    local tip = me.tip()
+    me.pedal(1)
+    me.go({ tip[1], tip[2], height(eye, tip) + out_of_danger }, escape_speed)
+    sculpting.let_come_back(me, eye)
+end
+
+-- The tip comes too near to the edge of the pupil.
+local function near_iris(eye)
+    return function(seen)
+        local tool = seen.tools.phaco
+        if not tool or not tool.present then return nil end
+        local off = math.sqrt((tool.position[1] - eye.pupil[1]) ^ 2 + (tool.position[2] - eye.pupil[2]) ^ 2)
+        return off > eye.pupil_radius - tip_radius - iris_margin and "iris" or nil
+    end
+end
+
+local function sculpt(me, eye, groove, until_s)
+    sculpting.sculpt(me, eye, groove, { deep_enough = 0.78, surely_deep = 0.66, thin = 0.08, until_s = until_s,
+        floor = floor_ahead, recover = get_clear, also = near_iris(eye), return_height = 0.35, entry_speed = 4.0,
+        half_width = 0.3 })
+end
+
+-- Over the lens, out of the way of the spatula.
+local function rest_phaco(me, eye, groove)
+    me.pedal(1)
+    local tip = me.tip()
+    me.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, sculpting.free_speed)
+    local place = { groove.x + 0.5, eye.pupil[2] - 0.55 * eye.pupil_radius, 0 }
+    place[3] = height(eye, place) + clear_of_lens
+    me.go(place, sculpting.free_speed)
+end
+
+local function outside_port(eye)
+    local across = math.sqrt(eye.port[1] ^ 2 + eye.port[2] ^ 2)
+    return { eye.port[1] * (1 + 2 / across), eye.port[2] * (1 + 2 / across), eye.port[3] + 1.0 }
+end
+
+local function bring_spatula(me, eye)
+    me.left.take_up(outside_port(eye))
+    me.wait(0.5)
+    me.left.go(eye.port, sculpting.free_speed)
+    local place = { eye.pupil[1] - 1.5, eye.pupil[2], 0 }
+    place[3] = height(eye, place) + clear_of_lens
+    me.left.go(place, sculpting.free_speed)
+end
+
+local function lift_spatula(me, eye, speed)
+    local tip = me.left.tip()
+    me.left.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, speed)
+end
+
+local function take_spatula_away(me, eye)
+    lift_spatula(me, eye, sculpting.free_speed)
+    me.left.go(eye.port, sculpting.free_speed)
+    me.left.go(outside_port(eye), sculpting.free_speed)
+    me.left.put_down()
+end
+
+-- A place at a direction [deg, clockwise from away-from-the-surgeon] and depth in the lens, at the arm of the push.
+local function at(eye, direction, depth)
+    local angle = math.rad(direction)
+    local place = { eye.pupil[1] + arm * math.sin(angle), eye.pupil[2] + arm * math.cos(angle), 0 }
+    place[3] = height(eye, place) - depth
+    return place
+end
+
+-- Direction of the first groove as it seems after looking for a moment; nil when it cannot be made out.
+local function look_at_groove(me)
+    local sum, count = 0, 0
+    for _ = 1, 4 do
+        me.wait(0.15)
+        local groove = grooves_seen(me.see())[1]
+        if groove then sum, count = sum + groove.direction, count + 1 end
+    end
+    return count > 0 and sum / count or nil
+end
+
+-- Pushes the groove's wall so that the lens turns from one direction to another [deg].
+local function push_round(me, eye, groove, from, to, depth)
+    local play = math.deg(math.asin(math.min(0.6, math.max(0, groove.half_width - spatula_radius) / arm)))
+    local ahead = to > from and play or -play
+    me.left.go(at(eye, from, -clear_of_lens), sculpting.free_speed)
+    me.left.go(at(eye, from, depth), sculpting.free_speed)
+    local reason = me.left.follow(function(share) return at(eye, from + (to + ahead - from) * share, depth) end,
+        me.about(turn_speed), sculpting.runs_away(eye), function(seen)
+            local now = grooves_seen(seen)[1]
+            return now and (now.direction - to) * ahead > 0
+        end)
+    if reason == "pushing" then
+        lift_spatula(me, eye, escape_speed)
+        sculpting.let_come_back(me, eye)
+    else
+        lift_spatula(me, eye, sculpting.free_speed)
+    end
+end
+
+-- Turns the first groove across the line of sight.
+local function rotate(me, eye)
+    local depth, before = engaged, nil
+    for _ = 1, 10 do
+        local direction = look_at_groove(me)
+        if not direction then return end
+        if math.abs(direction - goal_turn) < near_enough then return end
+        if before and math.abs(direction - before) < 5 then depth = depth + deeper end
+        before = direction
+        local groove = grooves_seen(me.see())[1]
+        if groove then push_round(me, eye, groove, direction, goal_turn, depth) end
+    end
+end
+
+-- Keeps the lens from turning back while the second groove is sculpted: the spatula's end lies in the near arm of the
+-- first groove, which now points to the left, against the wall that would come.
+local function hold(me, eye)
+    local groove = grooves_seen(me.see())[1]
+    if not groove then return end
+    local beside = math.max(0, groove.half_width - spatula_radius - 0.1)
+    local function place(depth)
+        local x = eye.pupil[1] - hold_arm
+        return { x, eye.pupil[2] + beside, sculpting.surface(eye, hold_arm) - depth }
+    end
+    me.left.go(place(-clear_of_lens), sculpting.free_speed)
+    me.left.go(place(engaged), turn_speed)
+end
+
+-- Tip over the lens, pedal at irrigation: are both grooves deep enough? True when they seem so.
+local function look_at_depth(me, eye)
+    me.pedal(1)
+    local tip = me.tip()
+    me.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, sculpting.free_speed)
+    me.wait(2.2)
+    local floor = floor_ahead(me.see())
+    return floor and sculpting.seen_share(eye, floor) > 0.68
+end
+
+return function(me)
+    local eye = sculpting.look_around(me)
+    local groove = sculpting.plan_groove(eye)
+    sculpting.enter(me, eye, groove)
+    sculpt(me, eye, groove, 90)
+    rest_phaco(me, eye, groove)
+    bring_spatula(me, eye)
+    rotate(me, eye)
+    hold(me, eye)
+    sculpt(me, eye, groove, 210)
+    look_at_depth(me, eye)
+    take_spatula_away(me, eye)
+    sculpting.leave(me, eye)
+end

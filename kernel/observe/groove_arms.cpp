@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "observe/groove_arms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rhexis {
+namespace {
+
+constexpr int directions = 120;          ///< over half a turn: 1.5 degrees apart
+constexpr int coarse_step = 4;           ///< directions between those tried first
+constexpr double whole_cost = 2.0;       ///< of a whole column in the rectangle, where a lost one is worth 1
+constexpr int rounds = 3;                ///< of extent along, then across
+constexpr int most_bands = 6;            ///< looked at, pits and scratches among them
+constexpr double margin = 0.2;           ///< beside a band: its ragged edge, no other groove [mm]
+constexpr double least_length = 2.0;     ///< [mm]
+constexpr double least_slimness = 1.3;   ///< length over width
+constexpr double least_own_area = 0.6;   ///< outside all bands found before [mm^2]
+constexpr double least_spread = 2.0;     ///< of slices that tell a direction: sum of squares [mm^2]
+constexpr double steepest = 0.2;         ///< by which their line may leave the band's direction
+constexpr double least_own_width = 0.4;  ///< of that area, mean over its extent along the groove [mm]
+
+/// Unit vectors 1.5 degrees apart over half a turn; by products only, so that no library decides their last bit.
+std::array<Vec2, directions> make_directions() {
+    constexpr double cosine = 0.99965732497555728;
+    constexpr double sine = 0.026176948307873153;
+    std::array<Vec2, directions> list;
+    list[0] = Vec2::UnitY();
+    for (int i = 1; i < directions; ++i) {
+        list[i] =
+            Vec2(cosine * list[i - 1].x() + sine * list[i - 1].y(), cosine * list[i - 1].y() - sine * list[i - 1].x());
+    }
+    return list;
+}
+
+/// By which bands are compared: where slim grooves cross at a small angle, a wide band over their middle is worth as
+/// much as one of them.
+double rank(const GrooveBand& band) {
+    return band.worth * band.worth * (band.high - band.low) / (band.right - band.left);
+}
+
+bool is_long(const GrooveBand& band) {
+    return band.high - band.low >= std::max(least_length, least_slimness * (band.right - band.left));
+}
+
+/// The same rectangle, its sides called the other way round.
+GrooveBand sideways(const GrooveBand& band) {
+    return {Vec2(band.along.y(), -band.along.x()), band.left, band.right, -band.high, -band.low, band.worth};
+}
+
+struct Stretch {
+    int first = 0;
+    int last = -1;
+    double sum = 0.0;
+};
+
+/// The stretch of a row of numbers with the greatest sum.
+Stretch best_stretch(const std::vector<double>& numbers) {
+    Stretch best;
+    double sum = 0.0;
+    int first = 0;
+    for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+        if (sum <= 0.0) {
+            sum = 0.0;
+            first = i;
+        }
+        sum += numbers[i];
+        if (sum > best.sum) {
+            best = {first, i, sum};
+        }
+    }
+    return best;
+}
+
+enum class Column : unsigned char { whole, explained, lost };
+
+class ArmFinder {
+public:
+    ArmFinder(const ColumnGrid& grid, const std::vector<int>& lost)
+        : grid_(grid), columns_(grid.cells(), Column::whole), cells_(lost) {
+        for (const int cell : lost) {
+            columns_[cell] = Column::lost;
+            reach_ = std::max(reach_, grid.centre(cell).norm());
+        }
+        side_ = 2 * static_cast<int>(std::ceil(reach_ / grid.cell)) + 1;
+    }
+
+    std::vector<GrooveBand> bands() {
+        std::vector<GrooveBand> found;
+        for (int i = 0; i < most_bands && found.size() < most_grooves && own_area() >= least_own_area; ++i) {
+            const GrooveBand band = best_band();
+            if (is_groove(band)) {
+                found.push_back(band);
+            }
+            for (const int cell : cells_) {
+                if (band.holds(grid_.centre(cell), margin)) {
+                    columns_[cell] = Column::explained;
+                }
+            }
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] double area(double columns) const { return columns * grid_.cell * grid_.cell; }
+    [[nodiscard]] double own_area() const {
+        return area(static_cast<double>(std::count(columns_.begin(), columns_.end(), Column::lost)));
+    }
+    [[nodiscard]] GrooveBand best_band();
+    [[nodiscard]] GrooveBand best_in_direction(const Vec2& along);
+    void look_along(const Vec2& along);
+    [[nodiscard]] bool is_groove(const GrooveBand& band) const;
+
+    const ColumnGrid& grid_;
+    std::vector<Column> columns_;
+    const std::vector<int>& cells_;  ///< that have lost tissue
+    double reach_ = 0.0;             ///< of them from the axis [mm]
+    int side_ = 1;                   ///< of the square in which they lie [columns]
+
+    std::vector<double> worth_;  ///< of the square turned to a direction, row by row: scratch
+    std::vector<double> sums_;
+};
+
+/// Coarsely over all directions, then finely about the best. Long ones go before others: a cross of stout grooves holds
+/// a large diamond.
+GrooveBand ArmFinder::best_band() {
+    static const std::array<Vec2, directions> tried = make_directions();
+    GrooveBand best;
+    int best_at = 0;
+    const auto look = [&](int at) {
+        const int index = (at + directions) % directions;
+        const GrooveBand band = best_in_direction(tried[index]);
+        const bool longer = is_long(band) && !is_long(best);
+        const bool better = is_long(band) == is_long(best) && (best.worth <= 0.0 || rank(band) > rank(best));
+        if (band.worth > 0.0 && (longer || better)) {
+            best = band;
+            best_at = index;
+        }
+    };
+    for (int i = 0; i < directions; i += coarse_step) {
+        look(i);
+    }
+    for (const int step : {2, 1, 1}) {
+        const int middle = best_at;
+        look(middle - step);
+        look(middle + step);
+    }
+    return best;
+}
+
+/// What each place of the square is worth, rows along a direction.
+void ArmFinder::look_along(const Vec2& along) {
+    const Vec2 across(along.y(), -along.x());
+    const int half = side_ / 2;
+    worth_.resize(static_cast<std::size_t>(side_) * side_);
+    double* out = worth_.data();
+    for (int i = -half; i <= half; ++i) {
+        for (int k = -half; k <= half; ++k) {
+            const int cell = grid_.cell_at(grid_.cell * (k * across + i * along));
+            const Column column = cell < 0 ? Column::whole : columns_[cell];
+            *out++ = column == Column::lost ? 1.0 : column == Column::explained ? 0.0 : -whole_cost;
+        }
+    }
+}
+
+GrooveBand ArmFinder::best_in_direction(const Vec2& along) {
+    look_along(along);
+    Stretch rows{0, side_ - 1, 0.0};
+    Stretch columns{0, side_ - 1, 0.0};
+    // Begin with the row that is worth most: from the whole square the first sums would see mostly whole columns.
+    sums_.assign(side_, 0.0);
+    for (int k = 0; k < side_; ++k) {
+        double run = 0.0;
+        for (int i = 0; i < side_; ++i) {
+            run = std::max(0.0, run + worth_[static_cast<std::size_t>(i) * side_ + k]);
+            sums_[k] = std::max(sums_[k], run);
+        }
+    }
+    columns.first = columns.last = static_cast<int>(std::max_element(sums_.begin(), sums_.end()) - sums_.begin());
+    for (int round = 0; round < rounds; ++round) {
+        sums_.assign(side_, 0.0);
+        for (int i = 0; i < side_; ++i) {
+            for (int k = columns.first; k <= columns.last; ++k) {
+                sums_[i] += worth_[static_cast<std::size_t>(i) * side_ + k];
+            }
+        }
+        rows = best_stretch(sums_);
+        sums_.assign(side_, 0.0);
+        for (int i = rows.first; i <= rows.last; ++i) {
+            for (int k = 0; k < side_; ++k) {
+                sums_[k] += worth_[static_cast<std::size_t>(i) * side_ + k];
+            }
+        }
+        columns = best_stretch(sums_);
+    }
+    const int half = side_ / 2;
+    const double cell = grid_.cell;
+    const GrooveBand band{along,
+                          (rows.first - half - 0.5) * cell,
+                          (rows.last - half + 0.5) * cell,
+                          (columns.first - half - 0.5) * cell,
+                          (columns.last - half + 0.5) * cell,
+                          columns.sum};
+    return band.high - band.low >= band.right - band.left ? band : sideways(band);
+}
+
+bool ArmFinder::is_groove(const GrooveBand& band) const {
+    if (!is_long(band)) {
+        return false;
+    }
+    int own = 0;
+    std::vector<int> covered;  // cells along it
+    for (const int cell : cells_) {
+        if (columns_[cell] == Column::lost && band.holds(grid_.centre(cell), 0.0)) {
+            ++own;
+            covered.push_back(static_cast<int>((band.along_of(grid_.centre(cell)) - band.low) / grid_.cell));
+        }
+    }
+    std::sort(covered.begin(), covered.end());
+    covered.erase(std::unique(covered.begin(), covered.end()), covered.end());
+    return area(own) >= std::max(least_own_area, least_own_width * grid_.cell * static_cast<double>(covered.size()));
+}
+
+double strength(const GrooveShape& shape) { return shape.length * shape.depth_share; }
+
+std::vector<int> lost_cells(const ColumnGrid& grid, const ColumnFill& fill) {
+    std::vector<int> lost;
+    for (int cell = 0; cell < grid.cells(); ++cell) {
+        if (grid.inside(cell) && fill.removed[cell] > 0.0 && local_depth(grid, fill, cell) >= footprint_loss) {
+            lost.push_back(cell);
+        }
+    }
+    return lost;
+}
+
+std::vector<int> cells_in(const GrooveBand& band, double more, const ColumnGrid& grid, const std::vector<int>& lost) {
+    std::vector<int> inside;
+    for (const int cell : lost) {
+        if (band.holds(grid.centre(cell), more)) {
+            inside.push_back(cell);
+        }
+    }
+    return inside;
+}
+
+/// Without those that other bands hold as well.
+std::vector<int> alone(std::vector<int> cells, std::size_t own, const std::vector<GrooveBand>& bands,
+                       const ColumnGrid& grid) {
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        if (i != own) {
+            std::erase_if(cells, [&](int cell) { return bands[i].holds(grid.centre(cell), 0.0); });
+        }
+    }
+    return cells;
+}
+
+}  // namespace
+
+/// Middle of the columns of a band in one slice across it.
+struct Slice {
+    double left = HUGE_VAL;
+    double right = -HUGE_VAL;
+    bool shared = false;  ///< another band reaches it
+
+    [[nodiscard]] bool counts() const { return !shared && right >= left; }
+    [[nodiscard]] double middle() const { return 0.5 * (left + right); }
+};
+
+std::vector<Slice> slices_of(std::size_t own, const std::vector<GrooveBand>& bands, const ColumnGrid& grid,
+                             const std::vector<int>& lost) {
+    const GrooveBand& band = bands[own];
+    std::vector<Slice> slices(1 + static_cast<std::size_t>((band.high - band.low) / grid.cell));
+    for (const int cell : cells_in(band, margin, grid, lost)) {
+        const Vec2 place = grid.centre(cell);
+        const auto at = static_cast<int>(std::floor((band.along_of(place) - band.low) / grid.cell));
+        if (at < 0 || at >= static_cast<int>(slices.size())) {
+            continue;
+        }
+        slices[at].left = std::min(slices[at].left, band.across_of(place));
+        slices[at].right = std::max(slices[at].right, band.across_of(place));
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+            slices[at].shared = slices[at].shared || (i != own && bands[i].holds(place, 0.0));
+        }
+    }
+    return slices;
+}
+
+/// A line through the middles of the slices: finer than the directions that are tried. Pointing to +y, as the direction
+/// of the largest patch does.
+Vec2 direction_of(const GrooveBand& band, const std::vector<Slice>& slices, double cell) {
+    double count = 0.0;
+    Vec2 sum = Vec2::Zero();
+    double squares = 0.0;
+    double products = 0.0;
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+        if (slices[i].counts()) {
+            const Vec2 point(static_cast<double>(i) * cell, slices[i].middle());
+            count += 1.0;
+            sum += point;
+            squares += point.x() * point.x();
+            products += point.x() * point.y();
+        }
+    }
+    double slope = 0.0;
+    const double spread = count > 0.0 ? squares - sum.x() * sum.x() / count : 0.0;
+    if (spread > least_spread) {
+        slope = std::clamp((products - sum.x() * sum.y() / count) / spread, -steepest, steepest);
+    }
+    const Vec2 direction = (band.along + slope * Vec2(band.along.y(), -band.along.x())).normalized();
+    return direction.y() < 0.0 ? Vec2(-direction) : direction;
+}
+
+std::vector<GrooveShape> GrooveFinder::find(const ColumnGrid& grid, const ColumnFill& fill) {
+    std::vector<int> lost = lost_cells(grid, fill);
+    if (lost != lost_) {
+        lost_ = std::move(lost);
+        bands_ = ArmFinder(grid, lost_).bands();
+    }
+    std::vector<GrooveShape> arms;
+    for (std::size_t i = 0; i < bands_.size(); ++i) {
+        const std::vector<int> cells = cells_in(bands_[i], 0.0, grid, lost_);
+        const std::vector<int> own = alone(cells, i, bands_, grid);
+        const Vec2 direction = direction_of(bands_[i], slices_of(i, bands_, grid, lost_), grid.cell);
+        arms.push_back(shape_of(grid, fill, cells, own, direction));
+    }
+    std::stable_sort(arms.begin(), arms.end(),
+                     [](const GrooveShape& a, const GrooveShape& b) { return strength(a) > strength(b); });
+    return arms;
+}
+
+double angle_between(const GrooveShape& a, const GrooveShape& b) {
+    const double cosine = std::abs(a.direction.dot(b.direction));
+    const double sine = std::abs(a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x());
+    return std::atan2(sine, cosine);
+}
+
+}  // namespace rhexis
