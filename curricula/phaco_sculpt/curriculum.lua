@@ -121,6 +121,7 @@ return exercise {
             recovered = "spatula.tip_depth_mm < -0.6",
             deadline_s = 3,
             near_miss_s = 0,
+            quiet_s = 3,
             harm = "spatula.tip_posterior_mm < 0.1",
             severity = "critical",
             cue = "The edge of the capsulorhexis dents, or folds run from the instrument.",

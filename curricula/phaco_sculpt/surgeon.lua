@@ -17,6 +17,8 @@ local engaged = 0.55          -- depth of the spatula's end in the groove
 local deeper = 0.15           -- the same, more each time that the lens did not turn
 local spatula_radius = 0.2
 local turn_speed = 2.5        -- of the spatula's end [mm/s]
+local shaft_radius = 0.25     -- of the spatula
+local bend = 0.25             -- by which its shaft lies higher than its end
 local clear_of_lens = 1.0     -- height over the lens at which nothing touches it
 local out_of_danger = 1.4     -- height over the lens to which a tip is lifted when something went wrong
 local escape_speed = 14.0     -- of that lift [mm/s]
@@ -56,10 +58,24 @@ end
 
 -- Something went wrong: pedal up, and the tip straight out of the lens.
 local function get_clear(me, eye)
-    local tip = me.tip()
     me.pedal(1)
+    local tip = me.tip()
     me.go({ tip[1], tip[2], height(eye, tip) + out_of_danger }, escape_speed)
     sculpting.let_come_back(me, eye)
+end
+
+-- The spatula's shaft comes down on the edge of the opened capsule.
+local function near_rim(eye)
+    return function(seen)
+        local tool, rim = seen.tools.spatula, seen.landmarks.capsulorhexis
+        if not tool or not tool.present or not rim then return nil end
+        local tip = tool.position
+        local off = math.sqrt((tip[1] - eye.pupil[1]) ^ 2 + (tip[2] - eye.pupil[2]) ^ 2)
+        if off > rim.size then return nil end
+        local far = vector.norm(vector.sub(eye.port, tip))
+        local passes = tip[3] + bend + (eye.port[3] - tip[3]) * (rim.size - off) / far
+        return passes - shaft_radius < rim.position[3] and "rim" or nil
+    end
 end
 
 -- The tip comes too near to the edge of the pupil.
@@ -72,9 +88,22 @@ local function near_iris(eye)
     end
 end
 
+local function lift_spatula(me, eye, speed)
+    local tip = me.left.tip()
+    me.left.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, speed)
+end
+
+-- A spatula that lies on the capsule is lifted and not put back: better no hold than a torn edge.
+local function get_both_clear(me, eye)
+    if near_rim(eye)(me.see()) then lift_spatula(me, eye, escape_speed) end
+    get_clear(me, eye)
+end
+
 local function sculpt(me, eye, groove, until_s)
+    local iris, rim = near_iris(eye), near_rim(eye)
     sculpting.sculpt(me, eye, groove, { deep_enough = 0.78, surely_deep = 0.66, thin = 0.08, until_s = until_s,
-        floor = floor_ahead, recover = get_clear, also = near_iris(eye), return_height = 0.35, entry_speed = 4.0,
+        floor = floor_ahead, recover = get_both_clear, pushed = 0.3,
+        also = function(seen) return iris(seen) or rim(seen) end, return_height = 0.35, entry_speed = 4.0,
         half_width = 0.3 })
 end
 
@@ -100,11 +129,6 @@ local function bring_spatula(me, eye)
     local place = { eye.pupil[1] - 1.5, eye.pupil[2], 0 }
     place[3] = height(eye, place) + clear_of_lens
     me.left.go(place, sculpting.free_speed)
-end
-
-local function lift_spatula(me, eye, speed)
-    local tip = me.left.tip()
-    me.left.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, speed)
 end
 
 local function take_spatula_away(me, eye)

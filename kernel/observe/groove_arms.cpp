@@ -244,12 +244,12 @@ std::vector<int> cells_in(const GrooveBand& band, double more, const ColumnGrid&
     return inside;
 }
 
-/// Without those that other bands hold as well.
+/// Without those that other bands hold as well, ragged edges and all.
 std::vector<int> alone(std::vector<int> cells, std::size_t own, const std::vector<GrooveBand>& bands,
                        const ColumnGrid& grid) {
     for (std::size_t i = 0; i < bands.size(); ++i) {
         if (i != own) {
-            std::erase_if(cells, [&](int cell) { return bands[i].holds(grid.centre(cell), 0.0); });
+            std::erase_if(cells, [&](int cell) { return bands[i].holds(grid.centre(cell), margin); });
         }
     }
     return cells;

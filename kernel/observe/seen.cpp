@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "observe/seen.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rhexis {
@@ -57,6 +58,14 @@ void add_lens_landmarks(const ObserveInput& input, const LensView& lens, std::ve
     add_groove_landmarks(lens, eye, marks);
 }
 
+/// The edge of the opened anterior capsule; it shows where the pupil is wider.
+Landmark capsulorhexis(const BagModel& bag, const BagState& state, const EyeAnatomy& eye) {
+    const double share = bag.opening_radius / bag.shape.radius;
+    const Vec3 middle(0.0, 0.0, bag.shape.anterior * std::sqrt(std::max(0.0, 1.0 - share * share)));
+    return {"capsulorhexis", bag.opening_radius > 0.0 && bag.opening_radius < eye.pupil_radius,
+            state.pose.to_world(middle), bag.opening_radius};
+}
+
 }  // namespace
 
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
@@ -75,6 +84,9 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
     }
     if (lens.model != nullptr) {
         add_lens_landmarks(input, lens, percept.landmarks);
+        if (!input.world.bags.empty()) {
+            percept.landmarks.push_back(capsulorhexis(input.world.bags[0], input.state.bags[0], eye));
+        }
         percept.reflex_brightness = lens.reflex->mean_brightness;
         if (!input.tools.empty() && input.tools[0].present) {
             percept.tip_brightness = reflex_around(*lens.reflex, *lens.grid, *lens.fill, *lens.motion, eye.pupil_radius,

@@ -8,10 +8,12 @@
 
 namespace rhexis {
 
-/// Landmarks, in this order: "pupil" (size: radius), "incision" (size: half its width), and with a lens "lens_front"
-/// (front pole where it was before sculpting), "surface_at_tip" (visible lens surface under the first instrument's
-/// tip), "groove_near", "groove_far" (its ends on the front surface, surgeon's side first) and "groove_floor" (deepest
-/// place).
+/// Landmarks, in this order: "pupil" (size: radius), "incision" (size: half its width), "side_port" (likewise; where an
+/// instrument needs one), and with a lens "lens_front" (front pole where it was before sculpting), "surface_at_tip"
+/// (visible lens surface under the first instrument's tip), "groove_near", "groove_far" (ends on the front surface of
+/// the largest patch that is gone, surgeon's side first), "groove_floor" (its deepest place), for each groove that can
+/// be told apart "groove_N_start", "groove_N_end" (its ends, which turn with the lens; size: half its width) and
+/// "groove_N_floor", and with a bag "capsulorhexis" (middle of the opening's edge; size: radius).
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris);
 
 }  // namespace rhexis

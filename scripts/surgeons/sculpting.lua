@@ -14,7 +14,7 @@ local layer = 0.40            -- taken by one pair of strokes, of a tip 0.9 wide
 local half_width = 0.40       -- of the groove, without the tip's own width
 local stroke_speed = 3.5      -- with ultrasound [mm/s]
 local return_speed = 7.0
-local slower = 0.12           -- share of the speed of a careful stroke less, per mm of depth
+local slower = 0.15           -- share of the speed of a careful stroke less, per mm of depth
 local steepest = 0.78         -- slope of the shaft at which its sleeve still clears the iris
 local heed = 0.15             -- how much a new look counts against those before
 local pushed = 0.4            -- shift of the lens that makes a surgeon stop
@@ -132,7 +132,7 @@ end
 -- What stops a stroke: the lens runs away from the tip, or the reflex at the tip says that little is left under it.
 local function danger(eye, state)
     return function(seen)
-        if push_of(eye, seen) > pushed then return "pushing" end
+        if push_of(eye, seen) > (state.pushed or pushed) then return "pushing" end
         if share_left(eye, seen) < state.thin then return "bright" end
         return state.also and state.also(seen)
     end
@@ -195,7 +195,8 @@ end
 --- tip, by its brightness, at which to lift, until_s = time to stop, floor = function(seen) that gives the landmark of
 --- its floor, recover = function(me, eye) that ends a stroke which went wrong, also = function(seen): more that stops a
 --- stroke, depth = to begin with }; in a lens that turns easily also { return_height = over
---- the lens on the way back, entry_speed, half_width = of the groove, without the tip's own }.
+--- the lens on the way back, entry_speed, half_width = of the groove, without the tip's own, pushed = shift
+--- of the lens that ends a stroke }.
 function sculpting.sculpt(me, eye, groove, state)
     state.depth, state.pace = state.depth or 0, 1
     for number = 1, 80 do
