@@ -27,7 +27,7 @@ return exercise {
         angle_deg = { 90, from = 30, to = 90, meaning = "between the two grooves" },
         tolerance_deg = { 10, from = 1, to = 30, meaning = "how far from that angle they may be" },
     },
-    reference = { time_s = 150, path_mm = 400 },
+    reference = { time_s = 185, path_mm = 700 },
 
     steps = {
         step "approach" {
@@ -131,7 +131,7 @@ return exercise {
             evidence = { "spatula.capsule_gap_mm", "spatula.tip_posterior_mm" },
         },
         error_event "Iris touched" {
-            when = "iris.touch",
+            when = "iris.touch and phaco.tip_depth_mm > -1.0",
             recovered = "iris.gap_mm > 0.1 and phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.0",
             deadline_s = 2,
             near_miss_s = 0,

@@ -13,11 +13,13 @@ local goal_turn = 90          -- between the grooves [deg]
 local near_enough = 5         -- of it that a surgeon is content with [deg]
 local arm = 2.0               -- of the push about the middle of the lens
 local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
+local held = 0.4              -- depth of its end then
 local engaged = 0.55          -- depth of the spatula's end in the groove
 local deeper = 0.15           -- the same, more each time that the lens did not turn
 local spatula_radius = 0.2
 local turn_speed = 2.5        -- of the spatula's end [mm/s]
 local shaft_radius = 0.25     -- of the spatula
+local surely_below = 0.15     -- the edge of the capsule: less may be a misjudgement
 local bend = 0.25             -- by which its shaft lies higher than its end
 local clear_of_lens = 1.0     -- height over the lens at which nothing touches it
 local out_of_danger = 1.4     -- height over the lens to which a tip is lifted when something went wrong
@@ -74,7 +76,7 @@ local function near_rim(eye)
         if off > rim.size then return nil end
         local far = vector.norm(vector.sub(eye.port, tip))
         local passes = tip[3] + bend + (eye.port[3] - tip[3]) * (rim.size - off) / far
-        return passes - shaft_radius < rim.position[3] and "rim" or nil
+        return passes - shaft_radius < rim.position[3] - surely_below and "rim" or nil
     end
 end
 
@@ -201,7 +203,7 @@ local function hold(me, eye)
         return { x, eye.pupil[2] + beside, sculpting.surface(eye, hold_arm) - depth }
     end
     me.left.go(place(-clear_of_lens), sculpting.free_speed)
-    me.left.go(place(engaged), turn_speed)
+    me.left.go(place(held), turn_speed)
 end
 
 -- Tip over the lens, pedal at irrigation: are both grooves deep enough? True when they seem so.
