@@ -52,9 +52,10 @@ return scoring.rubric {
                 of = "iris.touch", take = "count", during = "lens.removed_mm3 <= 0", quiet_s = 1, five = 0, three = 1,
                 one = 2, weight = 1, source = "proposal",
                 better = "Lower the tip only when it has passed the edge of the pupil." },
-            { id = "T7.second_touches", name = "Touches of the capsule by the second instrument", unit = "1",
-                digits = 0, of = "spatula.capsule_touches", take = "last", five = 0, three = 1, one = 2, weight = 1,
-                source = "proposal", better = "Keep the end of the second instrument inside the capsule's opening." },
+            { id = "T7.second_touches", name = "Times that the second instrument pressed on the capsule", unit = "1",
+                digits = 0, of = "spatula.capsule_gap_mm < -0.1", take = "count", quiet_s = 1, five = 0, three = 1,
+                one = 3, weight = 1, source = "proposal",
+                better = "Keep the end of the second instrument inside the capsule's opening." },
         } },
 
         { id = "T8", name = "Phaco probe and second instrument: effective use and stability", measures = {

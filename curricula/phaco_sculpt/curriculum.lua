@@ -53,7 +53,7 @@ return exercise {
             time_limit_s = 90,
         },
         step "second groove" {
-            title = "Sculpt the second groove, across the first",
+            title = "Sculpt the second groove",
             hint = "The same again. In the middle, where the first groove is, nothing is left to sculpt: keep the tip "
                 .. "from dropping in.",
             done = "grooves.count >= 2 and groove_2.length_mm >= goal.length_mm "
@@ -117,7 +117,7 @@ return exercise {
                 "bag.slip_deg" },
         },
         error_event "Spatula on the capsule" {
-            when = "spatula.capsule_touch",
+            when = "spatula.capsule_gap_mm < -0.2 or spatula.tip_posterior_mm < 0.3",
             recovered = "spatula.tip_depth_mm < -0.6",
             deadline_s = 3,
             near_miss_s = 0,
@@ -125,8 +125,8 @@ return exercise {
             harm = "spatula.tip_posterior_mm < 0.1",
             severity = "critical",
             cue = "The edge of the capsulorhexis dents, or folds run from the instrument.",
-            advice = "The spatula touches the capsule: stop, and lift it straight up. Work inside the opening of the "
-                .. "capsule.",
+            advice = "The spatula presses on the capsule: stop, and lift it straight up. Work inside the opening "
+                .. "of the capsule.",
             items = { "T10", "G4" },
             evidence = { "spatula.capsule_gap_mm", "spatula.tip_posterior_mm" },
         },

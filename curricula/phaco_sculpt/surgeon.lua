@@ -13,6 +13,9 @@ local goal_turn = 90          -- between the grooves [deg]
 local near_enough = 5         -- of it that a surgeon is content with [deg]
 local arm = 2.0               -- of the push about the middle of the lens
 local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
+local far_off = 9             -- of the first groove from lying across, at which it is turned back there [deg]
+local led = 0.4               -- share of the thickness from which on the second groove leads the tip
+local most_corrections = 6
 local held = 0.4              -- depth of its end then
 local engaged = 0.55          -- depth of the spatula's end in the groove
 local deeper = 0.15           -- the same, more each time that the lens did not turn
@@ -95,20 +98,6 @@ local function lift_spatula(me, eye, speed)
     me.left.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, speed)
 end
 
--- A spatula that lies on the capsule is lifted and not put back: better no hold than a torn edge.
-local function get_both_clear(me, eye)
-    if near_rim(eye)(me.see()) then lift_spatula(me, eye, escape_speed) end
-    get_clear(me, eye)
-end
-
-local function sculpt(me, eye, groove, until_s)
-    local iris, rim = near_iris(eye), near_rim(eye)
-    sculpting.sculpt(me, eye, groove, { deep_enough = 0.78, surely_deep = 0.66, thin = 0.08, until_s = until_s,
-        floor = floor_ahead, recover = get_both_clear, pushed = 0.3,
-        also = function(seen) return iris(seen) or rim(seen) end, return_height = 0.35, entry_speed = 4.0,
-        half_width = 0.3 })
-end
-
 -- Over the lens, out of the way of the spatula.
 local function rest_phaco(me, eye, groove)
     me.pedal(1)
@@ -148,27 +137,44 @@ local function at(eye, direction, depth)
     return place
 end
 
--- Direction of the first groove as it seems after looking for a moment; nil when it cannot be made out.
-local function look_at_groove(me)
+-- The first groove: the best one, or, once the lens has been turned and the second was begun, the one that lies across.
+local function first_groove(seen, turned)
+    if not turned then return grooves_seen(seen)[1] end
+    local best
+    for _, groove in ipairs(grooves_seen(seen)) do
+        if not best or off_sight(groove.direction) > off_sight(best.direction) then best = groove end
+    end
+    return best
+end
+
+-- Its direction as it seems after looking for a moment [deg, 0 to 180 once it has been turned]; nil when it cannot be
+-- made out.
+local function look_at_groove(me, turned)
     local sum, count = 0, 0
     for _ = 1, 4 do
         me.wait(0.15)
-        local groove = grooves_seen(me.see())[1]
-        if groove then sum, count = sum + groove.direction, count + 1 end
+        local groove = first_groove(me.see(), turned)
+        if groove then
+            local direction = groove.direction
+            if turned and direction < 0 then direction = direction + 180 end
+            sum, count = sum + direction, count + 1
+        end
     end
     return count > 0 and sum / count or nil
 end
 
 -- Pushes the groove's wall so that the lens turns from one direction to another [deg].
-local function push_round(me, eye, groove, from, to, depth)
+local function push_round(me, eye, from, to, depth, turned)
+    local groove = first_groove(me.see(), turned)
+    if not groove then return end
     local play = math.deg(math.asin(math.min(0.6, math.max(0, groove.half_width - spatula_radius) / arm)))
     local ahead = to > from and play or -play
     me.left.go(at(eye, from, -clear_of_lens), sculpting.free_speed)
     me.left.go(at(eye, from, depth), sculpting.free_speed)
     local reason = me.left.follow(function(share) return at(eye, from + (to + ahead - from) * share, depth) end,
         me.about(turn_speed), sculpting.runs_away(eye), function(seen)
-            local now = grooves_seen(seen)[1]
-            return now and (now.direction - to) * ahead > 0
+            local now = first_groove(seen, turned)
+            return now and (now.direction % 180 - to) * ahead > 0 and math.abs(now.direction % 180 - to) < 60
         end)
     if reason == "pushing" then
         lift_spatula(me, eye, escape_speed)
@@ -178,24 +184,23 @@ local function push_round(me, eye, groove, from, to, depth)
     end
 end
 
--- Turns the first groove across the line of sight.
-local function rotate(me, eye)
+-- Turns the first groove across the line of sight. `turned`: it has been turned already, and went astray.
+local function rotate(me, eye, turned)
     local depth, before = engaged, nil
-    for _ = 1, 10 do
-        local direction = look_at_groove(me)
+    for _ = 1, turned and 2 or 10 do
+        local direction = look_at_groove(me, turned)
         if not direction then return end
         if math.abs(direction - goal_turn) < near_enough then return end
         if before and math.abs(direction - before) < 5 then depth = depth + deeper end
         before = direction
-        local groove = grooves_seen(me.see())[1]
-        if groove then push_round(me, eye, groove, direction, goal_turn, depth) end
+        push_round(me, eye, direction, goal_turn, depth, turned)
     end
 end
 
 -- Keeps the lens from turning back while the second groove is sculpted: the spatula's end lies in the near arm of the
 -- first groove, which now points to the left, against the wall that would come.
 local function hold(me, eye)
-    local groove = grooves_seen(me.see())[1]
+    local groove = first_groove(me.see(), true)
     if not groove then return end
     local beside = math.max(0, groove.half_width - spatula_radius - 0.1)
     local function place(depth)
@@ -204,6 +209,42 @@ local function hold(me, eye)
     end
     me.left.go(place(-clear_of_lens), sculpting.free_speed)
     me.left.go(place(held), turn_speed)
+end
+
+-- What a surgeon does before each stroke of the second groove: while it is shallow, the first is kept across; a spatula
+-- that was lifted is put back, unless it lay on the capsule too often.
+local function keep_across(groove)
+    local state = { lifted = false, times = 0 }
+    local function before(me, eye)
+        local seen = me.see()
+        local first = first_groove(seen, true)
+        local shallow = sculpting.seen_share(eye, floor_ahead(seen)) < led
+        local astray = first and shallow and math.abs(first.direction % 180 - goal_turn) > far_off
+        if state.times >= most_corrections or not (astray or (state.lifted and shallow)) then return end
+        state.lifted, state.times = false, state.times + 1
+        if astray then
+            rest_phaco(me, eye, groove)
+            lift_spatula(me, eye, sculpting.free_speed)
+            rotate(me, eye, true)
+        end
+        hold(me, eye)
+    end
+    local function recover(me, eye)
+        if near_rim(eye)(me.see()) then
+            lift_spatula(me, eye, escape_speed)
+            state.lifted = true
+        end
+        get_clear(me, eye)
+    end
+    return before, recover
+end
+
+local function sculpt(me, eye, groove, until_s, before, recover)
+    local iris, rim = near_iris(eye), near_rim(eye)
+    sculpting.sculpt(me, eye, groove, { deep_enough = 0.78, surely_deep = 0.66, thin = 0.08, until_s = until_s,
+        floor = floor_ahead, recover = recover or get_clear, pushed = 0.3, before = before,
+        also = function(seen) return iris(seen) or rim(seen) end, return_height = 0.35, entry_speed = 4.0,
+        half_width = 0.3 })
 end
 
 -- Tip over the lens, pedal at irrigation: are both grooves deep enough? True when they seem so.
@@ -225,7 +266,7 @@ return function(me)
     bring_spatula(me, eye)
     rotate(me, eye)
     hold(me, eye)
-    sculpt(me, eye, groove, 210)
+    sculpt(me, eye, groove, 205, keep_across(groove))
     look_at_depth(me, eye)
     take_spatula_away(me, eye)
     sculpting.leave(me, eye)
