@@ -37,6 +37,7 @@ local event_rules = {
     when = { kind = "condition", required = true },  -- the error happens
     hold_s = { kind = "number", default = 0, from = 0, to = 60 },  -- only if it lasts this long
     recovered = { kind = "condition" },    -- it is put right
+    recovered_hold_s = { kind = "number", default = 0, from = 0, to = 60 },  -- only if that lasts this long
     deadline_s = { kind = "number", default = 10, from = 0, to = 7200 },  -- time to put it right
     harm = { kind = "condition" },         -- tissue was changed: no longer a near miss
     near_miss_s = { kind = "number", default = 0.5, from = 0, to = 60 },  -- put right as fast as this: a near miss

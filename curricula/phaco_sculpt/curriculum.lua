@@ -2,8 +2,13 @@
 -- A cross in the nucleus: a groove, a quarter turn, a second groove across the first. It prepares cracking into
 -- quarters.
 
--- Where the tip must be after something went wrong: pedal let go, tip out of the lens and well over it.
-local tip_clear = "phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.0"
+-- Where a tip must be, for long enough to look, after something went wrong: pedal let go, tip out of the lens and well
+-- over it, still in the eye.
+local tip_clear = "phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.1 and phaco.tip_y_mm > -2.5"
+local spatula_clear = "spatula.tip_depth_mm < -1.1 and spatula.tip_x_mm > -2.5"
+local either_clear = ("not phaco.in_contact and not spatula.in_contact and ((%s) or (%s))"):format(tip_clear,
+    spatula_clear)
+local look_s = 0.5
 
 return exercise {
     title = "Sculpting a cross",
@@ -80,6 +85,7 @@ return exercise {
         error_event "Groove too deep" {
             when = "phaco.tip_posterior_mm < 0.3 and (phaco.aspirating or phaco.ultrasound)",
             recovered = tip_clear,
+            recovered_hold_s = look_s,
             deadline_s = 2,
             harm = "phaco.tip_posterior_mm < 0.1",
             near_miss_s = 0,
@@ -92,8 +98,8 @@ return exercise {
         },
         error_event "Pushing the nucleus" {
             when = "lens.displacement_mm > 0.5 and (phaco.in_contact or spatula.in_contact)",
-            recovered = { "phaco.pedal < 1.5", "lens.displacement_mm < 0.25 and not spatula.in_contact "
-                .. "and phaco.tip_depth_mm < -1.0" },
+            recovered = "lens.displacement_mm < 0.25 and " .. either_clear,
+            recovered_hold_s = look_s,
             deadline_s = 3,
             near_miss_s = 0,
             severity = "critical",
@@ -105,7 +111,8 @@ return exercise {
         },
         error_event "Zonules overstrained" {
             when = "zonules.strain > 0.30",
-            recovered = "zonules.strain < 0.15 and not spatula.in_contact and phaco.tip_depth_mm < -1.0",
+            recovered = "zonules.strain < 0.15 and " .. either_clear,
+            recovered_hold_s = look_s,
             deadline_s = 3,
             near_miss_s = 0,
             severity = "critical",
@@ -118,7 +125,8 @@ return exercise {
         },
         error_event "Spatula on the capsule" {
             when = "spatula.capsule_gap_mm < -0.2 or spatula.tip_posterior_mm < 0.3",
-            recovered = "spatula.tip_depth_mm < -0.6",
+            recovered = spatula_clear,
+            recovered_hold_s = look_s,
             deadline_s = 3,
             near_miss_s = 0,
             quiet_s = 3,
@@ -132,7 +140,8 @@ return exercise {
         },
         error_event "Iris touched" {
             when = "iris.touch and phaco.tip_depth_mm > -1.0",
-            recovered = "iris.gap_mm > 0.1 and phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.0",
+            recovered = "iris.gap_mm > 0.1 and " .. tip_clear,
+            recovered_hold_s = look_s,
             deadline_s = 2,
             near_miss_s = 0,
             severity = "minor",

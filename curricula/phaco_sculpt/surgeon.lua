@@ -24,9 +24,10 @@ local turn_speed = 2.5        -- of the spatula's end [mm/s]
 local shaft_radius = 0.25     -- of the spatula
 local surely_below = 0.15     -- the edge of the capsule: less may be a misjudgement
 local bend = 0.25             -- by which its shaft lies higher than its end
-local clear_of_lens = 1.0     -- height over the lens at which nothing touches it
-local out_of_danger = 1.4     -- height over the lens to which a tip is lifted when something went wrong
+local clear_of_lens = 0.7     -- height over the lens at which nothing touches it
+local out_of_danger = 1.5     -- height over the lens to which a tip is lifted when something went wrong
 local escape_speed = 14.0     -- of that lift [mm/s]
+local look_s = 0.8            -- before going on after that
 local iris_margin = 0.15      -- of the tip's edge from the pupil's at which to stop
 local tip_radius = 0.45
 
@@ -67,6 +68,7 @@ local function get_clear(me, eye)
     local tip = me.tip()
     me.go({ tip[1], tip[2], height(eye, tip) + out_of_danger }, escape_speed)
     sculpting.let_come_back(me, eye)
+    me.wait(look_s)
 end
 
 -- The spatula's shaft comes down on the edge of the opened capsule.
@@ -93,9 +95,9 @@ local function near_iris(eye)
     end
 end
 
-local function lift_spatula(me, eye, speed)
+local function lift_spatula(me, eye, by, speed)
     local tip = me.left.tip()
-    me.left.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, speed)
+    me.left.go({ tip[1], tip[2], height(eye, tip) + by }, speed)
 end
 
 -- Over the lens, out of the way of the spatula.
@@ -123,7 +125,7 @@ local function bring_spatula(me, eye)
 end
 
 local function take_spatula_away(me, eye)
-    lift_spatula(me, eye, sculpting.free_speed)
+    lift_spatula(me, eye, clear_of_lens, sculpting.free_speed)
     me.left.go(eye.port, sculpting.free_speed)
     me.left.go(outside_port(eye), sculpting.free_speed)
     me.left.put_down()
@@ -177,10 +179,10 @@ local function push_round(me, eye, from, to, depth, turned)
             return now and (now.direction % 180 - to) * ahead > 0 and math.abs(now.direction % 180 - to) < 60
         end)
     if reason == "pushing" then
-        lift_spatula(me, eye, escape_speed)
+        lift_spatula(me, eye, out_of_danger, escape_speed)
         sculpting.let_come_back(me, eye)
     else
-        lift_spatula(me, eye, sculpting.free_speed)
+        lift_spatula(me, eye, clear_of_lens, sculpting.free_speed)
     end
 end
 
@@ -224,14 +226,14 @@ local function keep_across(groove)
         state.lifted, state.times = false, state.times + 1
         if astray then
             rest_phaco(me, eye, groove)
-            lift_spatula(me, eye, sculpting.free_speed)
+            lift_spatula(me, eye, clear_of_lens, sculpting.free_speed)
             rotate(me, eye, true)
         end
         hold(me, eye)
     end
     local function recover(me, eye)
         if near_rim(eye)(me.see()) then
-            lift_spatula(me, eye, escape_speed)
+            lift_spatula(me, eye, out_of_danger, escape_speed)
             state.lifted = true
         end
         get_clear(me, eye)

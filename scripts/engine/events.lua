@@ -47,6 +47,7 @@ local function raise(self, step, log)
     self.state = "raised"
     self.when.reset()
     if self.recovered then self.recovered.reset() end
+    self.right_since = nil
     self.record = { id = declared.id, title = declared.title, step = step, time_s = self.since,
         severity = declared.severity, items = declared.items or {}, advice = declared.advice, cue = declared.cue,
         evidence = evidence_of(self), recovered = false, outcome = "open", harmed = false }
@@ -72,14 +73,24 @@ local function watch(self, time_s, step, log)
     if time_s - self.since >= self.declared.hold_s - 1e-9 then raise(self, step, log) end
 end
 
+-- Whether the error is put right, and has been for as long as is asked.
+local function is_right(self, time_s)
+    if not (self.recovered and self.recovered.test()) then
+        self.right_since = nil
+        return false
+    end
+    self.right_since = self.right_since or time_s
+    return time_s - self.right_since >= self.declared.recovered_hold_s - 1e-9
+end
+
 local function follow(self, time_s, log)
     local declared, record = self.declared, self.record
     if self.harm and self.harm.test() then record.harmed = true end
     local elapsed = time_s - record.time_s
-    if self.recovered and self.recovered.test() then
+    if is_right(self, time_s) then
         local near = not record.harmed and elapsed <= declared.near_miss_s + 1e-9
         close(self, near and "near_miss" or "recovered", time_s, log)
-    elseif elapsed > declared.deadline_s then
+    elseif elapsed > declared.deadline_s and not self.right_since then
         close(self, "not_recovered", time_s, log)
     end
 end

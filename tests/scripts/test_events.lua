@@ -36,6 +36,21 @@ case("a provoked error that is put right in time is recovered, with evidence", f
     equal(run.finished, nil, "an error does not end the exercise")
 end)
 
+case("where recovery must last, passing through it does not count, and what began in time does", function()
+    local held = event:gsub("deadline_s = 2", "deadline_s = 2, recovered_hold_s = 0.5")
+    local function dip(length)
+        return function(t)
+            local right = t >= 3.8 and t < 3.8 + length
+            return { ["tip.depth_mm"] = (t >= 2 and t < 8 and not right) and 3 or 0.5, ["tip.speed_mm_s"] = 7,
+                ["tip.touch"] = false }
+        end
+    end
+    equal(events_of(dip(0.3), 10, held)[1].outcome, "not_recovered")
+    local lasting = events_of(dip(0.8), 10, held)
+    equal(lasting[1].outcome, "recovered")
+    near(lasting[1].recovery_s, 2.3, 0.02)
+end)
+
 case("an error that is not put right in time is not recovered, even if it is later", function()
     local events = events_of(function(t) return depth(t, 2, 5) end)
     equal(#events, 1)
