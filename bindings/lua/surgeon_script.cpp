@@ -45,12 +45,14 @@ void push_landmarks(lua_State* L, const std::vector<Landmark>& landmarks) {
 }
 
 void push_percept(lua_State* L, const Percept& percept) {
-    lua_createtable(L, 0, 7);
+    lua_createtable(L, 0, 9);
     lua::set_field(L, "time_s", percept.time_s);
     lua::set_field(L, "tip_brightness", percept.tip_brightness);
     lua::set_field(L, "reflex_brightness", percept.reflex_brightness);
     lua::set_field(L, "pedal", percept.pedal);
     lua::set_field(L, "power", percept.power);
+    lua::set_field(L, "vacuum_mmhg", percept.vacuum_mmhg);
+    lua::set_field(L, "flow_ml_min", percept.flow_ml_min);
     push_tools(L, percept.tools);
     lua_setfield(L, -2, "tools");
     push_landmarks(L, percept.landmarks);

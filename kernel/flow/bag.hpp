@@ -3,6 +3,7 @@
 // zonule springs. (Its wall becomes a membrane when an exercise needs it.)
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "math/types.hpp"
@@ -49,12 +50,18 @@ struct BagModel {
     double damping = 0.0;         ///< force per velocity of the centre [uN s/mm] (and mm^2 times that for rotation)
     double opening_radius = 0.0;  ///< radius of the anterior opening (capsulorhexis) [mm]; no wall inside it
     double friction = 0.1;        ///< Coulomb coefficient, lens against bag
+    double cushion = 0.0;         ///< stiffness with which the vitreous holds it along z [uN/mm]; 0: no vitreous
+    double adhesion = 0.0;        ///< cortex to capsule where they still adhere: strength [Pa]
+    std::vector<std::uint8_t> adherent;  ///< per coarse node of the lens: 1 where they do at the start; empty: nowhere
 };
 
 struct BagState {
     Pose pose;
     Vec3 velocity = Vec3::Zero();          ///< of the centre [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+    double cushion_z = 0.0;                ///< where the vitreous holds it now [mm]
+    Vec6 load = Vec6::Zero();              ///< force and torque of instruments on its wall [uN, uN mm]
+    std::vector<std::uint8_t> adherent;    ///< as in the model, now
 };
 
 }  // namespace rhexis

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/chamber.hpp"
 
-#include <cmath>
-
 namespace rhexis {
 
 // The eye: dP/dV = (1 + s (P / P_ref - 1)) / C. Counted from the collapse pressure P_c, with u = 1 + s (P / P_ref - 1):
@@ -51,17 +49,34 @@ double eye_stiffness(const ChamberModel& model, double eye_volume) {
     return y > 0.0 ? least * (1.0 + exponential_less_one(y)) : least;
 }
 
-double eye_volume(const ChamberModel& model, double eye_pressure) {
-    const double least = relative_stiffness(model, model.collapse_pressure);
-    const double linear = (eye_pressure - model.collapse_pressure) * model.eye_compliance / least;
-    const double growth = relative_stiffness(model, eye_pressure) / least - 1.0;
-    return growth > 0.0 ? linear * (std::log1p(growth) / growth) : linear;
+double eye_volume(const ChamberModel& model, double pressure) {
+    // Newton from the linear tank, which holds more: the pressure is convex, so it comes down without overshooting.
+    double volume = (pressure - model.collapse_pressure) * model.eye_compliance /
+                    relative_stiffness(model, model.collapse_pressure);
+    for (int i = 0; i < 60; ++i) {
+        const double step = (eye_pressure(model, volume) - pressure) / eye_stiffness(model, volume);
+        volume -= step;
+        if (!(step > 1e-12 * volume)) {
+            break;
+        }
+    }
+    return volume;
 }
 
 double tube_pressure(const ChamberModel& model, double tube_volume) { return tube_volume / model.tube_compliance; }
 
 double bottle_pressure(const ChamberModel& model, double bottle_height) {
     return model.fluid_density * gravity * bottle_height;
+}
+
+double depth_change(const ChamberModel& model, double volume) {
+    return (volume - eye_volume(model, model.rest_pressure)) / model.area;
+}
+
+double diaphragm_shift(const ChamberModel& model, double volume, double hole_area) {
+    const double given_way = hole_area / (hole_area + model.half_hole_area);
+    const double share = model.diaphragm_share + (1.0 - model.diaphragm_share) * given_way;
+    return -share * depth_change(model, volume);
 }
 
 ChamberState chamber_state(const ChamberModel& model, double eye_pressure, double tube_pressure) {

@@ -32,7 +32,13 @@ struct ChamberModel {
     double pump_band = 10.0 * pascal_per_mmhg;
     /// Of the valve that lets fluid into the tubing to end its vacuum [Pa s/mm^3]. Proposal.
     double vent_resistance = 5.0 * resistance_per_mmhg_min_per_ml;
-    double fluid_density = 1.0e-3;  ///< of the irrigation [g/mm^3]
+    double fluid_density = 1.0e-3;                  ///< of the irrigation [g/mm^3]
+    double rest_pressure = 15.0 * pascal_per_mmhg;  ///< of the closed eye before anything is done [Pa]
+    double area = 106.0;  ///< by which a change of the eye's volume deepens the chamber [mm^2]: limbus 11.64 mm wide
+    /// Of that deepening, the part by which lens and iris go back; the rest is the cornea. Proposal.
+    double diaphragm_share = 0.7;
+    /// Hole in the posterior capsule that takes half of what holds the diaphragm forward [mm^2]. Proposal.
+    double half_hole_area = 1.5;
 };
 
 /// What machine and operator ask for; constant during a step.
@@ -43,6 +49,7 @@ struct ChamberControl {
     double pump_flow = 0.0;      ///< what the pump moves well below the vacuum limit [mm^3/s]
     double vacuum_limit = 0.0;   ///< the pump stands still at this vacuum [Pa]
     double tip_open = 1.0;       ///< share of the free tip's conductance, 0: occluded
+    double wound_open = 1.0;     ///< share of the wound's leak: 1 with an instrument in it, 0 closed
 };
 
 /// Fluid moved since the start [mm^3]. Backward flow counts negative.
@@ -77,6 +84,13 @@ double eye_stiffness(const ChamberModel& model, double eye_volume);       ///< p
 double eye_volume(const ChamberModel& model, double eye_pressure);        ///< [mm^3]
 double tube_pressure(const ChamberModel& model, double tube_volume);      ///< [Pa], negative: vacuum
 double bottle_pressure(const ChamberModel& model, double bottle_height);  ///< hydrostatic [Pa]
+
+/// Depth of the chamber beyond that at rest [mm].
+double depth_change(const ChamberModel& model, double eye_volume);
+
+/// How far lens and iris are shifted along z, negative: back [mm]. hole_area: in the posterior capsule [mm^2], which
+/// holds them against the fluid in front.
+double diaphragm_shift(const ChamberModel& model, double eye_volume, double hole_area);
 
 /// Tanks filled to these pressures [Pa], nothing moved yet.
 ChamberState chamber_state(const ChamberModel& model, double eye_pressure, double tube_pressure);

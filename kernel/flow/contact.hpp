@@ -10,7 +10,7 @@
 namespace rhexis {
 
 /// The rigid side of a contact.
-enum class ContactPartner { tool, bag, plane };
+enum class ContactPartner { tool, bag, plane, dome };
 
 /// A surface point of a solid against a rigid partner. The point is a weighted mean of up to three coarse nodes.
 struct Contact {

@@ -31,6 +31,8 @@ struct Percept {
     double reflex_brightness = 0.0;  ///< mean over the pupil
     double pedal = 0.0;              ///< machine panel
     double power = 0.0;              ///< machine panel, share of full power
+    double vacuum_mmhg = 0.0;        ///< machine panel
+    double flow_ml_min = 0.0;        ///< machine panel
 };
 
 }  // namespace rhexis

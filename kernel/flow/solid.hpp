@@ -8,6 +8,7 @@
 
 #include "energy/gradient_elements.hpp"
 #include "flow/material.hpp"
+#include "flow/mesh_edit.hpp"
 #include "mesh/tet_mesh.hpp"
 
 namespace rhexis {
@@ -41,6 +42,8 @@ struct SolidState {
     std::vector<double>
         fraction;  ///< remaining share of each fine tetrahedron, 1 down to 0 (gone); empty if no fine mesh
     std::vector<std::uint8_t> present;  ///< per coarse tetrahedron: 1, or 0 once removed from mechanics
+    std::vector<BrokenFace> broken;     ///< faces that have given way, ascending
+    std::vector<NodeSplit> splits;      ///< made since the start, in order; the model has their nodes
 };
 
 /// The state at rest, everything present.

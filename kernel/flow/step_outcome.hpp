@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "flow/mesh_edit.hpp"
+
 namespace rhexis {
 
 struct SolidStepReport {
@@ -12,11 +14,12 @@ struct SolidStepReport {
     int substeps = 1;
     int newton_iterations = 0;
     int solver_iterations = 0;
-    double residual = 0.0;        ///< relative residual left by the implicit solve
-    double stable_step_s = 0.0;   ///< explicit stability limit now [s]; 0 if unknown
-    double kinetic_energy = 0.0;  ///< [nJ] (uN mm)
-    double elastic_energy = 0.0;  ///< [nJ]
-    int inverted = 0;             ///< tetrahedra with negative volume
+    double residual = 0.0;           ///< relative residual left by the implicit solve
+    double stable_step_s = 0.0;      ///< explicit stability limit now [s]; 0 if unknown
+    double kinetic_energy = 0.0;     ///< [nJ] (uN mm)
+    double elastic_energy = 0.0;     ///< [nJ]
+    int inverted = 0;                ///< tetrahedra with negative volume
+    std::vector<BrokenFace> broken;  ///< faces that give way after this step: proposals to topology, ascending
 };
 
 /// What made a step unacceptable.

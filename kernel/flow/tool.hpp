@@ -26,8 +26,21 @@ struct ToolModel {
     std::vector<RoundedCone> parts;  ///< union; parts[0] is the working end
     double friction = 0.2;           ///< Coulomb coefficient against tissue
     double bore_radius = 0.0;        ///< phaco: inner radius of the tip [mm]
+    double edge_radius = 0.0;        ///< roundness of its sharpest edge [mm]; 0: that of its end
     double bevel = 0.0;              ///< phaco: angle of the opening from square [rad]
     double max_power = 0.0;          ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
+};
+
+/// What stands before the open mouth of an aspirating tip, and what it does to it.
+struct TipState {
+    double lens = 0.0;  ///< share of the mouth that each covers, 0 to 1
+    double capsule = 0.0;
+    double iris = 0.0;
+    double debris = 0.0;
+    double open = 1.0;     ///< share of the free tip's conductance
+    double suction = 0.0;  ///< pressure in the eye above that in the tip [Pa]
+    double flow = 0.0;     ///< into the tip [mm^3/s]
+    double hold = 0.0;     ///< with which the covering tissue is held on [uN]
 };
 
 /// One step of one tool. Poses within the step are interpolated from previous_pose to pose.
@@ -38,10 +51,14 @@ struct ToolState {
     Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
     double jaw = 0.0;
-    double pedal = 0.0;       ///< 0 to 3
-    bool irrigation = false;  ///< pedal at 1 or more
-    double aspiration = 0.0;  ///< share of the set vacuum, 0 to 1 (pedal 2)
-    double power = 0.0;       ///< share of full ultrasound power, 0 to 1 (pedal 3)
+    double pedal = 0.0;          ///< 0 to 3
+    bool irrigation = false;     ///< pedal at 1 or more
+    double aspiration = 0.0;     ///< share of the set vacuum, 0 to 1 (pedal 2)
+    double power = 0.0;          ///< share of full ultrasound power, 0 to 1 (pedal 3); mean over the step when pulsed
+    double ultrasound_s = 0.0;   ///< since the pedal went down to position 3: where a train of pulses is [s]
+    double bottle_height = 0.0;  ///< phaco: drip chamber above the eye [mm]
+    double pump_flow = 0.0;      ///< phaco: what the pedal asks of the pump [mm^3/s]
+    double vacuum_limit = 0.0;   ///< phaco: what the pedal allows it [Pa]
 };
 
 }  // namespace rhexis

@@ -9,6 +9,19 @@ WorldState rest_state(const WorldModel& model) {
         state.solids.push_back(rest_state(solid));
     }
     state.bags.resize(model.bags.size());
+    for (std::size_t i = 0; i < model.bags.size(); ++i) {
+        state.bags[i].adherent = model.bags[i].adherent;
+    }
+    state.tips.resize(model.tools.size());
+    if (model.chamber) {
+        state.chamber = chamber_state(*model.chamber, model.chamber->rest_pressure, 0.0);
+    }
+    if (model.capsule) {
+        state.capsule = CapsuleState{};
+    }
+    if (model.iris) {
+        state.iris = rest_state(*model.iris);
+    }
     return state;
 }
 

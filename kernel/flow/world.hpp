@@ -2,10 +2,15 @@
 // Everything that moves in a scene: the constant model and the state of one step.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "flow/bag.hpp"
+#include "flow/capsule.hpp"
+#include "flow/chamber.hpp"
 #include "flow/contact.hpp"
+#include "flow/debris.hpp"
+#include "flow/iris.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
 
@@ -16,6 +21,13 @@ struct PlaneModel {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();  ///< unit, into the free side
     double friction = 0.3;
+};
+
+/// The inner wall of the eye's front part: what comes loose stays inside this ball.
+struct DomeModel {
+    Vec3 centre = Vec3::Zero();
+    double radius = 6.45;  ///< [mm]
+    double friction = 0.1;
 };
 
 /// A force spread over nodes of a solid, constant until changed by the caller.
@@ -29,7 +41,11 @@ struct WorldModel {
     std::vector<SolidModel> solids;
     std::vector<BagModel> bags;
     std::vector<PlaneModel> planes;
+    std::vector<DomeModel> domes;
     std::vector<ToolModel> tools;
+    std::optional<ChamberModel> chamber;
+    std::optional<CapsuleModel> capsule;  ///< the posterior wall of bags[0]
+    std::optional<IrisModel> iris;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
 
@@ -46,9 +62,15 @@ struct ContactMemory {
 struct WorldState {
     std::vector<SolidState> solids;
     std::vector<BagState> bags;
+    std::optional<ChamberState> chamber;
+    ChamberFlows flows;  ///< of the last step
+    std::optional<CapsuleState> capsule;
+    std::optional<IrisState> iris;
+    std::vector<TipState> tips;  ///< per tool
+    std::vector<Debris> debris;
     std::vector<NodeLoad> loads;
     std::vector<ContactMemory> memory;  ///< ordered by (solid, vertex, partner, partner_index)
-    double removed_mass = 0.0;          ///< mass emulsified so far [g]
+    double removed_mass = 0.0;          ///< mass emulsified or aspirated so far [g]
     double ablation_energy = 0.0;       ///< ultrasound energy spent in tissue so far [mJ]
     double time_s = 0.0;
 };

@@ -9,6 +9,7 @@ namespace rhexis {
 
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
+using Vec6 = Eigen::Matrix<double, 6, 1>;  // translation or force, then rotation vector or torque
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 using VecX = Eigen::VectorXd;

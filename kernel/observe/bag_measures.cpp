@@ -46,7 +46,7 @@ public:
         const BagState& bag = input.state.bags[0];
         const ZonuleLoad zonules = zonule_load(input.world.bags[0], bag);
         memory[0] = std::max(memory[0], zonules.strain);
-        values[0] = bag.pose.position.norm();
+        values[0] = (bag.pose.position - bag.cushion_z * Vec3::UnitZ()).norm();
         values[1] = tilt_deg(bag.pose);
         values[2] = zonules.load * 1e-3;
         values[3] = zonules.strain;

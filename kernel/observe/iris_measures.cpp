@@ -14,11 +14,19 @@ enum Memory : std::size_t { touches, touched, touch_s, memory_count };
 
 class IrisMeasures : public MeasureGroup {
 public:
+    explicit IrisMeasures(bool moves) : moves_(moves) {}
+
     void describe(ObservationSchema& schema) const override {
         schema.push_back({"iris.gap_mm", "mm", "Least gap between an instrument and the iris; negative: into it."});
         schema.push_back({"iris.touch", "bool", "An instrument touches the iris."});
         schema.push_back({"iris.touches", "1", "Touches of the iris so far."});
         schema.push_back({"iris.touch_s", "s", "Time in which the iris was touched so far."});
+        if (moves_) {
+            schema.push_back({"iris.captured", "bool", "A tip that sucks holds the edge of the iris."});
+            schema.push_back({"iris.strain", "1", "Strain of the captured iris."});
+            schema.push_back({"iris.torn_mm", "mm", "Length of its edge that is torn so far."});
+            schema.push_back({"iris.pupil_mm", "mm", "Diameter of the pupil now."});
+        }
     }
     [[nodiscard]] std::size_t memory_size() const override { return memory_count; }
 
@@ -38,9 +46,18 @@ public:
         values[1] = touch ? 1.0 : 0.0;
         values[2] = memory[touches];
         values[3] = memory[touch_s];
+        if (moves_) {
+            const IrisState& iris = *input.state.iris;
+            values[4] = iris.tool >= 0 ? 1.0 : 0.0;
+            values[5] = iris.strain;
+            values[6] = iris.torn;
+            values[7] = 2.0 * iris.pupil_radius;
+        }
     }
 
 private:
+    bool moves_;
+
     /// NaN when no instrument is in the eye.
     static double least_gap(const ObserveInput& input) {
         double gap = std::numeric_limits<double>::infinity();
@@ -57,6 +74,6 @@ private:
 
 }  // namespace
 
-std::unique_ptr<MeasureGroup> iris_measures() { return std::make_unique<IrisMeasures>(); }
+std::unique_ptr<MeasureGroup> iris_measures(bool moves) { return std::make_unique<IrisMeasures>(moves); }
 
 }  // namespace rhexis

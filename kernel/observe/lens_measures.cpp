@@ -24,7 +24,9 @@ public:
     void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
                  std::span<double> values) const override {
         const double removed = lens.fill->removed_volume;
-        const double displacement = lens.motion->shift.norm();
+        // What the fluid does to lens and iris together is no push.
+        const double carried = input.state.bags.empty() ? 0.0 : input.state.bags[0].cushion_z;
+        const double displacement = (lens.motion->shift - carried * Vec3::UnitZ()).norm();
         memory[peak_displacement_mm] = std::max(memory[peak_displacement_mm], displacement);
         values[0] = displacement;
         values[1] = memory[peak_displacement_mm];

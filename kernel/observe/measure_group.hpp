@@ -15,6 +15,7 @@
 #include "observe/groove_arms.hpp"
 #include "observe/lens_columns.hpp"
 #include "observe/lens_motion.hpp"
+#include "observe/lens_pieces.hpp"
 #include "observe/reflex.hpp"
 
 namespace rhexis {
@@ -37,6 +38,7 @@ struct LensView {
     const GrooveShape* groove = nullptr;
     const std::vector<GrooveShape>* arms = nullptr;  ///< see GrooveFinder
     const LensMotion* motion = nullptr;
+    const std::vector<LensPiece>* pieces = nullptr;
     const Reflex* reflex = nullptr;
 };
 
@@ -52,15 +54,27 @@ public:
                          std::span<double> values) const = 0;
 };
 
+/// What an instrument is measured against.
+struct ToolSurroundings {
+    bool lens = false;
+    bool bag = false;
+    bool cornea = false;
+    bool chamber = false;
+};
 /// tool: index of the instrument in the scene.
-std::unique_ptr<MeasureGroup> tool_measures(const ToolModel& model, int tool, bool lens, bool bag, bool cornea);
+std::unique_ptr<MeasureGroup> tool_measures(const ToolModel& model, int tool, const ToolSurroundings& around);
 std::unique_ptr<MeasureGroup> tremor_measures(const std::string& instrument, int tool, double dt);
 std::unique_ptr<MeasureGroup> lens_measures();
 std::unique_ptr<MeasureGroup> groove_measures(bool bag);
 std::unique_ptr<MeasureGroup> grooves_measures();
 std::unique_ptr<MeasureGroup> turn_measures(bool bag);
 std::unique_ptr<MeasureGroup> bag_measures();
-std::unique_ptr<MeasureGroup> iris_measures();
+/// moves: whether the scene has an iris that moves and can be captured.
+std::unique_ptr<MeasureGroup> iris_measures(bool moves);
+/// bag: whether the scene has one, whose wall pieces can fall behind.
+std::unique_ptr<MeasureGroup> fragment_measures(bool bag);
+std::unique_ptr<MeasureGroup> chamber_measures();
+std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
 
 }  // namespace rhexis

@@ -12,7 +12,8 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
                                                        double dt) {
     std::vector<std::unique_ptr<MeasureGroup>> groups;
     for (int i = 0; i < static_cast<int>(world.tools.size()); ++i) {
-        groups.push_back(tool_measures(world.tools[i], i, tissues.lens, tissues.bag, tissues.cornea));
+        groups.push_back(
+            tool_measures(world.tools[i], i, {tissues.lens, tissues.bag, tissues.cornea, world.chamber.has_value()}));
         groups.push_back(tremor_measures(world.tools[i].name, i, dt));
     }
     if (tissues.lens) {
@@ -21,12 +22,21 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(grooves_measures());
         groups.push_back(turn_measures(tissues.bag));
         groups.push_back(reflex_measures());
+        if (world.chamber) {
+            groups.push_back(fragment_measures(tissues.bag));
+        }
     }
     if (tissues.bag) {
         groups.push_back(bag_measures());
     }
     if (tissues.iris) {
-        groups.push_back(iris_measures());
+        groups.push_back(iris_measures(world.iris.has_value()));
+    }
+    if (world.chamber) {
+        groups.push_back(chamber_measures());
+    }
+    if (world.capsule) {
+        groups.push_back(capsule_measures());
     }
     return groups;
 }
@@ -48,8 +58,16 @@ Observer::Observer(const WorldModel& world, const ObservedTissues& tissues, doub
     }
 }
 
+void Observer::follow(const WorldModel& world) {
+    if (lens_ != nullptr) {
+        lens_ = &world.solids[0];
+    }
+}
+
 LensView Observer::view() const {
-    return lens_ == nullptr ? LensView{} : LensView{lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &reflex_};
+    return lens_ == nullptr
+               ? LensView{}
+               : LensView{lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &pieces_, &reflex_};
 }
 
 void Observer::look_at_lens(const ObserveInput& input) {
@@ -59,6 +77,9 @@ void Observer::look_at_lens(const ObserveInput& input) {
         arms_ = groove_finder_.find(grid_, fill_);
     }
     motion_ = lens_motion(*lens_, volumes_, state);
+    if (input.world.chamber) {
+        pieces_ = lens_pieces(*lens_, volumes_, state);
+    }
     reflex_ = reflex_of(grid_, fill_, motion_, input.eye.anatomy.pupil_radius);
 }
 

@@ -28,6 +28,9 @@ public:
     /// Entries of the memory that `observe` carries from step to step; all 0 at the start.
     [[nodiscard]] std::size_t memory_size() const { return memory_size_; }
 
+    /// Goes on with a model of the same tetrahedra that has more nodes.
+    void follow(const WorldModel& world);
+
     /// Measures one step. The result depends on input and memory alone.
     void observe(const ObserveInput& input, std::vector<double>& memory, Observation& observation);
 
@@ -53,6 +56,7 @@ private:
     GrooveFinder groove_finder_;
     std::vector<GrooveShape> arms_;
     LensMotion motion_;
+    std::vector<LensPiece> pieces_;
     Reflex reflex_;
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/roots.hpp"
+
 namespace rhexis {
 namespace {
 
@@ -66,6 +68,36 @@ Landmark capsulorhexis(const BagModel& bag, const BagState& state, const EyeAnat
             state.pose.to_world(middle), bag.opening_radius};
 }
 
+/// Pieces that the lens is in, the largest first.
+void add_fragment_landmarks(const std::vector<LensPiece>& pieces, const EyeAnatomy& eye, std::vector<Landmark>& marks) {
+    constexpr std::size_t most = 8;  // that one keeps apart
+    std::vector<const LensPiece*> sorted;
+    for (const LensPiece& piece : pieces) {
+        sorted.push_back(&piece);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const LensPiece* a, const LensPiece* b) { return a->volume > b->volume; });
+    for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) {
+        const double radius = cube_root(0.238732414637843 * sorted[i]->volume);
+        marks.push_back(
+            {"fragment_" + std::to_string(i + 1), over_pupil(eye, sorted[i]->centre), sorted[i]->centre, radius});
+    }
+}
+
+/// What shows of a capsule that is held or open, and of an iris that is caught.
+void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    if (input.state.capsule) {
+        const CapsuleState& capsule = *input.state.capsule;
+        const Pose& bag = input.state.bags[0].pose;
+        marks.push_back({"capsule_folds", capsule.captured, bag.to_world(capsule.place), 1.0});
+        marks.push_back(
+            {"capsule_hole", capsule.hole_radius > 0.0, bag.to_world(capsule.hole_place), capsule.hole_radius});
+    }
+    if (input.state.iris) {
+        marks.push_back({"iris_caught", input.state.iris->tool >= 0, input.state.iris->place, 0.5});
+    }
+}
+
 }  // namespace
 
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
@@ -82,6 +114,16 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
         percept.pedal = input.tools[0].pedal;
         percept.power = input.tools[0].power;
     }
+    if (input.state.chamber) {
+        const ChamberModel& chamber = *input.world.chamber;
+        percept.vacuum_mmhg =
+            std::max(0.0, -tube_pressure(chamber, input.state.chamber->tube_volume) / pascal_per_mmhg);
+        percept.flow_ml_min = input.state.flows.pump / mm3_s_per_ml_min;
+        if (lens.pieces != nullptr) {
+            add_fragment_landmarks(*lens.pieces, eye, percept.landmarks);
+        }
+    }
+    add_harm_landmarks(input, percept.landmarks);
     if (lens.model != nullptr) {
         add_lens_landmarks(input, lens, percept.landmarks);
         if (!input.world.bags.empty()) {

@@ -12,12 +12,20 @@ namespace {
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
 /// Memory of a tool.
-enum Memory : std::size_t { path_mm, ultrasound_s, idle_ultrasound_s, wall_touches, wall_touched, memory_count };
+enum Memory : std::size_t {
+    path_mm,
+    ultrasound_s,
+    idle_ultrasound_s,
+    dissipated,
+    wall_touches,
+    wall_touched,
+    memory_count
+};
 
 class ToolMeasures : public MeasureGroup {
 public:
-    ToolMeasures(const ToolModel& model, int tool, bool lens, bool bag, bool cornea)
-        : model_(model), tool_(tool), lens_(lens), bag_(bag), cornea_(cornea) {}
+    ToolMeasures(const ToolModel& model, int tool, const ToolSurroundings& around)
+        : model_(model), tool_(tool), around_(around) {}
 
     void describe(ObservationSchema& schema) const override;
     [[nodiscard]] std::size_t memory_size() const override { return memory_count; }
@@ -31,9 +39,7 @@ private:
 
     ToolModel model_;
     int tool_;
-    bool lens_;
-    bool bag_;
-    bool cornea_;
+    ToolSurroundings around_;
 };
 
 void ToolMeasures::describe(ObservationSchema& schema) const {
@@ -47,13 +53,13 @@ void ToolMeasures::describe(ObservationSchema& schema) const {
     if (model_.kind == ToolKind::phaco) {
         describe_phaco(schema);
     }
-    if (lens_) {
+    if (around_.lens) {
         describe_lens(schema);
     }
-    if (bag_) {
+    if (around_.bag) {
         describe_bag(schema);
     }
-    if (cornea_) {
+    if (around_.cornea) {
         schema.push_back({group + "endothelium_mm", "mm", "Distance of the tip from the back of the cornea."});
     }
 }
@@ -67,6 +73,14 @@ void ToolMeasures::describe_phaco(ObservationSchema& schema) const {
     schema.push_back({group + "power", "1", "Ultrasound power, share of full."});
     schema.push_back({group + "ultrasound_s", "s", "Time with ultrasound on so far."});
     schema.push_back({group + "idle_ultrasound_s", "s", "Part of it in which the tip touched no lens."});
+    schema.push_back(
+        {group + "cde", "% s", "Cumulative dissipated energy: ultrasound power in percent times seconds."});
+    if (around_.chamber) {
+        schema.push_back({group + "occlusion", "1", "Share of its mouth that is shut."});
+        schema.push_back({group + "occluded_by_lens", "1", "Share of its mouth that lens covers."});
+        schema.push_back({group + "suction_mmhg", "mmHg", "Vacuum that acts at its mouth."});
+        schema.push_back({group + "hold_mN", "mN", "Force with which it holds tissue."});
+    }
 }
 
 void ToolMeasures::describe_lens(ObservationSchema& schema) const {
@@ -120,6 +134,7 @@ void measure_phaco(const ToolState& tool, bool idle, double dt, std::span<double
     const bool on = tool.present && tool.power > 0.0;
     memory[ultrasound_s] += on ? dt : 0.0;
     memory[idle_ultrasound_s] += on && idle ? dt : 0.0;
+    memory[dissipated] += on ? 100.0 * tool.power * dt : 0.0;
     out.put(tool.pedal);
     out.put(truth(tool.irrigation));
     out.put(truth(tool.aspiration > 0.0));
@@ -127,6 +142,14 @@ void measure_phaco(const ToolState& tool, bool idle, double dt, std::span<double
     out.put(tool.power);
     out.put(memory[ultrasound_s]);
     out.put(memory[idle_ultrasound_s]);
+    out.put(memory[dissipated]);
+}
+
+void measure_mouth(const TipState& tip, Writer& out) {
+    out.put(1.0 - tip.open);
+    out.put(tip.lens);
+    out.put(tip.suction / pascal_per_mmhg);
+    out.put(1e-3 * tip.hold);
 }
 
 void measure_lens(const ToolState& tool, const LensView& lens, const LensContact& contact, Writer& out) {
@@ -181,22 +204,25 @@ void ToolMeasures::measure(const ObserveInput& input, const LensView& lens, std:
     out.put(memory[path_mm]);
     if (model_.kind == ToolKind::phaco) {
         measure_phaco(tool, !contact.touching, input.dt, memory, out);
+        if (around_.chamber) {
+            measure_mouth(input.state.tips[tool_], out);
+        }
     }
-    if (lens_) {
+    if (around_.lens) {
         measure_lens(tool, lens, contact, out);
     }
-    if (bag_) {
+    if (around_.bag) {
         measure_bag(model_, tool, input.world.bags[0], input.state.bags[0], memory, out);
     }
-    if (cornea_) {
+    if (around_.cornea) {
         out.put_if(tool.present, endothelium_distance(input.eye.anatomy, tool.pose.position));
     }
 }
 
 }  // namespace
 
-std::unique_ptr<MeasureGroup> tool_measures(const ToolModel& model, int tool, bool lens, bool bag, bool cornea) {
-    return std::make_unique<ToolMeasures>(model, tool, lens, bag, cornea);
+std::unique_ptr<MeasureGroup> tool_measures(const ToolModel& model, int tool, const ToolSurroundings& around) {
+    return std::make_unique<ToolMeasures>(model, tool, around);
 }
 
 }  // namespace rhexis

@@ -12,22 +12,23 @@ double bag_radius_squared(const BagModel& bag) {
 
 double bag_inertia(const BagModel& bag) { return 2.0 / 3.0 * bag.mass * bag_radius_squared(bag); }
 
-Vec6 zonule_wrench(const BagModel& bag, const Pose& pose) {
+Vec6 suspension_wrench(const BagModel& bag, const Pose& pose, double cushion_z) {
     Vec6 wrench = Vec6::Zero();
     for (const ZonuleSpring& spring : bag.zonules) {
         const Vec3 force = zonule_force(spring, pose);
         wrench.head<3>() += force;
         wrench.tail<3>() += (pose.orientation * spring.on_bag).cross(force);
     }
+    wrench.z() += bag.cushion * (cushion_z - pose.position.z());
     return wrench;
 }
 
-RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, double dt) {
+RigidTerm bag_term(const BagModel& bag, const BagState& state, const Pose& pose, const Vec6& velocity, double dt) {
     const double turning_drag = bag.damping * bag_radius_squared(bag);
     RigidTerm term;
     term.mass.setZero();
     term.mass.diagonal() << Vec3::Constant(bag.mass), Vec3::Constant(bag_inertia(bag));
-    term.force = zonule_wrench(bag, pose);
+    term.force = suspension_wrench(bag, pose, state.cushion_z) + state.load;
     term.force.head<3>() -= bag.damping * velocity.head<3>();
     term.force.tail<3>() -= turning_drag * velocity.tail<3>();
     for (const ZonuleSpring& spring : bag.zonules) {
@@ -38,6 +39,7 @@ RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, 
         term.stiffness.bottomLeftCorner<3, 3>() += arm * stiffness;
         term.stiffness.bottomRightCorner<3, 3>() -= arm * stiffness * arm;
     }
+    term.stiffness(2, 2) += bag.cushion;
     for (int i = 0; i < 3; ++i) {
         term.stiffness(i, i) += bag.damping / dt;
         term.stiffness(3 + i, 3 + i) += turning_drag / dt;
@@ -50,7 +52,7 @@ BagInertia bag_response(const BagModel& bag, double dt) {
 }
 
 void accelerate_bag(const BagModel& bag, double dt, BagState& state) {
-    const Vec6 wrench = zonule_wrench(bag, state.pose);
+    const Vec6 wrench = suspension_wrench(bag, state.pose, state.cushion_z) + state.load;
     const BagInertia response = bag_response(bag, dt);
     state.velocity = (bag.mass * state.velocity + dt * wrench.head<3>()) / response.mass;
     state.angular_velocity = (bag_inertia(bag) * state.angular_velocity + dt * wrench.tail<3>()) / response.turning;

@@ -14,11 +14,11 @@ double bag_radius_squared(const BagModel& bag);
 /// Moment of inertia about any axis through the centre [g mm^2].
 double bag_inertia(const BagModel& bag);
 
-/// Force and torque of the zonules about the centre [uN, uN mm].
-Vec6 zonule_wrench(const BagModel& bag, const Pose& pose);
+/// Force and torque about the centre of the zonules, and of the vitreous where it holds the bag at cushion_z.
+Vec6 suspension_wrench(const BagModel& bag, const Pose& pose, double cushion_z);
 
-/// Springs, drag and inertia at the end of an implicit step of dt [s] that moved the bag from start to pose.
-RigidTerm bag_term(const BagModel& bag, const Pose& pose, const Vec6& velocity, double dt);
+/// Springs, drag, load and inertia at the end of an implicit step of dt [s] that moved the bag from `state` to pose.
+RigidTerm bag_term(const BagModel& bag, const BagState& state, const Pose& pose, const Vec6& velocity, double dt);
 
 /// Explicit: mass and moment of inertia with which the bag answers an impulse within a substep of dt [s]. Drag is taken
 /// at the end of the substep, stable for any dt, and resists impulses as well.
@@ -28,7 +28,7 @@ struct BagInertia {
 };
 BagInertia bag_response(const BagModel& bag, double dt);
 
-/// Explicit: velocity after zonules and drag have acted for dt [s].
+/// Explicit: velocity after zonules, vitreous, load and drag have acted for dt [s].
 void accelerate_bag(const BagModel& bag, double dt, BagState& state);
 
 /// Explicit: pose after dt [s] at the present velocity.

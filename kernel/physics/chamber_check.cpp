@@ -33,7 +33,7 @@ constexpr const char* state_name = "chamber state";
 constexpr const char* per_pascal = " mm^3/Pa";
 constexpr const char* resistance = " Pa s/mm^3";
 
-constexpr std::array<Field<ChamberModel>, 11> model_fields{{
+constexpr std::array<Field<ChamberModel>, 15> model_fields{{
     {"eye_compliance", &ChamberModel::eye_compliance, 0.0015, 0.075, per_pascal},
     {"eye_stiffening", &ChamberModel::eye_stiffening, 0.0, 1.0, ""},
     {"collapse_pressure", &ChamberModel::collapse_pressure, 100.0, 2000.0, " Pa"},
@@ -45,13 +45,18 @@ constexpr std::array<Field<ChamberModel>, 11> model_fields{{
     {"pump_band", &ChamberModel::pump_band, 100.0, 5000.0, " Pa"},
     {"vent_resistance", &ChamberModel::vent_resistance, 1.0, 1000.0, resistance},
     {"fluid_density", &ChamberModel::fluid_density, 0.0009, 0.0011, " g/mm^3"},
+    {"rest_pressure", &ChamberModel::rest_pressure, 500.0, 10000.0, " Pa"},
+    {"area", &ChamberModel::area, 20.0, 300.0, " mm^2"},
+    {"diaphragm_share", &ChamberModel::diaphragm_share, 0.0, 1.0, ""},
+    {"half_hole_area", &ChamberModel::half_hole_area, 0.01, 100.0, " mm^2"},
 }};
 
-constexpr std::array<Field<ChamberControl>, 4> control_fields{{
+constexpr std::array<Field<ChamberControl>, 5> control_fields{{
     {"bottle_height", &ChamberControl::bottle_height, 0.0, 1500.0, " mm"},
     {"pump_flow", &ChamberControl::pump_flow, 0.0, 1000.0, " mm^3/s"},
     {"vacuum_limit", &ChamberControl::vacuum_limit, 0.0, 94000.0, " Pa"},
     {"tip_open", &ChamberControl::tip_open, 0.0, 1.0, ""},
+    {"wound_open", &ChamberControl::wound_open, 0.0, 1.0, ""},
 }};
 
 constexpr double highest_pressure = 100000.0;  ///< of either tank, above or below atmospheric [Pa]

@@ -23,6 +23,7 @@ struct Network {
     double infusion = 0.0;  ///< conductances [mm^3/(s Pa)]
     double tip = 0.0;
     double vent = 0.0;
+    double leak = 0.0;
     double pump_flow = 0.0;  ///< [mm^3/s]
     double vacuum_limit = 0.0;
 };
@@ -34,6 +35,7 @@ Network make_network(const ChamberModel& model, const ChamberControl& control) {
     // As 1 / (R_tube + R_tip / open), without dividing by an opening of zero.
     network.tip = control.tip_open / (model.tip_resistance + control.tip_open * model.tube_resistance);
     network.vent = control.vent ? 1.0 / model.vent_resistance : 0.0;
+    network.leak = control.wound_open * model.leak_conductance;
     network.pump_flow = control.pump_flow;
     network.vacuum_limit = control.vacuum_limit;
     return network;
@@ -54,8 +56,7 @@ double pump_share(const Network& network, const Vec2& pressure) {
 
 Flows flows_at(const Network& network, const Vec2& pressure) {
     return {network.infusion * (network.bottle - pressure[eye]), network.tip * (pressure[eye] - pressure[tube]),
-            network.pump_flow * pump_share(network, pressure),
-            network.model.leak_conductance * std::max(pressure[eye], 0.0),
+            network.pump_flow * pump_share(network, pressure), network.leak * std::max(pressure[eye], 0.0),
             network.vent * std::max(-pressure[tube], 0.0)};
 }
 
@@ -69,7 +70,7 @@ Vec2 pressures(const ChamberModel& model, const Vec2& volume) {
 Mat2 conductance(const Network& network, const Vec2& pressure) {
     const ChamberModel& model = network.model;
     const double share = pump_share(network, pressure);
-    const double leak = pressure[eye] > 0.0 ? model.leak_conductance : 0.0;
+    const double leak = pressure[eye] > 0.0 ? network.leak : 0.0;
     const double vent = pressure[tube] < 0.0 ? network.vent : 0.0;
     const double pump = share > 0.0 && share < 1.0 ? network.pump_flow / model.pump_band : 0.0;
     Mat2 matrix;

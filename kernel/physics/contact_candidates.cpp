@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "physics/mouth.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -19,6 +20,7 @@ constexpr double stiffest = 100.0;
 constexpr double reference_step = 0.01;  ///< [s]
 
 constexpr double apart = 5e-3;  ///< a candidate with a larger gap than this needs no anchor [mm]
+constexpr double sunk = 0.1;    ///< [mm]
 constexpr double reach = 0.2;   ///< candidates are sought this far beyond what can move in a step [mm]
 
 double fastest(const SolidState& state) {
@@ -75,6 +77,10 @@ std::vector<Partner> partners_of(const WorldModel& model, const WorldState& stat
         partners.push_back(
             {ContactPartner::plane, static_cast<int>(i), model.planes[i].friction, Pose{}, {}, reach + pushed});
     }
+    for (std::size_t i = 0; i < model.domes.size(); ++i) {
+        partners.push_back(
+            {ContactPartner::dome, static_cast<int>(i), model.domes[i].friction, Pose{}, {}, reach + pushed});
+    }
     return partners;
 }
 
@@ -99,6 +105,60 @@ void recall(const std::vector<ContactMemory>& memory, int solid, int vertex, Con
     }
 }
 
+/// Suction holds what lies before the mouth, each vertex by the same part.
+void share_suction(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
+                   ContactCandidates& candidates) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const double hold = state.tips[i].hold;
+        if (!(hold > 0.0)) {
+            continue;
+        }
+        const Mouth mouth = tip_mouth(model.tools[i]);
+        const double radius = model.tools[i].bore_radius + seal;
+        const auto held = [&](const ContactCandidate& candidate) {
+            if (candidate.partner != ContactPartner::tool || candidate.index != static_cast<int>(i) ||
+                candidate.start_gap > seal) {
+                return false;
+            }
+            const Vec3 from_mouth = candidate.start - mouth.centre;
+            const double along = mouth.facing.dot(from_mouth);
+            return along > -seal && from_mouth.squaredNorm() - along * along < radius * radius;
+        };
+        const double count = static_cast<double>(std::count_if(candidates.begin(), candidates.end(), held));
+        for (ContactCandidate& candidate : candidates) {
+            if (held(candidate)) {
+                candidate.hold = hold / count;
+            }
+        }
+    }
+}
+
+/// Cortex that still adheres to the capsule bears pull and shear over the area of its vertex.
+void set_adhesion(const WorldModel& model, const WorldState& state, const ContactSurface& surface,
+                  ContactCandidates& candidates) {
+    for (ContactCandidate& candidate : candidates) {
+        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
+        if (candidate.partner != ContactPartner::bag || vertex.nodes[1] >= 0) {
+            continue;
+        }
+        const std::vector<std::uint8_t>& adherent = state.bags[candidate.index].adherent;
+        if (!adherent.empty() && adherent[vertex.nodes[0]] != 0) {
+            candidate.hold = model.bags[candidate.index].adhesion * vertex.size * vertex.size;
+            candidate.grip = candidate.hold;
+        }
+    }
+}
+
+/// Beyond the wall by more than contact ever lets a point sink in: it left through the opening.
+bool left_bag(const Partner& partner, const Vec3& point, const Gap& gap) {
+    return partner.kind == ContactPartner::bag && gap.gap < -sunk && partner.pose.to_body(point).z() > 0.0;
+}
+
+/// Behind a hole there is no wall to touch.
+bool over_hole(const WorldState& state, ContactPartner partner, const Vec3& local) {
+    return partner == ContactPartner::bag && state.capsule && within_hole(*state.capsule, local);
+}
+
 }  // namespace
 
 Pose PartnerPoses::of(ContactPartner partner, int index) const {
@@ -108,6 +168,7 @@ Pose PartnerPoses::of(ContactPartner partner, int index) const {
         case ContactPartner::bag:
             return bags[index];
         case ContactPartner::plane:
+        case ContactPartner::dome:
             break;
     }
     return Pose{};
@@ -124,15 +185,24 @@ bool within_opening(const BagModel& bag, const Vec3& local) {
     return local.z() > 0.0 && local.head<2>().squaredNorm() < bag.opening_radius * bag.opening_radius;
 }
 
-Gap bag_gap(const BagModel& bag, const Vec3& local) {
+Gap bag_gap(const BagModel& bag, const Vec3& local, bool outside) {
     if (within_opening(bag, local)) {
         return {};
     }
     const SurfaceDistance found = bag_distance(bag.shape, local);
+    if (outside) {
+        return {found.distance, found.normal};
+    }
     return found.distance > bag_wall ? Gap{} : Gap{-found.distance, -found.normal};
 }
 
-Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point) {
+Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point,
+                bool outside) {
+    if (partner == ContactPartner::dome) {
+        const Vec3 out = point - model.domes[index].centre;
+        const double distance = out.norm();
+        return {model.domes[index].radius - distance, Vec3(-out / std::max(distance, 1e-9))};
+    }
     if (partner == ContactPartner::plane) {
         const PlaneModel& plane = model.planes[index];
         return {plane.normal.dot(point - plane.point), plane.normal};
@@ -142,7 +212,7 @@ Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, cons
         const ShapeDistance found = tool_distance(model.tools[index], local);
         return {found.distance, pose.orientation * found.normal};
     }
-    const Gap found = bag_gap(model.bags[index], local);
+    const Gap found = bag_gap(model.bags[index], local, outside);
     return {found.gap, pose.orientation * found.normal};
 }
 
@@ -171,7 +241,11 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             if (tool ? !partner.box.holds(point) : vertex.between) {
                 continue;
             }
-            const Gap start = measure_gap(model, partner.kind, partner.index, partner.pose, point);
+            Gap start = measure_gap(model, partner.kind, partner.index, partner.pose, point);
+            const bool outside = left_bag(partner, point, start);
+            if (outside) {
+                start = {-start.gap, -start.normal};
+            }
             if (!tool && start.gap > partner.margin) {
                 continue;
             }
@@ -181,10 +255,24 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             candidate.index = partner.index;
             candidate.spring.friction = partner.friction;
             candidate.start = partner.pose.to_body(point);
+            if (over_hole(state, partner.kind, candidate.start)) {
+                continue;
+            }
             candidate.start_gap = start.gap;
+            candidate.outside = outside;
             candidate.anchor = candidate.start;
             recall(state.memory, solid, vertex.vertex, candidate);
             candidates.push_back(candidate);
+        }
+    }
+    share_suction(model, state, tools, candidates);
+    set_adhesion(model, state, surface, candidates);
+}
+
+void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags) {
+    for (const ContactCandidate& candidate : candidates) {
+        if (candidate.grip > 0.0 && candidate.sliding) {
+            bags[candidate.index].adherent[surface.vertices()[candidate.vertex].nodes[0]] = 0;
         }
     }
 }

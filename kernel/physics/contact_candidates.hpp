@@ -31,11 +31,14 @@ struct ContactCandidate {
     ContactPartner partner = ContactPartner::tool;
     int index = 0;
     ContactSpring spring;       ///< its stiffness only after set_springs
+    double hold = 0.0;          ///< pull that it bears before it parts: suction, adhesion [uN]
+    double grip = 0.0;          ///< what that adds to the largest friction [uN]
     Vec3 start = Vec3::Zero();  ///< in the partner's frame at the start of the step [mm]
     double start_gap = 0.0;     ///< [mm]
 
     Vec3 anchor = Vec3::Zero();  ///< in the partner's frame [mm]
     bool touching = false;       ///< at the end of the last substep
+    bool outside = false;        ///< bag: it lies on the outer side of the wall
 
     Vec3 force = Vec3::Zero();    ///< of the last substep, on the solid [uN]
     Vec3 impulse = Vec3::Zero();  ///< summed over the step [uN s]
@@ -52,10 +55,12 @@ struct Gap {
     double gap = HUGE_VAL;  ///< [mm]; infinite where there is nothing to touch
     Vec3 normal = Vec3::UnitZ();
 };
-Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point);
+Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point,
+                bool outside = false);
 
 /// Gap and normal of a point in a bag's frame, both in that frame.
-Gap bag_gap(const BagModel& bag, const Vec3& local);
+/// A point that has left through the opening meets the wall from outside.
+Gap bag_gap(const BagModel& bag, const Vec3& local, bool outside);
 
 /// Whether a point in a bag's frame is in front of the equator and seen through the opening: there is no wall.
 bool within_opening(const BagModel& bag, const Vec3& local);
@@ -69,6 +74,9 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
 
 /// Stiffness of the springs that stand for contact in implicit steps of dt [s], substeps included.
 void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates);
+
+/// Cortex that slid on the capsule has come off it for good.
+void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags);
 
 /// The contacts that carried force in the step.
 void report_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid, double dt,

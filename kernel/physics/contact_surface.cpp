@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/adjacency.hpp"
+#include "mesh/components.hpp"
 
 namespace rhexis {
 
@@ -87,6 +88,7 @@ void ContactSurface::rebuild(const SolidModel& model) {
     const std::vector<std::array<int, 4>>& tets = fine ? model.fine.tets : model.coarse.tets;
     const std::vector<std::array<int, 4>>& neighbours = fine ? model.fine.neighbours : coarse_neighbours_;
     outer_.assign(all_.size(), 0);
+    faces_.clear();
     for (std::size_t t = 0; t < tets.size(); ++t) {
         if (alive_[t] == 0) {
             continue;
@@ -94,19 +96,64 @@ void ContactSurface::rebuild(const SolidModel& model) {
         for (std::size_t k = 0; k < 4; ++k) {
             const int other = neighbours[t][k];
             if (other < 0 || alive_[other] == 0) {
-                for (int corner : tet_faces[k]) {
-                    outer_[tets[t][corner]] = 1;
+                const std::array<int, 3>& face = tet_faces[k];
+                faces_.push_back({tets[t][face[0]], tets[t][face[1]], tets[t][face[2]]});
+                for (int corner : faces_.back()) {
+                    outer_[corner] = 1;
                 }
             }
         }
     }
     vertices_.clear();
+    std::vector<int> place(all_.size(), -1);
     for (std::size_t v = 0; v < all_.size(); ++v) {
         if (outer_[v] != 0) {
             const std::array<int, 2>& nodes = all_[v].nodes;
+            place[v] = static_cast<int>(vertices_.size());
             vertices_.push_back(all_[v]);
             vertices_.back().between = nodes[1] >= 0 && outer_[nodes[0]] != 0 && outer_[nodes[1]] != 0;
         }
+    }
+    for (std::array<int, 3>& face : faces_) {
+        face = {place[face[0]], place[face[1]], place[face[2]]};
+    }
+    find_pieces(model);
+}
+
+/// What shares a node hangs together: topology splits the nodes of what does not.
+void ContactSurface::find_pieces(const SolidModel& model) {
+    const std::size_t coarse = model.coarse.tets.size();
+    const std::size_t children = alive_.size() / std::max<std::size_t>(1, coarse);
+    UnionFind sets(static_cast<int>(coarse));
+    std::vector<int> first(model.coarse.nodes.size(), -1);
+    for (std::size_t t = 0; t < coarse; ++t) {
+        const auto begin = alive_.begin() + static_cast<std::ptrdiff_t>(children * t);
+        if (std::any_of(begin, begin + static_cast<std::ptrdiff_t>(children), [](std::uint8_t a) { return a != 0; })) {
+            for (const int node : model.coarse.tets[t]) {
+                first[node] = first[node] < 0 ? static_cast<int>(t) : first[node];
+                sets.join(first[node], static_cast<int>(t));
+            }
+        }
+    }
+    in_pieces_ = false;
+    for (SurfaceVertex& vertex : vertices_) {
+        vertex.piece = sets.find(first[vertex.nodes[0]]);
+        in_pieces_ = in_pieces_ || vertex.piece != vertices_.front().piece;
+    }
+}
+
+void ContactSurface::normals(const std::vector<Vec3>& nodes, std::vector<Vec3>& normals) const {
+    normals.assign(vertices_.size(), Vec3::Zero());
+    for (const std::array<int, 3>& face : faces_) {
+        const Vec3 a = point_of(vertices_[face[0]], nodes);
+        const Vec3 area = (point_of(vertices_[face[1]], nodes) - a).cross(point_of(vertices_[face[2]], nodes) - a);
+        for (const int vertex : face) {
+            normals[vertex] += area;
+        }
+    }
+    for (Vec3& normal : normals) {
+        const double length = normal.norm();
+        normal = length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
     }
 }
 

@@ -18,6 +18,7 @@ struct SurfaceVertex {
     double stiffness = 0.0;           ///< what the tissue around it offers to a push: Young's modulus x size [uN/mm]
     bool between = false;             ///< the middle of two nodes that are on the boundary themselves
     double size = 0.0;                ///< edge length of the tetrahedra around it [mm]
+    int piece = 0;                    ///< the piece of the body that it belongs to: its lowest coarse tetrahedron
 };
 
 Vec3 point_of(const SurfaceVertex& vertex, const std::vector<Vec3>& nodes);
@@ -32,14 +33,23 @@ public:
     /// Vertices on the current boundary, ascending.
     [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const { return vertices_; }
 
+    /// Whether the body is in more pieces than one.
+    [[nodiscard]] bool in_pieces() const { return in_pieces_; }
+
+    /// Outward unit normals of the vertices where the nodes are now; zero where the faces around one cancel out.
+    void normals(const std::vector<Vec3>& nodes, std::vector<Vec3>& normals) const;
+
 private:
     void rebuild(const SolidModel& model);
+    void find_pieces(const SolidModel& model);
 
     std::vector<SurfaceVertex> all_;  ///< every vertex of the mesh, on the boundary or not
     std::vector<std::array<int, 4>> coarse_neighbours_;
     std::vector<std::uint8_t> alive_;  ///< per (fine) tetrahedron, at the last update
     std::vector<std::uint8_t> outer_;  ///< scratch: per vertex
     std::vector<SurfaceVertex> vertices_;
+    std::vector<std::array<int, 3>> faces_;  ///< of the boundary, by place in vertices_, seen from outside
+    bool in_pieces_ = false;
     bool built_ = false;
 };
 

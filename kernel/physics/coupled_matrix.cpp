@@ -8,8 +8,6 @@
 namespace rhexis {
 namespace {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "physics/mouth.hpp"
+
 namespace rhexis {
 
 namespace {
@@ -38,10 +40,11 @@ void move_anchor(const Pose& pose, const Vec3& point, const Vec3& normal, bool s
 }  // namespace
 
 void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
-                            ContactCandidates& candidates, ExplicitSolid& solid) {
+                            ContactCandidates& candidates, const std::vector<PiecePair>& pairs, ExplicitSolid& solid) {
     model_ = &model;
     surface_ = &surface;
     candidates_ = &candidates;
+    pairs_ = &pairs;
     rows_ = solid.rows();
     drifts_.assign(1, Drift{});
     for (const std::vector<Pose>* partners : {&poses.tools, &poses.bags}) {
@@ -55,7 +58,7 @@ void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surfa
         const ContactCandidate& candidate = candidates[c];
         const std::array<int, 2>& nodes = surface.vertices()[candidate.vertex].nodes;
         watches_[c].nodes = {nodes[0], nodes[1] < 0 ? nodes[0] : nodes[1]};
-        if (candidate.partner != ContactPartner::plane) {
+        if (candidate.partner == ContactPartner::tool || candidate.partner == ContactPartner::bag) {
             watches_[c].drift = (candidate.partner == ContactPartner::tool ? 1 : first_bag) + candidate.index;
         }
     }
@@ -107,12 +110,12 @@ bool ExplicitContact::asleep(const Watch& watch, const Vec3& point) const {
 Gap ExplicitContact::measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
                              Watch& watch) const {
     if (candidate.partner != ContactPartner::bag) {
-        return measure_gap(*model_, candidate.partner, candidate.index, pose, point);
+        return measure_gap(*model_, candidate.partner, candidate.index, pose, point, candidate.outside);
     }
     const BagModel& bag = model_->bags[candidate.index];
     const Vec3 local = pose.to_body(point);
     if (!watch.flat || (local - watch.foot).squaredNorm() > flat_square || within_opening(bag, local)) {
-        watch.plane = bag_gap(bag, local);
+        watch.plane = bag_gap(bag, local, candidate.outside);
         watch.foot = local;
         watch.flat = std::isfinite(watch.plane.gap);
         return {watch.plane.gap, pose.orientation * watch.plane.normal};
@@ -149,6 +152,8 @@ void ExplicitContact::activate(int index, double dt, const Gap& gap, const Pose&
     active.nodes = watch.nodes;
     active.share = {0.5 * rows_.inverse_mass[watch.nodes[0]], 0.5 * rows_.inverse_mass[watch.nodes[1]]};
     active.friction = candidate.spring.friction;
+    active.pull = dt * candidate.hold;
+    active.grip = dt * candidate.grip;
     active.normal = gap.normal;
     const bool carried_along = candidate.partner == ContactPartner::tool;
     const Vec3 carried = carried_along ? Vec3(pose.to_world(old_pose.to_body(point)) - point) : Vec3(Vec3::Zero());
@@ -167,10 +172,11 @@ void ExplicitContact::activate(int index, double dt, const Gap& gap, const Pose&
     }
     set_masses(active);
     if (candidate.touching) {
-        const double push = std::max(0.0, candidate.force.dot(active.normal));
+        const double push = std::max(-candidate.hold, candidate.force.dot(active.normal));
         active.normal_impulse = dt * push;
         const Vec3 across = candidate.force - candidate.force.dot(active.normal) * active.normal;
-        active.tangent_impulse = dt * project_on_disc(across, active.friction * push);
+        active.tangent_impulse =
+            dt * project_on_disc(across, active.friction * (push + candidate.hold) + candidate.grip);
     }
     active_.push_back(active);
 }
@@ -187,7 +193,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
         const Pose pose = after.of(candidate.partner, candidate.index);
         const Gap gap = measure(candidate, pose, point, watch);
         // Anything that could close within this substep, whatever the others do to it
-        const double near = 2.0 * dt * (pace(watch).norm() + fastest_push);
+        const double near = std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? seal : 0.0);
         if (gap.gap < near) {
             watch.free = 0.0;
             activate(static_cast<int>(c), dt, gap, before.of(candidate.partner, candidate.index), pose, point);
@@ -216,13 +222,13 @@ void ExplicitContact::sweep() {
         const Vec3 velocity = velocity_of(active, body, rows);
         const double along = active.normal.dot(velocity);
         const double normal_impulse =
-            std::max(0.0, active.normal_impulse + active.normal_mass * (active.normal_target - along));
+            std::max(-active.pull, active.normal_impulse + active.normal_mass * (active.normal_target - along));
         if (normal_impulse == 0.0 && active.normal_impulse == 0.0) {
             continue;  // apart, and stays so
         }
         const Vec3 across = velocity - along * active.normal;
         const Vec3 sticking = active.tangent_impulse + active.tangent_mass * (active.tangent_target - across);
-        const double limit = active.friction * normal_impulse;
+        const double limit = active.friction * (normal_impulse + active.pull) + active.grip;
         const Vec3 tangent_impulse = project_on_disc(sticking, limit);
         active.sliding = sticking.squaredNorm() > limit * limit;
         const Vec3 change =
@@ -236,6 +242,59 @@ void ExplicitContact::sweep() {
         }
     }
     unsettled_.resize(kept);
+}
+
+/// Pairs that could close within this substep.
+void ExplicitContact::collect_pairs(double dt) {
+    active_pairs_.clear();
+    const auto nodes_of = [&](int vertex) {
+        const std::array<int, 2>& nodes = surface_->vertices()[vertex].nodes;
+        return std::array<int, 2>{nodes[0], nodes[1] < 0 ? nodes[0] : nodes[1]};
+    };
+    const auto middle = [](const double* rows, const std::array<int, 2>& nodes) {
+        return Vec3(0.5 * (row(rows, nodes[0]) + row(rows, nodes[1])));
+    };
+    const auto response = [&](const std::array<int, 2>& nodes) {
+        const double sum = rows_.inverse_mass[nodes[0]] + rows_.inverse_mass[nodes[1]];
+        return (nodes[0] == nodes[1] ? 0.5 : 0.25) * sum;
+    };
+    for (std::size_t i = 0; i < pairs_->size(); ++i) {
+        const PiecePair& pair = (*pairs_)[i];
+        ActivePair active;
+        active.pair = static_cast<int>(i);
+        active.nodes = nodes_of(pair.vertex);
+        active.others = nodes_of(pair.other);
+        const double gap =
+            pair.normal.dot(middle(rows_.position, active.nodes) - middle(rows_.position, active.others));
+        const Vec3 pace = middle(rows_.velocity, active.nodes) - middle(rows_.velocity, active.others);
+        const double sum = response(active.nodes) + response(active.others);
+        if (!(gap < 2.0 * dt * (pace.norm() + fastest_push)) || !(sum > 0.0)) {
+            continue;
+        }
+        active.target = std::min(-gap / dt, fastest_ejection);
+        active.mass = 1.0 / sum;
+        active_pairs_.push_back(active);
+    }
+}
+
+void ExplicitContact::sweep_pairs() {
+    double* const rows = rows_.velocity;
+    for (ActivePair& active : active_pairs_) {
+        const Vec3& normal = (*pairs_)[active.pair].normal;
+        const Vec3 velocity = 0.5 * (row(rows, active.nodes[0]) + row(rows, active.nodes[1]) -
+                                     row(rows, active.others[0]) - row(rows, active.others[1]));
+        const double along = normal.dot(velocity);
+        const double impulse = std::max(0.0, active.impulse + active.mass * (active.target - along));
+        const Vec3 sticking = active.tangent_impulse - active.mass * (velocity - along * normal);
+        const Vec3 tangent = project_on_disc(sticking, piece_friction * impulse);
+        const Vec3 change = 0.5 * ((impulse - active.impulse) * normal + tangent - active.tangent_impulse);
+        for (std::size_t k = 0; k < 2; ++k) {
+            row(rows, active.nodes[k]) += rows_.inverse_mass[active.nodes[k]] * change;
+            row(rows, active.others[k]) -= rows_.inverse_mass[active.others[k]] * change;
+        }
+        active.impulse = impulse;
+        active.tangent_impulse = tangent;
+    }
 }
 
 void ExplicitContact::finish(double dt, const PartnerPoses& after) {
@@ -253,7 +312,7 @@ void ExplicitContact::finish(double dt, const PartnerPoses& after) {
         const Vec3 point = place(watches_[active.candidate]) + dt * velocity;
         move_anchor(after.of(candidate.partner, candidate.index), point, active.normal, active.sliding, gap < slack,
                     slack, candidate);
-        if (active.normal_impulse > 0.0) {
+        if (active.normal_impulse != 0.0) {
             candidate.point = point;
             candidate.normal = active.normal;
             candidate.gap = std::min(0.0, gap);
@@ -267,14 +326,16 @@ void ExplicitContact::resolve(double dt, const PartnerPoses& before, const Partn
     follow_partners(after);
     take_bodies(dt, bags);
     collect(dt, before, after);
+    collect_pairs(dt);
     for (const Active& active : active_) {
         push(active, active.normal_impulse * active.normal + active.tangent_impulse, bodies_[active.body],
              rows_.velocity);
     }
     unsettled_.resize(active_.size());
     std::iota(unsettled_.begin(), unsettled_.end(), 0);
-    for (int i = 0; i < most_sweeps && !unsettled_.empty(); ++i) {
+    for (int i = 0; i < most_sweeps && (!unsettled_.empty() || !active_pairs_.empty()); ++i) {
         sweep();
+        sweep_pairs();
     }
     finish(dt, after);
     for (std::size_t i = 0; i < bags.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "physics/bag_motion.hpp"
 #include "physics/contact_candidates.hpp"
 #include "physics/explicit_solid.hpp"
+#include "physics/piece_contact.hpp"
 
 namespace rhexis {
 
@@ -21,7 +22,7 @@ class ExplicitContact {
 public:
     /// Starts a step of a loaded solid. candidates must outlive the step. poses: at its start.
     void begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
-               ContactCandidates& candidates, ExplicitSolid& solid);
+               ContactCandidates& candidates, const std::vector<PiecePair>& pairs, ExplicitSolid& solid);
 
     /// Corrects the velocities of the solid and of the bags so that no contact is violated after dt [s].
     /// before, after: poses at the ends of the substep, of the bags both at its start; bags: already accelerated.
@@ -61,7 +62,9 @@ private:
         std::array<int, 2> nodes{0, 0};
         std::array<double, 2> share{0, 0};  ///< velocity per impulse [1/g]
         double friction = 0.0;
-        int body = 0;  ///< index into bodies_
+        double pull = 0.0;  ///< impulse that it bears before it parts [uN s]
+        double grip = 0.0;  ///< what that adds to the largest friction [uN s]
+        int body = 0;       ///< index into bodies_
         Vec3 arm = Vec3::Zero();
         Vec3 normal = Vec3::UnitZ();
         double normal_target = 0.0;          ///< smallest relative normal velocity [mm/s]
@@ -84,6 +87,8 @@ private:
     void set_masses(Active& active) const;
     void take_bodies(double dt, const std::vector<BagState>& bags);
     void sweep();
+    void collect_pairs(double dt);
+    void sweep_pairs();
     void finish(double dt, const PartnerPoses& after);
 
     const WorldModel* model_ = nullptr;
@@ -93,6 +98,18 @@ private:
     std::vector<Body> bodies_;    ///< what stands still or is led, then the bags
     std::vector<Drift> drifts_;   ///< what stands still, the tools, then the bags
     std::vector<Watch> watches_;  ///< per candidate
+    /// A pair of vertices that could meet within the substep.
+    struct ActivePair {
+        int pair = 0;
+        std::array<int, 2> nodes{0, 0};
+        std::array<int, 2> others{0, 0};
+        double target = 0.0;  ///< smallest relative normal velocity [mm/s]
+        double mass = 0.0;    ///< [g]
+        double impulse = 0.0;
+        Vec3 tangent_impulse = Vec3::Zero();
+    };
+    const std::vector<PiecePair>* pairs_ = nullptr;
+    std::vector<ActivePair> active_pairs_;
     std::vector<Active> active_;
     std::vector<int> unsettled_;  ///< indices into active_
 };

@@ -15,7 +15,6 @@
 
 namespace rhexis {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;  // translation [mm], then rotation vector [rad]
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 /// A rigid partner that moves with the solid's solve (the bag).

@@ -6,6 +6,10 @@
 #include <utility>
 
 #include "physics/bag_motion.hpp"
+#include "physics/capsule_wall.hpp"
+#include "physics/crack.hpp"
+#include "physics/debris_motion.hpp"
+#include "physics/fluid_step.hpp"
 #include "physics/sculpt.hpp"
 #include "physics/solid_stepper.hpp"
 #include "physics/world_check.hpp"
@@ -56,13 +60,17 @@ struct Physics::Solvers {
     PhysicsSettings settings;
     ThreadPool pool;
     std::vector<SolidStepper> steppers;
-    std::vector<SculptZone> zones;  ///< per tool
-    StepTry result;                 ///< scratch
+    std::vector<CrackFinder> cracks;  ///< per solid
+    std::vector<SculptZone> zones;    ///< per tool
+    std::vector<MouthProbe> probes;   ///< per tool
+    WorldState started;               ///< scratch: the state with the fluid at the end of the step
+    StepTry result;                   ///< scratch
     StepTry better;
 
     Solvers(std::shared_ptr<const WorldModel> world, const PhysicsSettings& wanted)
         : model(std::move(world)), settings(wanted), pool(wanted.threads) {}
 
+    [[nodiscard]] bool has_fluid() const { return model->chamber || model->capsule || model->iris; }
     void step_solid(const StepTask& task, int solid, StepOutcome& outcome);
     void keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const;
 };
@@ -109,6 +117,7 @@ void Physics::Solvers::keep(const StepTask& task, int solid, WorldState& next, C
     next.solids[solid] = result.solid;
     if (solid == 0) {
         next.bags = result.bags;
+        break_adhesion(result.candidates, surface, next.bags);
     }
     report_contacts(result.candidates, surface, solid, task.dt, contacts);
     remember_contacts(result.candidates, surface, solid, next.memory);
@@ -130,9 +139,11 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
             return stepper.error();
         }
         solvers->steppers.push_back(std::move(stepper).value());
+        solvers->cracks.emplace_back(model->solids[solid]);
     }
     for (const ToolModel& tool : model->tools) {
         solvers->zones.push_back(sculpt_zone(tool));
+        solvers->probes.push_back(mouth_probe(tool));
     }
     return Physics(std::move(solvers));
 }
@@ -142,23 +153,42 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     Solvers& s = *solvers_;
     RHEXIS_ASSERT(tools.size() == s.model->tools.size() && dt > 0.0);
     StepOutcome outcome;
-    next = state;
+    s.started = state;
+    s.started.tips.resize(tools.size());  // a script may have added a tool
+    if (s.has_fluid()) {
+        const ProfileScope scope(profile, "chamber");
+        step_fluid(*s.model, tools, s.probes, dt, s.started);
+    }
+    next = s.started;
     next.memory.clear();
     contacts.clear();
-    const StepTask task{*s.model, state, tools, dt};
+    const StepTask task{*s.model, s.started, tools, s.probes, dt};
     for (int solid = 0; solid < static_cast<int>(s.steppers.size()); ++solid) {
         const ProfileScope scope(profile, s.model->solids[solid].name.c_str());
         s.step_solid(task, solid, outcome);
         s.keep(task, solid, next, contacts);
         outcome.solids.push_back(s.result.report);
+        s.cracks[solid].find(s.model->solids[solid], next.solids[solid], s.steppers[solid].surface(), contacts, solid,
+                             outcome.solids.back().broken);
     }
     if (s.steppers.empty()) {
+        PartnerPoses poses;
+        place_tools(tools, 1.0, poses);
         for (std::size_t b = 0; b < next.bags.size(); ++b) {
             for (int i = 0; i < bag_substeps; ++i) {
+                load_bag(task, poses.tools, next.bags[b]);
                 accelerate_bag(s.model->bags[b], dt / bag_substeps, next.bags[b]);
                 move_bag(dt / bag_substeps, next.bags[b]);
             }
         }
+    }
+    if (next.capsule) {
+        const ProfileScope scope(profile, "capsule");
+        strain_capsule(*s.model, tools, s.probes, dt, next);
+    }
+    if (!next.debris.empty()) {
+        const ProfileScope scope(profile, "debris");
+        move_debris(*s.model, tools, s.probes, dt, next);
     }
     const ProfileScope scope(profile, "sculpt");
     for (std::size_t i = 0; i < tools.size(); ++i) {

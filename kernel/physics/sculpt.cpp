@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/tissue_near.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -39,25 +40,6 @@ double tet_weight(const ToolModel& tool, const SculptZone& zone, const Pose& pos
     return weight;
 }
 
-/// Bounding ball of a coarse tetrahedron against the tip: skips nearly all of the body.
-bool out_of_reach(const RoundedCone& end, const Pose& pose, const std::vector<Vec3>& x, const std::array<int, 4>& tet) {
-    const Vec3 centre = 0.25 * (x[tet[0]] + x[tet[1]] + x[tet[2]] + x[tet[3]]);
-    double radius = 0.0;
-    for (int node : tet) {
-        radius = std::max(radius, (x[node] - centre).squaredNorm());
-    }
-    return cone_distance(end, pose.to_body(centre)).distance > reach + blur + std::sqrt(radius);
-}
-
-Vec3 fine_point(const SolidModel& model, const std::vector<Vec3>& x, int fine_node) {
-    const int coarse_nodes = static_cast<int>(x.size());
-    if (fine_node < coarse_nodes) {
-        return x[fine_node];
-    }
-    const std::array<int, 2>& edge = model.fine.edges[fine_node - coarse_nodes];
-    return 0.5 * (x[edge[0]] + x[edge[1]]);
-}
-
 double rest_volume(const TetMesh& mesh, const std::array<int, 4>& tet) {
     return tet_volume(mesh.nodes[tet[0]], mesh.nodes[tet[1]], mesh.nodes[tet[2]], mesh.nodes[tet[3]]);
 }
@@ -65,25 +47,13 @@ double rest_volume(const TetMesh& mesh, const std::array<int, 4>& tet) {
 std::vector<Touched> find_touched(const SolidModel& model, const SolidState& state, const ToolModel& tool,
                                   const SculptZone& zone, const Pose& pose) {
     std::vector<Touched> touched;
-    const std::vector<Vec3>& x = state.position;
-    for (std::size_t t = 0; t < model.coarse.tets.size(); ++t) {
-        if (state.present[t] == 0 || out_of_reach(tool.parts.front(), pose, x, model.coarse.tets[t])) {
-            continue;
-        }
-        const Material& material = model.materials[model.coarse.region[t]];
-        const double volume = rest_volume(model.coarse, model.coarse.tets[t]) / 8.0;
-        for (std::size_t f = 8 * t; f < 8 * t + 8; ++f) {
-            if (!(state.fraction[f] > 0.0)) {
-                continue;
-            }
-            std::array<Vec3, 4> corners;
-            for (std::size_t k = 0; k < 4; ++k) {
-                corners[k] = fine_point(model, x, model.fine.tets[f][k]);
-            }
-            const double weight = tet_weight(tool, zone, pose, corners);
-            if (weight > 0.0) {
-                touched.push_back({static_cast<int>(f), weight, volume, material.ablation_energy, material.density});
-            }
+    for (const FineTissue& fine : tissue_near(model, state, tool.parts.front(), pose, reach + blur)) {
+        const double weight = tet_weight(tool, zone, pose, fine.corners);
+        if (weight > 0.0) {
+            const int coarse = fine.tet / 8;
+            const Material& material = model.materials[model.coarse.region[coarse]];
+            const double volume = rest_volume(model.coarse, model.coarse.tets[coarse]) / 8.0;
+            touched.push_back({fine.tet, weight, volume, material.ablation_energy, material.density});
         }
     }
     return touched;
@@ -119,31 +89,15 @@ double spend(double energy, const std::vector<Touched>& touched, SolidState& sol
 
 }  // namespace
 
-namespace {
-
-/// By its power series: the library's may differ in its last bit between processors. angle in [0, 1.2].
-double tangent_of(double angle) {
-    double sine = 0.0;
-    double cosine = 0.0;
-    double term = 1.0;
-    for (int n = 0; n < 24; ++n) {
-        (n % 2 == 0 ? cosine : sine) += (n / 2) % 2 == 0 ? term : -term;
-        term *= angle / (n + 1);
-    }
-    return sine / cosine;
-}
-
-}  // namespace
-
 SculptZone sculpt_zone(const ToolModel& tool) {
     SculptZone zone;
     if (tool.kind != ToolKind::phaco || tool.parts.empty() || !(tool.max_power > 0.0)) {
         return zone;
     }
     const RoundedCone& end = tool.parts.front();
-    const double tangent = tangent_of(tool.bevel);
-    zone.facing = Vec3(0.0, tangent, -1.0).normalized();
-    zone.mouth = end.a + Vec3(0.0, 0.0, end.radius_a * (tangent - 1.0));
+    const Mouth mouth = tip_mouth(tool);
+    zone.mouth = mouth.centre;
+    zone.facing = mouth.facing;
     // Volume by summing a grid, inside the tip left out
     constexpr double cell = 0.02;
     const int half = static_cast<int>(std::ceil((end.radius_a + reach + blur) / cell));

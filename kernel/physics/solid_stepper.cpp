@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "physics/bag_motion.hpp"
+#include "physics/capsule_wall.hpp"
+#include "physics/fluid_step.hpp"
 #include "physics/implicit_contact.hpp"
 #include "physics/tool_shape.hpp"
 
@@ -28,8 +30,10 @@ constexpr double largest_advance = 0.5;  ///< of a tool within a substep, in rad
 constexpr double sound_share = 0.25;     ///< a tetrahedron with less of it left may invert
 
 /// Force per coarse node; empty if there is none.
-std::vector<Vec3> node_forces(const WorldState& state, int solid) {
+std::vector<Vec3> node_forces(const StepTask& task, int solid) {
+    const WorldState& state = task.state;
     std::vector<Vec3> forces;
+    add_drag(task.model, state, solid, task.tools, task.probes, forces);
     for (const NodeLoad& load : state.loads) {
         if (load.solid != solid || load.nodes.empty()) {
             continue;
@@ -40,6 +44,15 @@ std::vector<Vec3> node_forces(const WorldState& state, int solid) {
         }
     }
     return forces;
+}
+
+/// Farthest that two points of a solid may come nearer to each other in a step [mm].
+double moved_in(const StepTask& task, int solid) {
+    double square = 0.0;
+    for (const Vec3& velocity : task.state.solids[solid].velocity) {
+        square = std::max(square, velocity.squaredNorm());
+    }
+    return 2.0 * std::sqrt(square) * task.dt;
 }
 
 /// Substeps that keep tools from passing through what they could meet.
@@ -115,6 +128,12 @@ void set_bag_poses(const std::vector<BagState>& bags, PartnerPoses& poses) {
 
 }  // namespace
 
+void load_bag(const StepTask& task, std::span<const Pose> tools, BagState& bag) {
+    if (task.state.capsule) {
+        bag.load = capsule_load(task.model, *task.state.capsule, bag.pose, task.tools, tools);
+    }
+}
+
 SolidStepper::SolidStepper(const WorldModel& model, int solid, const PhysicsSettings& settings, ThreadPool& pool)
     : model_(&model),
       solid_model_(&model.solids[solid]),
@@ -177,6 +196,7 @@ void SolidStepper::drop_caches() {
 void SolidStepper::run(const StepTask& task, bool explicit_way, int divisions, StepTry& result) {
     surface_.update(*solid_model_, task.state.solids[solid_]);
     find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, result.candidates);
+    find_piece_pairs(surface_, task.state.solids[solid_].position, moved_in(task, solid_), pairs_);
     result.report = SolidStepReport{};
     result.report.explicit_used = explicit_way;
     result.failure = StepFailure::none;
@@ -207,18 +227,19 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
     }
     const int count = std::max(1, static_cast<int>(substeps));
     const double dt = task.dt / count;
-    const std::vector<Vec3> loads = node_forces(task.state, solid_);
+    const std::vector<Vec3> loads = node_forces(task, solid_);
     PartnerPoses before;
     PartnerPoses after;
     place_tools(task.tools, 0.0, after);
     set_bag_poses(result.bags, before);
     before.tools = after.tools;
-    explicit_contact_.begin(task.model, surface_, before, result.candidates, *explicit_);
+    explicit_contact_.begin(task.model, surface_, before, result.candidates, pairs_, *explicit_);
     for (int i = 1; i <= count; ++i) {
         std::swap(before.tools, after.tools);
         place_tools(task.tools, static_cast<double>(i) / count, after);
         explicit_->predict(dt, task.model.gravity, loads);
         for (std::size_t b = 0; b < result.bags.size(); ++b) {
+            load_bag(task, after.tools, result.bags[b]);
             accelerate_bag(task.model.bags[b], dt, result.bags[b]);
         }
         set_bag_poses(result.bags, before);
@@ -238,7 +259,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
     const int count = divisions * substeps_for_tools(task, result.candidates);
     const double dt = task.dt / count;
     set_springs(surface_, dt, result.candidates);
-    const std::vector<Vec3> loads = node_forces(task.state, solid_);
+    const std::vector<Vec3> loads = node_forces(task, solid_);
     ImplicitSettings settings;
     settings.tolerance = settings_.max_newton > 1 ? linear_tolerance : settings_.tolerance;
     settings.max_newton = settings_.max_newton * (divisions > 1 ? 2 : 1);
@@ -252,7 +273,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
         rigid.resize(bodies.size());
         for (std::size_t b = 0; b < bodies.size(); ++b) {
             poses.bags[b] = bodies[b].pose;
-            rigid[b] = bag_term(task.model.bags[b], bodies[b].pose, bodies[b].velocity, dt);
+            rigid[b] = bag_term(task.model.bags[b], result.bags[b], bodies[b].pose, bodies[b].velocity, dt);
         }
         contact_terms(task.model, surface_, result.candidates, position, poses, divisions == 1, contacts);
     };

@@ -13,6 +13,7 @@
 #include "physics/explicit_contact.hpp"
 #include "physics/explicit_solid.hpp"
 #include "physics/implicit_solid.hpp"
+#include "physics/mouth.hpp"
 #include "physics/physics.hpp"
 #include "physics/solid_energy.hpp"
 
@@ -23,8 +24,12 @@ struct StepTask {
     const WorldModel& model;
     const WorldState& state;
     std::span<const ToolState> tools;
-    double dt = 0.0;  ///< [s]
+    std::span<const MouthProbe> probes;  ///< per tool
+    double dt = 0.0;                     ///< [s]
 };
+
+/// Sets what instruments at these poses do to the wall of the bag.
+void load_bag(const StepTask& task, std::span<const Pose> tools, BagState& bag);
 
 /// What one try gave.
 struct StepTry {
@@ -69,7 +74,8 @@ private:
     std::optional<ExplicitSolid> explicit_;
     std::optional<ImplicitSolid> implicit_;
     ExplicitContact explicit_contact_;
-    double rest_step_ = 0.0;  ///< explicit stability limit at rest [s]
+    std::vector<PiecePair> pairs_;  ///< scratch of one try
+    double rest_step_ = 0.0;        ///< explicit stability limit at rest [s]
 };
 
 }  // namespace rhexis

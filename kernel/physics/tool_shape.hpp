@@ -18,6 +18,13 @@ ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point);
 /// To the nearest part of a tool, for a point in the tool's frame. A tool without parts is infinitely far.
 ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point);
 
+/// The open end of an aspirating tip, in the tool's frame.
+struct Mouth {
+    Vec3 centre = Vec3::Zero();    ///< [mm]
+    Vec3 facing = -Vec3::UnitZ();  ///< unit, outward
+};
+Mouth tip_mouth(const ToolModel& tool);
+
 /// Pose at share s of a step, 0: previous_pose, 1: pose. Normalised linear interpolation of the orientation, the short
 /// way round: no trigonometry, so the same bits on every machine.
 Pose pose_within(const ToolState& tool, double s);

@@ -2,8 +2,10 @@
 #include "session/build_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "eye/make_eye.hpp"
+#include "eye/posterior_capsule.hpp"
 #include "session/settings.hpp"
 #include "tools/instruments.hpp"
 
@@ -15,6 +17,53 @@ void set_up_bag(BagModel& bag, const std::map<std::string, double>& settings) {
     for (ZonuleSpring& zonule : bag.zonules) {
         zonule.stiffness *= settings.at("zonules.strength");
     }
+}
+
+constexpr double vitreous_stiffness =
+    1.5e5;                                 ///< below A^2 / C, 3.6e5, of a wall that gives way to it [uN/mm]. Proposal
+constexpr double cortex_adhesion = 300.0;  ///< [Pa]. Proposal: no tool can turn a lens that adheres all round
+
+/// Increases with the angle of (x, y) about the axis, from 0 to 1, without trigonometry.
+double share_of_turn(const Vec3& place) {
+    const double sum = std::abs(place.x()) + std::abs(place.y());
+    const double quarter = sum > 0.0 ? place.y() / sum : 0.0;
+    return 0.25 * (place.x() < 0.0 ? 2.0 - quarter : (place.y() < 0.0 ? 4.0 + quarter : quarter));
+}
+
+/// Hydrodissection has freed the cortex over a part of the meridians.
+std::vector<std::uint8_t> adherent_nodes(const SolidModel& lens, double freed) {
+    if (freed >= 1.0) {
+        return {};
+    }
+    std::vector<std::uint8_t> adherent;
+    for (const Vec3& node : lens.coarse.nodes) {
+        adherent.push_back(share_of_turn(node) >= freed ? 1 : 0);
+    }
+    return adherent;
+}
+
+ChamberModel make_chamber(const std::map<std::string, double>& settings) {
+    ChamberModel chamber;
+    chamber.tube_compliance = settings.at("machine.tubing_mm3_mmhg") / pascal_per_mmhg;
+    chamber.leak_conductance = settings.at("wound.leak_ml_min") * mm3_s_per_ml_min / (55.0 * pascal_per_mmhg);
+    return chamber;
+}
+
+/// The ball of the cornea's back holds lens and angle of the chamber too.
+DomeModel inner_wall(const EyeAnatomy& anatomy) {
+    DomeModel dome;
+    dome.radius = anatomy.cornea_back_radius;
+    dome.centre.z() = anatomy.cornea_apex_z - anatomy.cornea_thickness - dome.radius;
+    return dome;
+}
+
+IrisModel make_iris(const EyeAnatomy& anatomy) {
+    IrisModel iris;
+    iris.rest_z = anatomy.iris_z;
+    iris.pupil_radius = anatomy.pupil_radius;
+    iris.root_radius = anatomy.limbus_radius;
+    iris.thickness = anatomy.iris_thickness;
+    return iris;
 }
 
 /// Nuclei that are harder than this are given so much more inertia that their waves are no faster: the stable step of
@@ -70,7 +119,25 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         world->solids.push_back(eye.value().lens);
     }
     if (has_tissue(scene, "bag")) {
-        world->bags.push_back(eye.value().bag);
+        BagModel& bag = world->bags.emplace_back(eye.value().bag);
+        if (has_tissue(scene, "lens")) {
+            bag.adhesion = cortex_adhesion;
+            bag.adherent = adherent_nodes(eye.value().lens, all_settings(scene).at("hydrodissection.freed"));
+        }
+        bag.cushion = has_tissue(scene, "chamber") ? vitreous_stiffness : 0.0;
+    }
+    if (has_tissue(scene, "chamber")) {
+        world->chamber = make_chamber(all_settings(scene));
+    }
+    if (has_tissue(scene, "chamber") && has_tissue(scene, "cornea")) {
+        world->domes.push_back(inner_wall(eye.value().anatomy));
+    }
+    if (has_tissue(scene, "capsule")) {
+        world->capsule = make_capsule(scene.patient.age);
+        world->capsule->ultimate_strain *= all_settings(scene).at("capsule.strength");
+    }
+    if (has_tissue(scene, "chamber") && has_tissue(scene, "iris")) {
+        world->iris = make_iris(eye.value().anatomy);
     }
     for (const std::string& name : scene.instruments) {
         Result<ToolModel> tool = make_tool(name);

@@ -27,6 +27,7 @@ public:
         put_raw(text.data(), text.size());
     }
     void put(const Vec3& v) { put_raw(v.data(), 3 * sizeof(double)); }
+    void put(const Vec6& v) { put_raw(v.data(), 6 * sizeof(double)); }
     void put(const Pose& pose) {
         put(pose.position);
         put_raw(pose.orientation.coeffs().data(), 4 * sizeof(double));
@@ -76,6 +77,7 @@ public:
         get_raw(text.data(), text.size());
     }
     void get(Vec3& v) { get_raw(v.data(), 3 * sizeof(double)); }
+    void get(Vec6& v) { get_raw(v.data(), 6 * sizeof(double)); }
     void get(Pose& pose) {
         get(pose.position);
         get_raw(pose.orientation.coeffs().data(), 4 * sizeof(double));

@@ -20,6 +20,13 @@ public:
             fields(*this, item);
         }
     }
+    template <typename T, typename Fields>
+    void maybe(const std::optional<T>& item, const Fields& fields) {
+        writer.put(item.has_value());
+        if (item) {
+            fields(*this, *item);
+        }
+    }
     void limit(bool) {}
     ByteWriter writer;
 };
@@ -36,6 +43,14 @@ public:
         items.resize(reader.count(item_bytes));
         for (T& item : items) {
             fields(*this, item);
+        }
+    }
+    template <typename T, typename Fields>
+    void maybe(std::optional<T>& item, const Fields& fields) {
+        bool there = false;
+        reader.get(there);
+        if (there) {
+            fields(*this, item.emplace());
         }
     }
     void limit(bool condition) { sound = sound && condition; }
@@ -116,18 +131,86 @@ void step_fields(auto& io, auto& step) {
     io(step.hash);
 }
 
+void fluid_fields(auto& io, auto& world) {
+    io.maybe(world.chamber, [](auto& inner, auto& chamber) {
+        inner(chamber.eye_volume);
+        inner(chamber.tube_volume);
+        inner(chamber.totals.infused);
+        inner(chamber.totals.vented);
+        inner(chamber.totals.aspirated);
+        inner(chamber.totals.leaked);
+    });
+    auto& flows = world.flows;
+    io(flows.infusion);
+    io(flows.tip);
+    io(flows.pump);
+    io(flows.leak);
+    io(flows.vent);
+    io(flows.lowest_eye_pressure);
+    io(flows.highest_eye_pressure);
+    io.maybe(world.capsule, [](auto& inner, auto& capsule) {
+        inner(capsule.tool);
+        inner(capsule.captured);
+        inner(capsule.place);
+        inner(capsule.depth);
+        inner(capsule.strain);
+        inner(capsule.work);
+        inner(capsule.force);
+        inner(capsule.hole_radius);
+        inner(capsule.hole_place);
+        inner(capsule.peak_strain);
+    });
+    io.maybe(world.iris, [](auto& inner, auto& iris) {
+        inner(iris.z);
+        inner(iris.pupil_radius);
+        inner(iris.tool);
+        inner(iris.place);
+        inner(iris.strain);
+        inner(iris.torn);
+    });
+    io.list(world.debris, 72, [](auto& inner, auto& debris) {
+        inner(debris.position);
+        inner(debris.velocity);
+        inner(debris.volume);
+        inner(debris.density);
+        inner(debris.ablation_energy);
+    });
+    io.list(world.tips, 64, [](auto& inner, auto& tip) {
+        inner(tip.lens);
+        inner(tip.capsule);
+        inner(tip.iris);
+        inner(tip.debris);
+        inner(tip.open);
+        inner(tip.suction);
+        inner(tip.flow);
+        inner(tip.hold);
+    });
+}
+
 void world_fields(auto& io, auto& world) {
-    io.list(world.solids, 32, [](auto& inner, auto& solid) {
+    io.list(world.solids, 48, [](auto& inner, auto& solid) {
         inner(solid.position);
         inner(solid.velocity);
         inner(solid.fraction);
         inner(solid.present);
+        inner.list(solid.broken, 8, [](auto& face_io, auto& face) {
+            face_io(face[0]);
+            face_io(face[1]);
+        });
+        inner.list(solid.splits, 12, [](auto& split_io, auto& split) {
+            split_io(split.node);
+            split_io(split.tets);
+        });
     });
-    io.list(world.bags, 104, [](auto& inner, auto& bag) {
+    io.list(world.bags, 168, [](auto& inner, auto& bag) {
         inner(bag.pose);
         inner(bag.velocity);
         inner(bag.angular_velocity);
+        inner(bag.cushion_z);
+        inner(bag.load);
+        inner(bag.adherent);
     });
+    fluid_fields(io, world);
     io.list(world.loads, 36, [](auto& inner, auto& load) {
         inner(load.solid);
         inner(load.nodes);
@@ -148,7 +231,7 @@ void world_fields(auto& io, auto& world) {
 
 void snapshot_fields(auto& io, auto& snapshot) {
     world_fields(io, snapshot.world);
-    io.list(snapshot.tools, 195, [](auto& inner, auto& tool) {
+    io.list(snapshot.tools, 227, [](auto& inner, auto& tool) {
         inner(tool.present);
         inner(tool.pose);
         inner(tool.previous_pose);
@@ -159,6 +242,10 @@ void snapshot_fields(auto& io, auto& snapshot) {
         inner(tool.irrigation);
         inner(tool.aspiration);
         inner(tool.power);
+        inner(tool.ultrasound_s);
+        inner(tool.bottle_height);
+        inner(tool.pump_flow);
+        inner(tool.vacuum_limit);
     });
     io(snapshot.settings);
     io(snapshot.observer_memory);

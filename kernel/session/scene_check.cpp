@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
@@ -11,7 +12,7 @@
 namespace rhexis {
 namespace {
 
-const std::array<std::string, 4> known_tissues{"lens", "bag", "iris", "cornea"};
+const std::array<std::string, 6> known_tissues{"lens", "bag", "capsule", "iris", "cornea", "chamber"};
 const std::array<std::string, 3> known_instruments{"phaco", "probe", "spatula"};
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
@@ -60,6 +61,25 @@ Status check_settings(const SceneDescription& scene) {
     return success();
 }
 
+/// What parts need of each other, and of the way of stepping.
+Status check_combination(const SceneDescription& scene) {
+    const auto named = [&](const char* name) {
+        return std::find(scene.tissues.begin(), scene.tissues.end(), name) != scene.tissues.end();
+    };
+    if (named("capsule") && !named("bag")) {
+        return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};
+    }
+    const auto segments = scene.settings.find("nucleus.segments");
+    if (segments != scene.settings.end() && std::fmod(segments->second, 2.0) != 0.0) {
+        return Error{"settings.nucleus.segments is " + short_number(segments->second), "", "0, 2, 4, 6 or 8"};
+    }
+    if (named("chamber") && scene.advance == Advance::implicit) {
+        return Error{"advance is implicit with a chamber", "",
+                     "automatic or explicit: suction holds tissue in substeps"};
+    }
+    return success();
+}
+
 }  // namespace
 
 Status check_scene(const SceneDescription& scene) {
@@ -67,7 +87,7 @@ Status check_scene(const SceneDescription& scene) {
          {check_patient(scene.patient), check_names("tissues", scene.tissues, known_tissues),
           check_names("instruments", scene.instruments, known_instruments),
           check_range("step_s", scene.step_s, 0.001, 0.02), check_range("threads", scene.threads, 1.0, 64.0),
-          check_instruction_set(scene.instruction_set), check_settings(scene)}) {
+          check_instruction_set(scene.instruction_set), check_settings(scene), check_combination(scene)}) {
         if (!status) {
             return status;
         }

@@ -16,7 +16,10 @@
 #include "session/snapshot_check.hpp"
 #include "session/state_hash.hpp"
 #include "tools/advance_tool.hpp"
+#include "topology/come_apart.hpp"
+#include "topology/crumble.hpp"
 #include "topology/remove.hpp"
+#include "topology/segments.hpp"
 
 namespace rhexis {
 
@@ -24,12 +27,14 @@ struct Session::Parts {
     // Constant while the session lives.
     SceneDescription scene;
     std::uint64_t seed = 0;
-    EyeModel eye;
-    std::shared_ptr<const WorldModel> world;
-    std::shared_ptr<const EyeAnatomy> anatomy;
+    EyeModel eye;  ///< its anatomy as chamber and instruments have moved it
+    EyeAnatomy rest_anatomy;
+    std::shared_ptr<const WorldModel> base_world;  ///< before anything came apart
+    PhysicsSettings physics_settings;
     std::uint64_t checkpoint_steps = 500;
 
-    // State.
+    // State. The model has the nodes that the state's splits made.
+    std::shared_ptr<const WorldModel> world;
     WorldState state;
     std::vector<ToolState> tools;
     std::map<std::string, double> settings;
@@ -50,13 +55,18 @@ struct Session::Parts {
     std::vector<std::optional<DeviceSample>> samples;  ///< per instrument: what it is to do in this step
     std::vector<char> was_refused;                     ///< so that a broken device fills no log
 
-    Parts(const SceneDescription& description, std::uint64_t session_seed, BuiltWorld built, Physics made_physics);
+    Parts(const SceneDescription& description, std::uint64_t session_seed, BuiltWorld built,
+          const PhysicsSettings& settings, Physics made_physics);
 
     void obey(std::span<const Command> commands);
     void read_input(std::span<const DeviceSample> given);
     void move_tools();
     StepOutcome advance_physics();
-    void remove_spent_tissue();
+    void change_topology(const StepOutcome& outcome);
+    bool take_apart(int solid, const std::vector<BrokenFace>& broken);
+    void crumble_pieces(int solid);
+    void cut_into_segments();
+    void follow_model();
     void observe();
 
     void set(const Command& command);
@@ -70,9 +80,41 @@ struct Session::Parts {
 
 namespace {
 
+/// Whether pieces have come apart is looked at this often while tissue is removed: a look costs a tenth of a step.
+constexpr std::uint64_t steps_between_looks = 10;
+
+/// The model of a state in which nodes have been split.
+std::shared_ptr<const WorldModel> with_splits(const WorldModel& base, const WorldState& state) {
+    std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>(base);
+    for (std::size_t i = 0; i < world->solids.size(); ++i) {
+        world->solids[i] = split_model(base.solids[i], state.solids[i].splits);
+    }
+    return world;
+}
+
 ObservedTissues tissues_of(const SceneDescription& scene) {
     return {has_tissue(scene, "lens"), has_tissue(scene, "bag"), has_tissue(scene, "iris"),
             has_tissue(scene, "cornea")};
+}
+
+/// What shows of the eye's surfaces now.
+EyeAnatomy moved_anatomy(EyeAnatomy anatomy, const WorldState& state) {
+    if (state.iris) {
+        anatomy.iris_z = state.iris->z;
+        anatomy.pupil_radius = state.iris->pupil_radius;
+    }
+    return anatomy;
+}
+
+ToolSettings tool_settings(const std::map<std::string, double>& settings) {
+    ToolSettings limits;
+    limits.power_limit = settings.at("phaco.power_limit");
+    limits.pulse_hz = settings.at("phaco.pulse_hz");
+    limits.duty = settings.at("phaco.duty");
+    limits.bottle_height = 10.0 * settings.at("machine.bottle_cm");
+    limits.pump_flow = mm3_s_per_ml_min * settings.at("machine.flow_ml_min");
+    limits.vacuum_limit = pascal_per_mmhg * settings.at("machine.vacuum_mmhg");
+    return limits;
 }
 
 const char* describe(StepFailure failure) {
@@ -92,13 +134,15 @@ const char* describe(StepFailure failure) {
 }  // namespace
 
 Session::Parts::Parts(const SceneDescription& description, std::uint64_t session_seed, BuiltWorld built,
-                      Physics made_physics)
+                      const PhysicsSettings& wanted, Physics made_physics)
     : scene(description),
       seed(session_seed),
       eye(std::move(built.eye)),
-      world(std::move(built.world)),
-      anatomy(std::make_shared<const EyeAnatomy>(eye.anatomy)),
+      rest_anatomy(eye.anatomy),
+      base_world(std::move(built.world)),
+      physics_settings(wanted),
       checkpoint_steps(static_cast<std::uint64_t>(std::lround(checkpoint_interval_s / scene.step_s))),
+      world(base_world),
       state(rest_state(*world)),
       tools(world->tools.size()),
       settings(all_settings(scene)),
@@ -106,6 +150,7 @@ Session::Parts::Parts(const SceneDescription& description, std::uint64_t session
       observer(*world, tissues_of(scene), scene.step_s),
       samples(world->tools.size()),
       was_refused(world->tools.size(), 0) {
+    cut_into_segments();
     observer_memory.assign(observer.memory_size(), 0.0);
     look_without_remembering();
     hash = hash_state(state, tools, settings, observer_memory, step, seed);
@@ -159,8 +204,7 @@ void Session::Parts::read_input(std::span<const DeviceSample> given) {
 }
 
 void Session::Parts::move_tools() {
-    ToolSettings limits;
-    limits.power_limit = settings.at("phaco.power_limit");
+    const ToolSettings limits = tool_settings(settings);
     for (int i = 0; i < static_cast<int>(tools.size()); ++i) {
         if (!samples[i]) {
             tools[i] = hold_tool(tools[i]);
@@ -204,16 +248,73 @@ StepOutcome Session::Parts::advance_physics() {
     std::swap(state, next);
     ++step;
     state.time_s = static_cast<double>(step) * scene.step_s;
+    eye.anatomy = moved_anatomy(rest_anatomy, state);
     return outcome;
 }
 
-void Session::Parts::remove_spent_tissue() {
+/// Splits what holds together no more. True: the model has new nodes.
+bool Session::Parts::take_apart(int solid, const std::vector<BrokenFace>& broken) {
+    const SolidModel& model = world->solids[solid];
+    const MeshEdit edit = come_apart(model, state.solids[solid], solid, broken);
+    if (edit.empty()) {
+        return false;
+    }
+    apply_splits(edit, state.solids[solid]);
+    for (BagState& bag : state.bags) {
+        for (std::size_t i = 0; !bag.adherent.empty() && i < edit.splits.size(); ++i) {
+            bag.adherent.push_back(std::uint8_t(bag.adherent[edit.splits[i].node]));
+        }
+    }
+    const int nodes = static_cast<int>(model.coarse.nodes.size());
+    std::erase_if(state.memory, [&](const ContactMemory& m) { return m.solid == solid && m.vertex >= nodes; });
+    return !edit.splits.empty();
+}
+
+void Session::Parts::crumble_pieces(int solid) {
+    const SolidModel& model = world->solids[solid];
+    SolidState& body = state.solids[solid];
+    const Crumbs crumbs = crumble(model, body, solid, pieces_of(model, body), debris_volume);
+    if (!crumbs.edit.empty()) {
+        apply(crumbs.edit, model, body);
+        state.debris.insert(state.debris.end(), crumbs.debris.begin(), crumbs.debris.end());
+    }
+}
+
+/// Before the first step.
+void Session::Parts::cut_into_segments() {
+    const int segments = static_cast<int>(settings.at("nucleus.segments"));
+    if (segments > 0 && !world->solids.empty() && take_apart(0, segment_faces(world->solids[0], segments))) {
+        follow_model();
+    }
+}
+
+/// After the state's splits changed.
+void Session::Parts::follow_model() {
+    world = with_splits(*base_world, state);
+    Result<Physics> made = Physics::create(world, physics_settings);
+    RHEXIS_ASSERT(made.ok());
+    physics = std::move(made).value();
+    observer.follow(*world);
+}
+
+void Session::Parts::change_topology(const StepOutcome& outcome) {
     const ProfileScope scope(profile, "topology");
+    bool split = false;
     for (int i = 0; i < static_cast<int>(world->solids.size()); ++i) {
         const MeshEdit edit = spent_elements(world->solids[i], state.solids[i], i);
         if (!edit.empty()) {
             apply(edit, world->solids[i], state.solids[i]);
         }
+        const bool cracked = outcome.failure == StepFailure::none && !outcome.solids[i].broken.empty();
+        if (state.removed_mass > 0.0 && step % steps_between_looks == 0) {
+            crumble_pieces(i);
+        }
+        if (cracked || (state.removed_mass > 0.0 && step % steps_between_looks == 0)) {
+            split = take_apart(i, cracked ? outcome.solids[i].broken : std::vector<BrokenFace>{}) || split;
+        }
+    }
+    if (split) {
+        follow_model();
     }
 }
 
@@ -250,7 +351,8 @@ Result<Session> Session::create(const SceneDescription& scene, std::uint64_t see
     if (!physics) {
         return physics.error();
     }
-    return Session(std::make_unique<Parts>(scene, seed, std::move(built).value(), std::move(physics).value()));
+    return Session(
+        std::make_unique<Parts>(scene, seed, std::move(built).value(), settings, std::move(physics).value()));
 }
 
 StepOutcome Session::step(std::span<const DeviceSample> samples, std::span<const Command> commands) {
@@ -259,7 +361,7 @@ StepOutcome Session::step(std::span<const DeviceSample> samples, std::span<const
     parts_->read_input(samples);
     parts_->move_tools();
     StepOutcome outcome = parts_->advance_physics();
-    parts_->remove_spent_tissue();
+    parts_->change_topology(outcome);
     parts_->observe();
     return outcome;
 }
@@ -281,7 +383,8 @@ const Log& Session::log() const { return parts_->log; }
 
 Frame Session::frame() const {
     const Parts& p = *parts_;
-    return {p.world, p.anatomy, p.state.solids, p.state.bags, p.tools, p.state.time_s};
+    return {p.world,       std::make_shared<const EyeAnatomy>(p.eye.anatomy), p.state.solids, p.state.bags, p.tools,
+            p.state.time_s};
 }
 
 Snapshot Session::snapshot() const {
@@ -296,18 +399,24 @@ Snapshot Session::copy_state() const {
 
 Status Session::restore(const Snapshot& snapshot) {
     Parts& p = *parts_;
-    Status fits = check_fit(snapshot, *p.world, p.observer.memory_size());
+    Status fits = check_splits(snapshot, *p.base_world);
+    if (!fits) {
+        return fits;
+    }
+    std::shared_ptr<const WorldModel> world = with_splits(*p.base_world, snapshot.world);
+    fits = check_fit(snapshot, *world, p.observer.memory_size());
     if (!fits) {
         return fits;
     }
     const FlushDenormals flush;
     p.state = snapshot.world;
+    p.eye.anatomy = moved_anatomy(p.rest_anatomy, p.state);
     p.tools = snapshot.tools;
     p.settings = snapshot.settings;
     p.observer_memory = snapshot.observer_memory;
     p.step = snapshot.step;
     p.contacts.clear();
-    p.physics.drop_caches();
+    p.follow_model();
     p.look_without_remembering();
     p.hash = hash_state(p.state, p.tools, p.settings, p.observer_memory, p.step, p.seed);
     return success();

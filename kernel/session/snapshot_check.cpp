@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "physics/chamber_flow.hpp"
 #include "session/settings.hpp"
+#include "topology/come_apart.hpp"
 #include "topology/remove.hpp"
 
 namespace rhexis {
@@ -32,6 +34,8 @@ std::size_t partners(const WorldModel& world, ContactPartner partner) {
             return world.bags.size();
         case ContactPartner::plane:
             return world.planes.size();
+        case ContactPartner::dome:
+            return world.domes.size();
     }
     return 0;
 }
@@ -62,9 +66,6 @@ Status settings_fit(const Snapshot& snapshot) {
 }
 
 Status solids_fit(const Snapshot& snapshot, const WorldModel& world) {
-    if (snapshot.world.solids.size() != world.solids.size()) {
-        return misfit("the number of bodies");
-    }
     for (std::size_t i = 0; i < world.solids.size(); ++i) {
         if (!sizes_fit(world.solids[i], snapshot.world.solids[i])) {
             return misfit("the mesh of body " + std::to_string(i));
@@ -77,7 +78,40 @@ Status solids_fit(const Snapshot& snapshot, const WorldModel& world) {
     return success();
 }
 
+bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
+
+Status fluid_fits(const WorldState& state, const WorldModel& world) {
+    if (state.chamber.has_value() != world.chamber.has_value() ||
+        state.capsule.has_value() != world.capsule.has_value() || state.iris.has_value() != world.iris.has_value() ||
+        state.tips.size() != world.tools.size()) {
+        return misfit("chamber, capsule or iris");
+    }
+    for (std::size_t i = 0; i < state.bags.size(); ++i) {
+        const std::size_t nodes = world.solids.empty() ? 0 : world.solids[0].coarse.nodes.size();
+        if (state.bags[i].adherent.size() != (world.bags[i].adherent.empty() ? 0 : nodes)) {
+            return misfit("the adhesion of the cortex");
+        }
+    }
+    if ((state.capsule && !tool_fits(state.capsule->tool, world)) ||
+        (state.iris && !tool_fits(state.iris->tool, world))) {
+        return misfit("what holds capsule or iris");
+    }
+    return world.chamber ? check(*world.chamber, *state.chamber) : success();
+}
+
 }  // namespace
+
+Status check_splits(const Snapshot& snapshot, const WorldModel& base) {
+    if (snapshot.world.solids.size() != base.solids.size()) {
+        return misfit("the number of bodies");
+    }
+    for (std::size_t i = 0; i < base.solids.size(); ++i) {
+        if (!splits_fit(base.solids[i], snapshot.world.solids[i].splits)) {
+            return misfit("what came apart of body " + std::to_string(i));
+        }
+    }
+    return success();
+}
 
 Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t observer_memory) {
     Status solids = solids_fit(snapshot, world);
@@ -95,6 +129,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
     if (snapshot.world.bags.size() != world.bags.size() || snapshot.tools.size() != world.tools.size() ||
         snapshot.observer_memory.size() != observer_memory) {
         return misfit("the number of bags, instruments or measures");
+    }
+    if (Status status = fluid_fits(snapshot.world, world); !status) {
+        return status;
     }
     return settings_fit(snapshot);
 }

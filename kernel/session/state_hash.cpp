@@ -27,12 +27,23 @@ void add(StateHash& hash, const SolidState& solid) {
     add(hash, solid.velocity);
     hash.add(std::span<const double>(solid.fraction));
     hash.add_bytes(solid.present.data(), solid.present.size());
+    for (const BrokenFace& face : solid.broken) {
+        hash.add((static_cast<std::uint64_t>(face[0]) << 32) | static_cast<std::uint64_t>(face[1]));
+    }
+    hash.add(static_cast<std::uint64_t>(solid.splits.size()));
+    for (const NodeSplit& split : solid.splits) {
+        hash.add(static_cast<std::uint64_t>(split.node));
+        hash.add_bytes(split.tets.data(), split.tets.size() * sizeof(int));
+    }
 }
 
 void add(StateHash& hash, const BagState& bag) {
     add(hash, bag.pose);
     add(hash, bag.velocity);
     add(hash, bag.angular_velocity);
+    hash.add(bag.cushion_z);
+    hash.add(std::span<const double>(bag.load.data(), 6));
+    hash.add_bytes(bag.adherent.data(), bag.adherent.size());
 }
 
 void add(StateHash& hash, const NodeLoad& load) {
@@ -58,8 +69,64 @@ void add(StateHash& hash, const ToolState& tool) {
     add(hash, tool.previous_pose);
     add(hash, tool.velocity);
     add(hash, tool.angular_velocity);
-    for (const double value : {tool.jaw, tool.pedal, tool.aspiration, tool.power}) {
+    for (const double value : {tool.jaw, tool.pedal, tool.aspiration, tool.power, tool.ultrasound_s, tool.bottle_height,
+                               tool.pump_flow, tool.vacuum_limit}) {
         hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const ChamberState& chamber) {
+    for (const double value : {chamber.eye_volume, chamber.tube_volume, chamber.totals.infused, chamber.totals.vented,
+                               chamber.totals.aspirated, chamber.totals.leaked}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const ChamberFlows& flows) {
+    for (const double value : {flows.infusion, flows.tip, flows.pump, flows.leak, flows.vent, flows.lowest_eye_pressure,
+                               flows.highest_eye_pressure}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const CapsuleState& capsule) {
+    hash.add(static_cast<std::uint64_t>(capsule.tool + 1) * 2 + (capsule.captured ? 1 : 0));
+    for (const Vec3& vector : {capsule.place, capsule.force, capsule.hole_place}) {
+        add(hash, vector);
+    }
+    for (const double value : {capsule.depth, capsule.strain, capsule.work, capsule.hole_radius, capsule.peak_strain}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const IrisState& iris) {
+    hash.add(static_cast<std::uint64_t>(iris.tool + 1));
+    add(hash, iris.place);
+    for (const double value : {iris.z, iris.pupil_radius, iris.strain, iris.torn}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const TipState& tip) {
+    for (const double value :
+         {tip.lens, tip.capsule, tip.iris, tip.debris, tip.open, tip.suction, tip.flow, tip.hold}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const Debris& debris) {
+    add(hash, debris.position);
+    add(hash, debris.velocity);
+    for (const double value : {debris.volume, debris.density, debris.ablation_energy}) {
+        hash.add(value);
+    }
+}
+
+template <typename Item>
+void add_if(StateHash& hash, const std::optional<Item>& item) {
+    hash.add(static_cast<std::uint64_t>(item ? 1 : 0));
+    if (item) {
+        add(hash, *item);
     }
 }
 
@@ -81,6 +148,12 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     hash.add(step);
     add_all(hash, world.solids);
     add_all(hash, world.bags);
+    add_if(hash, world.chamber);
+    add_if(hash, world.capsule);
+    add_if(hash, world.iris);
+    add(hash, world.flows);
+    add_all(hash, world.tips);
+    add_all(hash, world.debris);
     add_all(hash, world.loads);
     add_all(hash, world.memory);
     add_all(hash, tools);

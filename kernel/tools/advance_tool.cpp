@@ -38,14 +38,35 @@ Vec3 turn_between(const Quat& from, const Quat& to) {
     return (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec();
 }
 
-void apply_pedal(const ToolModel& model, double pedal, const ToolSettings& settings, ToolState& state) {
+/// Time with ultrasound within the first `time` of a train of pulses [s].
+double pulsed_time(double time, double period, double duty) {
+    const double whole = std::floor(time / period);
+    return whole * duty * period + std::min(time - whole * period, duty * period);
+}
+
+/// Share of a step with ultrasound, which began `since` before it.
+double pulse_share(double since, double dt, const ToolSettings& settings) {
+    if (!(settings.pulse_hz > 0.0)) {
+        return 1.0;
+    }
+    const double period = 1.0 / settings.pulse_hz;
+    return (pulsed_time(since + dt, period, settings.duty) - pulsed_time(since, period, settings.duty)) / dt;
+}
+
+void apply_pedal(const ToolModel& model, double pedal, double dt, const ToolSettings& settings, ToolState& state) {
     state.pedal = std::clamp(pedal, 0.0, 3.0);
     if (model.kind != ToolKind::phaco) {
         return;
     }
     state.irrigation = state.pedal >= 1.0;
     state.aspiration = std::clamp(state.pedal - 1.0, 0.0, 1.0);
-    state.power = std::clamp(settings.power_limit, 0.0, 1.0) * std::clamp(state.pedal - 2.0, 0.0, 1.0);
+    state.bottle_height = settings.bottle_height;
+    state.pump_flow = state.aspiration * settings.pump_flow;
+    state.vacuum_limit = state.aspiration * settings.vacuum_limit;
+    const double wanted = std::clamp(settings.power_limit, 0.0, 1.0) * std::clamp(state.pedal - 2.0, 0.0, 1.0);
+    const double since = state.ultrasound_s;
+    state.ultrasound_s = wanted > 0.0 ? since + dt : 0.0;
+    state.power = wanted > 0.0 ? wanted * pulse_share(since, dt, settings) : 0.0;
 }
 
 }  // namespace
@@ -74,7 +95,8 @@ ToolStep next_tool(const ToolModel& model, const ToolState& previous, const Devi
     state.velocity = (state.pose.position - state.previous_pose.position) / dt;
     state.angular_velocity = turn_between(state.previous_pose.orientation, state.pose.orientation) / dt;
     state.jaw = std::clamp(sample.jaw, 0.0, 1.0);
-    apply_pedal(model, sample.pedal, settings, state);
+    state.ultrasound_s = previous.present ? previous.ultrasound_s : 0.0;
+    apply_pedal(model, sample.pedal, dt, settings, state);
     return {state, {}};
 }
 

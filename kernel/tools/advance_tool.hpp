@@ -11,6 +11,11 @@ namespace rhexis {
 
 struct ToolSettings {
     double power_limit = 1.0;     ///< ultrasound at full pedal, share of full power, 0 to 1
+    double pulse_hz = 0.0;        ///< ultrasound pulses per second; 0: continuous
+    double duty = 0.5;            ///< share of a pulse's period with ultrasound, above 0 to 1
+    double bottle_height = 0.0;   ///< drip chamber above the eye [mm]
+    double pump_flow = 0.0;       ///< at full aspiration [mm^3/s]
+    double vacuum_limit = 0.0;    ///< at full aspiration [Pa]
     double max_speed = 2000.0;    ///< a sample that asks for more is a tracking error [mm/s]
     double max_distance = 200.0;  ///< of the tip from the centre of the eye [mm]
 };
@@ -21,9 +26,9 @@ struct ToolStep {
 };
 
 /// The tool at the end of a step of dt [s]. Pedal p: irrigation from p = 1; aspiration grows over p = 1 to 2 (position
-/// 2), ultrasound over p = 2 to 3 (position 3) up to power_limit. A finite pedal or jaw beyond its range is clamped. A
-/// sample with a number that is not finite, a pose out of range or a jump is rejected as a whole: everything is held,
-/// nothing moves. A tool that was withdrawn appears where the sample says, without a jump.
+/// 2), ultrasound over p = 2 to 3 (position 3) up to power_limit, in pulses that begin with it. A finite pedal or jaw
+/// beyond its range is clamped. A sample with a number that is not finite, a pose out of range or a jump is rejected as
+/// a whole: everything is held, nothing moves. A tool that was withdrawn appears where the sample says, without a jump.
 ToolStep next_tool(const ToolModel& model, const ToolState& previous, const DeviceSample& sample, double dt,
                    const ToolSettings& settings);
 

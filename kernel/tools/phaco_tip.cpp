@@ -16,6 +16,7 @@ ToolModel phaco_tip() {
                   {Vec3(0.0, 0.0, handle_start), Vec3(0.0, 0.0, 120.0), 2.0, 7.0}};
     tool.friction = 0.2;
     tool.bore_radius = 0.35;
+    tool.edge_radius = 0.1;
     tool.bevel = 0.52359877559829887;  // 30 degrees
     tool.max_power = 60.0;
     return tool;

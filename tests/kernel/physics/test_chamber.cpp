@@ -386,11 +386,21 @@ TEST_CASE("what cannot be is refused with the field, its value and its range") {
     model = {};
     model.tip_resistance = nan;
     CHECK(refused(check(model)) == "chamber: tip_resistance is nan (0.5 to 200 Pa s/mm^3)");
-    const std::vector<double ChamberModel::*> numbers = {
-        &ChamberModel::eye_compliance,  &ChamberModel::collapse_pressure,   &ChamberModel::eye_stiffening,
-        &ChamberModel::tube_compliance, &ChamberModel::infusion_resistance, &ChamberModel::tip_resistance,
-        &ChamberModel::tube_resistance, &ChamberModel::leak_conductance,    &ChamberModel::pump_band,
-        &ChamberModel::vent_resistance, &ChamberModel::fluid_density};
+    const std::vector<double ChamberModel::*> numbers = {&ChamberModel::eye_compliance,
+                                                         &ChamberModel::collapse_pressure,
+                                                         &ChamberModel::eye_stiffening,
+                                                         &ChamberModel::tube_compliance,
+                                                         &ChamberModel::infusion_resistance,
+                                                         &ChamberModel::tip_resistance,
+                                                         &ChamberModel::tube_resistance,
+                                                         &ChamberModel::leak_conductance,
+                                                         &ChamberModel::pump_band,
+                                                         &ChamberModel::vent_resistance,
+                                                         &ChamberModel::fluid_density,
+                                                         &ChamberModel::rest_pressure,
+                                                         &ChamberModel::area,
+                                                         &ChamberModel::diaphragm_share,
+                                                         &ChamberModel::half_hole_area};
     CHECK(numbers.size() * sizeof(double) == sizeof(ChamberModel));
     for (double ChamberModel::*number : numbers) {
         for (const double bad : {nan, infinity, -1.0}) {
@@ -414,7 +424,8 @@ TEST_CASE("what cannot be is refused with the field, its value and its range") {
 
     ChamberState state;
     state.tube_volume = nan;
-    CHECK(refused(check(ChamberModel{}, state)) == "chamber state: tube_volume is nan (-112.5095633 to 112.5095633 mm^3)");
+    CHECK(refused(check(ChamberModel{}, state)) ==
+          "chamber state: tube_volume is nan (-112.5095633 to 112.5095633 mm^3)");
     state = {};
     state.totals.leaked = infinity;
     CHECK(refused(check(ChamberModel{}, state)) == "chamber state: leaked is inf (-1000000000 to 1000000000 mm^3)");

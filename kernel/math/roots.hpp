@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Roots with the same bits on every machine, which a library's need not have.
+#pragma once
+
+namespace rhexis {
+
+/// x >= 0; of a negative number or NaN 0.
+double cube_root(double x);
+
+}  // namespace rhexis

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/fluid_step.hpp"
+
+#include <algorithm>
+
+#include "physics/chamber_flow.hpp"
+#include "physics/iris_motion.hpp"
+
+namespace rhexis {
+
+namespace {
+
+constexpr double two_pi = 6.28318530717958648;
+
+double hole_area(const WorldState& state) {
+    return state.capsule ? 0.5 * two_pi * state.capsule->hole_radius * state.capsule->hole_radius : 0.0;
+}
+
+/// Index of the handpiece that the machine serves; -1: none is in the eye.
+int handpiece(std::span<const ToolState> tools, std::span<const MouthProbe> probes) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (tools[i].present && !probes[i].points.empty()) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+Vec3 inflow(const Vec3& mouth, double flow, double bore, const Vec3& place) {
+    const Vec3 way = mouth - place;
+    const double square = std::max(way.squaredNorm(), bore * bore);
+    return flow / (two_pi * square) * way.normalized();
+}
+
+ChamberControl chamber_control(const WorldModel& model, std::span<const ToolState> tools,
+                               std::span<const TipState> tips, std::span<const MouthProbe> probes) {
+    ChamberControl control;
+    control.vent = true;
+    control.wound_open =
+        std::any_of(tools.begin(), tools.end(), [](const ToolState& tool) { return tool.present; }) ? 1.0 : 0.0;
+    const int hand = handpiece(tools, probes);
+    if (hand < 0 || !model.chamber) {
+        control.tip_open = 0.0;
+        return control;
+    }
+    const ToolState& tool = tools[hand];
+    control.irrigation = tool.irrigation;
+    control.vent = !(tool.aspiration > 0.0);
+    control.bottle_height = tool.bottle_height;
+    control.pump_flow = tool.pump_flow;
+    control.vacuum_limit = tool.vacuum_limit;
+    // With the pump at rest its rollers close the tubing.
+    control.tip_open = tool.aspiration > 0.0 ? tips[hand].open : 0.0;
+    return control;
+}
+
+void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::span<const MouthProbe> probes,
+                double dt, WorldState& state) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        state.tips[i] = look_at_mouth(model, state, static_cast<int>(i), tools[i], probes[i]);
+    }
+    if (model.chamber) {
+        const ChamberModel& chamber = *model.chamber;
+        state.flows = advance_chamber(chamber, chamber_control(model, tools, state.tips, probes), dt, *state.chamber);
+        const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
+        for (BagState& bag : state.bags) {
+            bag.cushion_z = shift;
+        }
+        if (const int hand = handpiece(tools, probes); hand >= 0 && tools[hand].aspiration > 0.0) {
+            TipState& tip = state.tips[hand];
+            tip.flow = std::max(0.0, state.flows.tip);
+            const double before =
+                eye_pressure(chamber, state.chamber->eye_volume) - tube_pressure(chamber, state.chamber->tube_volume);
+            // What the flow loses in the tubing does not pull at the mouth.
+            tip.suction = std::max(0.0, before - state.flows.tip * chamber.tube_resistance);
+            tip.hold = tip.suction * probes[hand].area * (1.0 - tip.open);
+        }
+    }
+    if (model.iris) {
+        move_iris(model, tools, probes, dt, state);
+    }
+}
+
+void add_drag(const WorldModel& model, const WorldState& state, int solid, std::span<const ToolState> tools,
+              std::span<const MouthProbe> probes, std::vector<Vec3>& forces) {
+    const SolidModel& body = model.solids[solid];
+    const SolidState& now = state.solids[solid];
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const double flow = state.tips[i].flow;
+        if (!(flow > 0.0)) {
+            continue;
+        }
+        forces.resize(now.position.size(), Vec3::Zero());
+        const Vec3 mouth = tools[i].pose.to_world(probes[i].mouth.centre);
+        for (std::size_t t = 0; t < body.coarse.tets.size(); ++t) {
+            const std::array<int, 4>& tet = body.coarse.tets[t];
+            const Vec3 place =
+                0.25 * (now.position[tet[0]] + now.position[tet[1]] + now.position[tet[2]] + now.position[tet[3]]);
+            if (now.present[t] == 0 || (place - mouth).squaredNorm() > drawn * drawn) {
+                continue;
+            }
+            const int whole = static_cast<int>(t);
+            const double mass = tet_mass(body, whole) * remaining_fraction(body, now, whole);
+            const Vec3 share = 0.25 * body.damping_mass * mass * inflow(mouth, flow, model.tools[i].bore_radius, place);
+            for (const int node : tet) {
+                forces[node] += share;
+            }
+        }
+    }
+}
+
+}  // namespace rhexis

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: what stands before the open mouth of an aspirating tip, and how that shuts it.
+//
+// Points are spread over the mouth and pushed out to the rounded end that contact knows. A point is covered by what it
+// finds within `seal` in front of it, by the nearest first: iris, capsule, debris, lens. Soft tissue shuts the mouth
+// before the last point is covered, because it bulges into the bore.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "flow/tool.hpp"
+#include "flow/world.hpp"
+#include "physics/tool_shape.hpp"
+
+namespace rhexis {
+
+/// Constant for one tool.
+struct MouthProbe {
+    Mouth mouth;
+    std::vector<Vec3> points;  ///< on the end's surface, in the tool's frame [mm]; empty: the tool does not aspirate
+    double area = 0.0;         ///< of the bore [mm^2]
+};
+
+MouthProbe mouth_probe(const ToolModel& tool);
+
+/// Shares covered, and how far the mouth is open. Suction, flow and hold are left at 0.
+TipState look_at_mouth(const WorldModel& model, const WorldState& state, int tool, const ToolState& tool_state,
+                       const MouthProbe& probe);
+
+/// How open a mouth is of which this share is covered, 1 to 0.
+double open_share(double covered);
+
+/// Tissue nearer to the mouth than this is held by suction [mm].
+inline constexpr double seal = 0.15;
+
+}  // namespace rhexis
