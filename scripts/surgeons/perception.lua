@@ -49,7 +49,8 @@ local function judgement(stream, person, dt, stream_of)
     end
     return function(raw)
         local factor = math.exp(person.brightness_error * bright())
-        local view = { time_s = raw.time_s, pedal = raw.pedal, power = raw.power, tools = {}, landmarks = {},
+        local view = { time_s = raw.time_s, pedal = raw.pedal, power = raw.power,
+            vacuum_mmhg = raw.vacuum_mmhg, flow_ml_min = raw.flow_ml_min, tools = {}, landmarks = {},
             tip_brightness = raw.tip_brightness * factor, reflex_brightness = raw.reflex_brightness * factor }
         for name, tool in pairs(raw.tools) do
             view.tools[name] = { present = tool.present, position = place_of(name, tool.position) }

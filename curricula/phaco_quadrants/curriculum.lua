@@ -1,0 +1,124 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A nucleus that is cut into quarters is taken out, quarter by quarter, with vacuum and pulsed ultrasound.
+
+return exercise {
+    title = "Removing the quarters",
+    version = 1,
+    summary = "A laser has cut the lens into quarters. Take them out one after the other: bury the tip in a quarter, "
+        .. "let the vacuum build up and hold it, draw it to the middle of the pupil, and emulsify it there, away "
+        .. "from the posterior capsule.",
+    objectives = {
+        "Let vacuum hold a piece, and draw it to a safe place before emulsifying",
+        "Keep the chamber deep when an occlusion breaks",
+        "Recognise a capsule that is held, and let go before pulling",
+    },
+
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
+    instruments = { "phaco" },
+    settings = {
+        ["nucleus.segments"] = 4,
+        ["machine.bottle_cm"] = 95,
+        ["machine.flow_ml_min"] = 32,
+        ["machine.vacuum_mmhg"] = 350,
+        ["machine.tubing_mm3_mmhg"] = 0.3,
+        ["phaco.pulse_hz"] = 20,
+        ["phaco.duty"] = 0.6,
+    },
+
+    goals = {
+        left_percent = { 10, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
+    },
+    reference = { time_s = 240, path_mm = 900 },
+
+    steps = {
+        step "approach" {
+            title = "Enter the eye and come to the lens",
+            hint = "Go in through the main incision with irrigation on (pedal 1): the chamber deepens. Bring the "
+                .. "tip to the front of the lens.",
+            done = "phaco.tip_depth_mm > -0.5",
+            time_limit_s = 60,
+        },
+        step "quarters" {
+            title = "Take out the quarters",
+            hint = "Bury the tip with a touch of ultrasound, go back to pedal 2 and wait for the vacuum. Draw the "
+                .. "piece to the middle and up, then pulse. When it clears, be at pedal 1 before the capsule comes.",
+            done = "100 * fragments.left_share < goal.left_percent",
+            time_limit_s = 420,
+        },
+        step "withdraw" {
+            title = "Leave the eye",
+            hint = "Pedal 1, tip over the lens, and out through the wound with irrigation on.",
+            done = "not phaco.present",
+        },
+    },
+
+    errors = {
+        error_event "Surge" {
+            when = "chamber.depth_lost_share > 0.3",
+            recovered = "phaco.pedal < 1.5 and chamber.depth_share > 0.9",
+            deadline_s = 2,
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "The iris and the capsule bounce as the piece clears.",
+            advice = "Surge: pedal to 1 at once and let the chamber fill. Less vacuum, or a higher bottle, before you "
+                .. "go on.",
+            items = { "T8", "T11", "G4" },
+            evidence = { "chamber.depth_share", "chamber.lowest_pressure_mmhg", "panel.vacuum_mmhg", "phaco.pedal" },
+        },
+        error_event "Chamber collapse" {
+            when = "chamber.depth_share < 0.4 and phaco.present",
+            recovered = "chamber.depth_share > 0.9",
+            deadline_s = 4,
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "Iris and capsule rush forward, the cornea folds.",
+            advice = "The chamber is empty: pedal to 1, bottle up, and look whether the tubing or the wound leaks.",
+            items = { "T8", "G3", "G4" },
+            evidence = { "chamber.pressure_mmhg", "chamber.infusion_ml_min", "phaco.pedal" },
+        },
+        error_event "Capsule in the tip" {
+            when = "capsule.captured",
+            recovered = "not capsule.captured and not capsule.open",
+            deadline_s = 1.5,
+            near_miss_s = 0,
+            harm = "capsule.strain_share > 0.9",
+            severity = "critical",
+            cue = "Folds run like a star to the tip.",
+            advice = "The capsule is in the tip: let go of the pedal, and do not pull away while it is held.",
+            items = { "T11", "G4" },
+            evidence = { "capsule.strain_share", "phaco.suction_mmhg", "phaco.pedal" },
+        },
+        error_event "Capsule torn" {
+            when = "capsule.open",
+            recovered = { "phaco.pedal >= 0.5 and phaco.pedal < 1.5 and not phaco.ultrasound",
+                "not phaco.present" },
+            deadline_s = 20,
+            near_miss_s = 0,
+            harm = "capsule.hole_mm2 > 7",
+            severity = "critical",
+            cue = "The chamber deepens suddenly, the pupil widens for a moment, a round clear edge shows.",
+            advice = "The posterior capsule is torn: stay in with irrigation only, no vacuum, no ultrasound; fill the "
+                .. "chamber, then leave. Do not chase what sinks.",
+            items = { "T11", "G4" },
+            evidence = { "capsule.hole_mm2", "chamber.diaphragm_mm", "fragments.sunk_mm" },
+        },
+        error_event "Iris in the tip" {
+            when = "iris.captured",
+            recovered = "not iris.captured",
+            deadline_s = 1.5,
+            near_miss_s = 0,
+            harm = "iris.torn_mm > 0 or phaco.ultrasound",
+            severity = "critical",
+            cue = "The edge of the pupil runs into the tip.",
+            advice = "Iris in the tip: let go of the pedal and wait until it slips off; do not pull.",
+            items = { "G5", "G4" },
+            evidence = { "iris.strain", "phaco.suction_mmhg", "phaco.pedal" },
+        },
+    },
+
+    over = { "phaco.tip_depth_mm > -0.5", "not phaco.present" },
+    time_limit_s = 600,
+
+    scoring = osacss { "T8", "T11", "G3", "G4", "G5", "G6" },
+}

@@ -1,0 +1,78 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The posterior capsule in the tip, and torn.
+
+local coarse = { patient = { tetrahedra = 1000 } }  -- the way down to the capsule needs no finer mesh
+
+-- A hole straight down the middle, between the quarters, until the tip is `rest` mm from the capsule; pedal at 1.
+local function drill(t, rest)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < " .. rest })
+end
+
+local function capture(t)
+    t:set { ["machine.vacuum_mmhg"] = 120 }
+    drill(t, 0.05)
+    t.phaco:pedal(2)
+    t:wait_until("capsule.captured", 5)
+    t:expect_event("Capsule in the tip")
+end
+
+return scenarios {
+    scenario "capsule in the tip, let go in time" {
+        set = coarse,
+        function(t)
+            capture(t)
+            t.phaco:pedal(1)
+            t:expect_event("Capsule in the tip", { recovered = true, within = 2 })
+            t:expect_no_event("Capsule torn")
+        end },
+
+    scenario "capsule in the tip, and held there" {
+        set = coarse,
+        function(t)
+            capture(t)
+            t:expect_event("Capsule in the tip", { recovered = false, within = 3 })
+            t.phaco:pedal(1)
+        end },
+
+    scenario "close to the capsule, without aspiration" {
+        set = coarse,
+        silent_twin_of = { "Capsule in the tip", "Capsule torn" },
+        function(t)
+            drill(t, 0.05)
+            t:wait(3)
+            t:expect("phaco.tip_posterior_mm < 0.3")
+            t.phaco:move_to({ 0, 0, 3 }, { speed = 4 })
+        end },
+
+    scenario "capsule torn by ultrasound; irrigation only, chamber kept, then out" {
+        set = coarse,
+        function(t)
+            drill(t, 0.05)
+            t.phaco:pedal(3)
+            t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
+            t:expect_event("Capsule torn")
+            t.phaco:pedal(1)
+            t:wait(2)
+            t:expect("chamber.depth_share > 0.9")
+            t.phaco:move_to({ 0, 0, 3 }, { speed = 4 })
+            t.phaco:withdraw()
+            t:expect_event("Capsule torn", { recovered = true, within = 2 })
+        end },
+
+    scenario "capsule torn, and vacuum goes on" {
+        set = coarse,
+        function(t)
+            drill(t, 0.05)
+            t.phaco:pedal(3)
+            t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
+            t:expect_event("Capsule torn")
+            t.phaco:pedal(2)
+            t:expect_event("Capsule torn", { recovered = false, within = 21 })
+        end },
+}

@@ -1,0 +1,92 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Surge when an occlusion breaks, and a chamber that empties.
+
+local coarse = { patient = { tetrahedra = 1000 } }
+-- Old tubing, much vacuum, a low bottle.
+local risky = { patient = { tetrahedra = 1000 },
+    machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 600, bottle_cm = 40 } }
+local careful = { patient = { tetrahedra = 1000 },
+    machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 200, bottle_cm = 95 } }
+
+-- The tip buried in the far right quarter, held by vacuum, and torn away.
+local function break_occlusion(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 1.2, -0.6, 2.6 }, { speed = 6 })
+    t:wait(1.5)
+    t.phaco:pedal(2.6)
+    t.phaco:move_to({ 1.2, 1.0, 0.6 }, { speed = 2, motion = "even" })
+    t.phaco:pedal(2)
+    t:wait_until("phaco.occlusion > 0.99 and panel.vacuum_mmhg > 180", 6)
+    t:wait(3)
+    t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30 })
+end
+
+local function come_in(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t:wait(1.5)
+end
+
+local function empty(t)
+    come_in(t)
+    t:set { ["machine.bottle_cm"] = 0, ["machine.flow_ml_min"] = 50 }
+    t.phaco:pedal(2)
+    t:wait_until("chamber.depth_share < 0.4", 10)
+    t:expect_event("Chamber collapse")
+end
+
+return scenarios {
+    scenario "surge, pedal up at once" {
+        set = risky,
+        function(t)
+            break_occlusion(t)
+            t:expect_event("Surge", { within = 1 })
+            t.phaco:pedal(1)
+            t:expect_event("Surge", { recovered = true, within = 3 })
+        end },
+
+    scenario "surge, and the pedal stays down" {
+        set = risky,
+        function(t)
+            break_occlusion(t)
+            t:expect_event("Surge", { recovered = false, within = 4 })
+        end },
+
+    scenario "less vacuum and a higher bottle: no surge" {
+        set = careful,
+        silent_twin_of = "Surge",
+        function(t)
+            break_occlusion(t)
+            t:wait(2)
+            t:expect("chamber.depth_lost_share < 0.3")
+        end },
+
+    scenario "chamber empty, bottle up" {
+        set = coarse,
+        function(t)
+            empty(t)
+            t:set { ["machine.bottle_cm"] = 95 }
+            t.phaco:pedal(1)
+            t:expect_event("Chamber collapse", { recovered = true, within = 4 })
+        end },
+
+    scenario "chamber empty, and aspiration goes on" {
+        set = coarse,
+        function(t)
+            empty(t)
+            t:expect_event("Chamber collapse", { recovered = false, within = 5 })
+        end },
+
+    scenario "bottle a little low" {
+        set = coarse,
+        silent_twin_of = "Chamber collapse",
+        function(t)
+            come_in(t)
+            t:set { ["machine.bottle_cm"] = 60 }
+            t.phaco:pedal(2)
+            t:wait(5)
+            t:expect("chamber.depth_share < 1.2")
+        end },
+}
