@@ -7,6 +7,7 @@
 #include "bench/bench_lens_chart.hpp"
 #include "bench/bench_lens_press.hpp"
 #include "bench/bench_memory.hpp"
+#include "bench/bench_phaco.hpp"
 #include "bench/bench_render.hpp"
 #include "bench/bench_stability.hpp"
 
@@ -24,6 +25,7 @@ std::vector<BenchCase> bench_cases() {
     add(lens_chart_cases());
     add(lens_press_cases());
     add(chamber_cases());
+    add(phaco_cases());
     add(render_cases());
     add(memory_cases());
     return cases;
