@@ -13,16 +13,16 @@ local goal_turn = 90          -- between the grooves [deg]
 local near_enough = 5         -- of it that a surgeon is content with [deg]
 local arm = 2.0               -- of the push about the middle of the lens
 local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
-local far_off = 9             -- of the first groove from lying across, at which it is turned back there [deg]
+local far_off = 25            -- of the first groove from lying across, at which it is turned back there [deg]
 local led = 0.4               -- share of the thickness from which on the second groove leads the tip
 local most_corrections = 6
-local held = 0.4              -- depth of its end then
+local held = 0.48              -- depth of its end then
 local engaged = 0.55          -- depth of the spatula's end in the groove
 local deeper = 0.15           -- the same, more each time that the lens did not turn
 local spatula_radius = 0.2
 local turn_speed = 2.5        -- of the spatula's end [mm/s]
 local shaft_radius = 0.25     -- of the spatula
-local surely_below = 0.15     -- the edge of the capsule: less may be a misjudgement
+local surely_below = 0.45     -- the edge of the capsule: less may be a misjudgement
 local bend = 0.25             -- by which its shaft lies higher than its end
 local clear_of_lens = 0.7     -- height over the lens at which nothing touches it
 local out_of_danger = 1.5     -- height over the lens to which a tip is lifted when something went wrong
@@ -243,7 +243,7 @@ end
 
 local function sculpt(me, eye, groove, until_s, before, recover)
     local iris, rim = near_iris(eye), near_rim(eye)
-    sculpting.sculpt(me, eye, groove, { deep_enough = 0.78, surely_deep = 0.66, thin = 0.08, until_s = until_s,
+    sculpting.sculpt(me, eye, groove, { deep_enough = 0.80, surely_deep = 0.69, thin = 0.08, until_s = until_s,
         floor = floor_ahead, recover = recover or get_clear, pushed = 0.3, before = before,
         also = function(seen) return iris(seen) or rim(seen) end, return_height = 0.35, entry_speed = 4.0,
         half_width = 0.3 })
