@@ -65,9 +65,8 @@ void Observer::follow(const WorldModel& world) {
 }
 
 LensView Observer::view() const {
-    return lens_ == nullptr
-               ? LensView{}
-               : LensView{lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &pieces_, &reflex_};
+    return lens_ == nullptr ? LensView{}
+                            : LensView{lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &pieces_, &reflex_};
 }
 
 void Observer::look_at_lens(const ObserveInput& input) {
