@@ -110,7 +110,10 @@ void* allocate(void* user, void* block, std::size_t old_size, std::size_t new_si
         const std::size_t limit = c.options.limits.memory_bytes;
         const std::size_t more = new_size - old_size;
         if (limit != 0 && (more > limit || c.used_bytes > limit - more)) {
-            c.refused_at = c.current != nullptr ? place(c.current) : std::string();
+            // While an error unwinds, Lua asks again without a frame to name.
+            if (std::string where = c.current != nullptr ? place(c.current) : std::string(); !where.empty()) {
+                c.refused_at = std::move(where);
+            }
             return nullptr;
         }
         spend_on_memory(c, more);
@@ -124,6 +127,7 @@ void* allocate(void* user, void* block, std::size_t old_size, std::size_t new_si
 
 void arm(Context& c) {
     c.expired = false;
+    c.refused_at.clear();
     c.remaining = c.options.limits.instructions;
     c.cpu_start = thread_cpu_seconds();
     c.armed = c.remaining > 0;

@@ -214,7 +214,7 @@ TEST_SUITE("session with fluid") {
     TEST_CASE("a nucleus cut into quarters: a quarter follows the tip that holds it, and not one that does not") {
         const auto followed = [](double pedal) {
             SceneDescription scene = fluid_scene();
-            scene.patient.tetrahedra = 1500;
+            scene.patient.tetrahedra = 3000;
             scene.settings["nucleus.segments"] = 4.0;
             scene.settings["machine.flow_ml_min"] = 35.0;
             scene.settings["machine.bottle_cm"] = 95.0;
