@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/chamber.hpp"
 
+#include <cmath>
+
 namespace rhexis {
 
 // The eye: dP/dV = (1 + s (P / P_ref - 1)) / C. Counted from the collapse pressure P_c, with u = 1 + s (P / P_ref - 1):
@@ -35,6 +37,22 @@ double exponential_less_one(double y) {
     return value;
 }
 
+/// log(1 + x) / x for x > 0. By square roots and a series: a library's logarithm differs between machines.
+double logarithm_share(double x) {
+    if (x < 1e-4) {
+        return 1.0 - x * (0.5 - x / 3.0);
+    }
+    constexpr int halvings = 8;
+    double root = 1.0 + x;
+    for (int i = 0; i < halvings; ++i) {
+        root = std::sqrt(root);
+    }
+    const double z = (root - 1.0) / (root + 1.0);
+    const double square = z * z;
+    const double series = 1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square * (1.0 / 7.0 + square / 9.0)));
+    return (1 << halvings) * 2.0 * z * series / x;
+}
+
 }  // namespace
 
 double eye_pressure(const ChamberModel& model, double eye_volume) {
@@ -50,15 +68,13 @@ double eye_stiffness(const ChamberModel& model, double eye_volume) {
 }
 
 double eye_volume(const ChamberModel& model, double pressure) {
-    // Newton from the linear tank, which holds more: the pressure is convex, so it comes down without overshooting.
-    double volume = (pressure - model.collapse_pressure) * model.eye_compliance /
-                    relative_stiffness(model, model.collapse_pressure);
-    for (int i = 0; i < 60; ++i) {
-        const double step = (eye_pressure(model, volume) - pressure) / eye_stiffness(model, volume);
-        volume -= step;
-        if (!(step > 1e-12 * volume)) {
-            break;
-        }
+    const double least = relative_stiffness(model, model.collapse_pressure);
+    const double linear = (pressure - model.collapse_pressure) * model.eye_compliance / least;
+    const double growth = relative_stiffness(model, pressure) / least - 1.0;
+    double volume = growth > 0.0 ? linear * logarithm_share(growth) : linear;
+    // The logarithm is good to some 1e-12; Newton's method makes it the inverse of eye_pressure.
+    for (int i = 0; i < 2; ++i) {
+        volume -= (eye_pressure(model, volume) - pressure) / eye_stiffness(model, volume);
     }
     return volume;
 }

@@ -17,7 +17,7 @@ local function break_occlusion(t)
     t.phaco:pedal(2.6)
     t.phaco:move_to({ 1.2, 1.0, 0.6 }, { speed = 2, motion = "even" })
     t.phaco:pedal(2)
-    t:wait_until("phaco.occlusion > 0.99 and panel.vacuum_mmhg > 180", 6)
+    t:wait_until("phaco.occlusion > 0.9 and panel.vacuum_mmhg > 180", 6)
     t:wait(3)
     t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30 })
 end
