@@ -17,15 +17,12 @@ namespace rhexis::cli {
 namespace {
 
 RecordingHeader header_of(const AttemptOptions& options, const ExerciseHost& host, const Session& session) {
-    RecordingHeader header;
-    header.scene = session.scene();
+    RecordingHeader header = rhexis::header_of(session);
     header.seed = options.exercise.seed;
     header.curriculum = options.exercise.curriculum;
     header.identity = host.identity().dump();
     header.surgeon = options.exercise.surgeon;
     header.set = options.exercise.set;
-    header.build = build_note();
-    header.schema = session.schema();
     return header;
 }
 

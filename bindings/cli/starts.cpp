@@ -105,15 +105,12 @@ Result<Recipe> find_recipe(const StartRequest& request) {
 
 RecordingHeader header_of(const Recipe& recipe, json identity, const Session& session) {
     identity["start"] = {{"name", recipe.name}, {"fingerprint", recipe.fingerprint}};
-    RecordingHeader header;
-    header.scene = session.scene();
+    RecordingHeader header = rhexis::header_of(session);
     header.seed = recipe.text.at("seed");
     header.curriculum = recipe.files.id;
     header.identity = identity.dump();
     header.surgeon = recipe.text.at("surgeon");
     header.set = recipe.set;
-    header.build = build_note();
-    header.schema = session.schema();
     return header;
 }
 

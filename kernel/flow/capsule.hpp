@@ -26,7 +26,6 @@ struct CapsuleState {
     Vec3 place = Vec3::Zero();       ///< of the dimple, on the wall in the bag's frame [mm]
     double depth = 0.0;              ///< of the dimple, outward: pushed; negative: drawn in [mm]
     double strain = 0.0;             ///< largest now
-    double work = 0.0;               ///< done on it in this dimple [nJ]
     Vec3 force = Vec3::Zero();       ///< on the bag [uN]
     double hole_radius = 0.0;        ///< 0: intact [mm]
     Vec3 hole_place = Vec3::Zero();  ///< on the wall in the bag's frame [mm]

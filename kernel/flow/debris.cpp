@@ -5,6 +5,6 @@
 
 namespace rhexis {
 
-double radius_of(const Debris& debris) { return cube_root(0.238732414637843 * debris.volume); }  // 3 / (4 pi)
+double radius_of(const Debris& debris) { return ball_radius(debris.volume); }
 
 }  // namespace rhexis

@@ -21,4 +21,6 @@ double cube_root(double x) {
     return root;
 }
 
+double ball_radius(double volume) { return cube_root(0.238732414637843 * volume); }  // 3 / (4 pi)
+
 }  // namespace rhexis

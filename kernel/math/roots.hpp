@@ -7,4 +7,7 @@ namespace rhexis {
 /// x >= 0; of a negative number or NaN 0.
 double cube_root(double x);
 
+/// Of a ball of that volume.
+double ball_radius(double volume);
+
 }  // namespace rhexis

@@ -2,6 +2,8 @@
 // Pieces of a mesh.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -28,5 +30,9 @@ public:
 private:
     std::vector<int> parent_;
 };
+
+/// Per tetrahedron the lowest one that it hangs together with by shared nodes; -1 where `present` is 0.
+std::vector<int> pieces_by_nodes(const std::vector<std::array<int, 4>>& tets, std::size_t nodes,
+                                 const std::vector<std::uint8_t>& present);
 
 }  // namespace rhexis

@@ -7,33 +7,9 @@
 
 namespace rhexis {
 
-namespace {
-
-/// Per tetrahedron the lowest one that it hangs together with; what hangs together shares nodes.
-std::vector<int> piece_names(const SolidModel& lens, const SolidState& state) {
-    const int count = static_cast<int>(lens.coarse.tets.size());
-    UnionFind sets(count);
-    std::vector<int> first(lens.coarse.nodes.size(), -1);
-    for (int t = 0; t < count; ++t) {
-        if (state.present[t] != 0) {
-            for (const int node : lens.coarse.tets[t]) {
-                first[node] = first[node] < 0 ? t : first[node];
-                sets.join(first[node], t);
-            }
-        }
-    }
-    std::vector<int> names(lens.coarse.tets.size(), -1);
-    for (int t = 0; t < count; ++t) {
-        names[t] = state.present[t] != 0 ? sets.find(t) : -1;
-    }
-    return names;
-}
-
-}  // namespace
-
 std::vector<LensPiece> lens_pieces(const SolidModel& lens, const std::vector<double>& volumes,
                                    const SolidState& state) {
-    const std::vector<int> names = piece_names(lens, state);
+    const std::vector<int> names = pieces_by_nodes(lens.coarse.tets, lens.coarse.nodes.size(), state.present);
     std::vector<int> place(names.size(), -1);
     std::vector<LensPiece> pieces;
     for (std::size_t t = 0; t < names.size(); ++t) {

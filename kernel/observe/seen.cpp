@@ -78,7 +78,7 @@ void add_fragment_landmarks(const std::vector<LensPiece>& pieces, const EyeAnato
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const LensPiece* a, const LensPiece* b) { return a->volume > b->volume; });
     for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) {
-        const double radius = cube_root(0.238732414637843 * sorted[i]->volume);
+        const double radius = ball_radius(sorted[i]->volume);
         marks.push_back(
             {"fragment_" + std::to_string(i + 1), over_pupil(eye, sorted[i]->centre), sorted[i]->centre, radius});
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "math/roots.hpp"
 
@@ -10,10 +11,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
-constexpr double catching = 0.5;          ///< share of the mouth that the capsule must cover to be caught. Proposal
-constexpr double least_suction = 2666.0;  ///< 20 mmHg: less than this holds nothing [Pa]
-constexpr double first_hole = 0.3;        ///< radius of a fresh hole [mm]. Proposal
+constexpr double catching = 0.5;    ///< share of the mouth that the capsule must cover to be caught. Proposal
+constexpr double first_hole = 0.3;  ///< radius of a fresh hole [mm]. Proposal
 
 /// Radius of what meets the sheet: the edge of an open tip is sharper than its round end.
 double contact_radius(const ToolModel& tool) {
@@ -92,7 +91,6 @@ void give_way(const WorldModel& model, WorldState& state) {
     capsule.captured = false;
     capsule.tool = -1;
     capsule.depth = 0.0;
-    capsule.work = 0.0;
 }
 
 void tear_on(const WorldModel& model, double dt, WorldState& state) {
@@ -116,7 +114,7 @@ void tear_on(const WorldModel& model, double dt, WorldState& state) {
 
 double dimple_force(const CapsuleModel& capsule, double radius, double depth) {
     const double share = radius / capsule.dimple_radius;
-    return 9.0 * pi / 16.0 * capsule.membrane_stiffness * depth * depth * depth /
+    return 9.0 * std::numbers::pi / 16.0 * capsule.membrane_stiffness * depth * depth * depth /
            (capsule.dimple_radius * capsule.dimple_radius) * std::sqrt(share) * std::sqrt(std::sqrt(share));
 }
 
@@ -133,7 +131,7 @@ double bulge_strain(const CapsuleModel& capsule, double bore, double suction) {
 
 double hole_energy(const CapsuleModel& capsule, double wall_radius, double hole_radius, double pressure) {
     const double tension = 0.5 * pressure * wall_radius;
-    return tension * tension * pi * hole_radius / (capsule.membrane_stiffness * capsule.thickness);
+    return tension * tension * std::numbers::pi * hole_radius / (capsule.membrane_stiffness * capsule.thickness);
 }
 
 Dimple dimple_of(const BagModel& bag, const CapsuleState& capsule, const Pose& bag_pose, const ToolModel& tool,
@@ -191,7 +189,6 @@ Vec6 capsule_load(const WorldModel& model, const CapsuleState& capsule, const Po
 void strain_capsule(const WorldModel& model, std::span<const ToolState> tools, std::span<const MouthProbe> probes,
                     double dt, WorldState& state) {
     CapsuleState& capsule = *state.capsule;
-    const double depth_before = capsule.depth;
     capsule.strain = 0.0;
     if (!capsule.captured) {
         catch_capsule(tools, probes, state);
@@ -206,8 +203,6 @@ void strain_capsule(const WorldModel& model, std::span<const ToolState> tools, s
         }
     }
     capsule.force = state.bags[0].load.head<3>();
-    capsule.work =
-        capsule.tool < 0 ? 0.0 : capsule.work + capsule.force.norm() * std::max(0.0, capsule.depth - depth_before);
     capsule.peak_strain = std::max(capsule.peak_strain, capsule.strain);
     if (capsule.tool >= 0) {
         const double weakened = 1.0 - model.capsule->ultrasound_damage * tools[capsule.tool].power;

@@ -124,20 +124,20 @@ void ContactSurface::rebuild(const SolidModel& model) {
 void ContactSurface::find_pieces(const SolidModel& model) {
     const std::size_t coarse = model.coarse.tets.size();
     const std::size_t children = alive_.size() / std::max<std::size_t>(1, coarse);
-    UnionFind sets(static_cast<int>(coarse));
-    std::vector<int> first(model.coarse.nodes.size(), -1);
+    std::vector<std::uint8_t> present(coarse, 0);
+    for (std::size_t c = 0; c < alive_.size(); ++c) {
+        present[c / children] |= alive_[c];
+    }
+    const std::vector<int> pieces = pieces_by_nodes(model.coarse.tets, model.coarse.nodes.size(), present);
+    std::vector<int> of_node(model.coarse.nodes.size(), -1);
     for (std::size_t t = 0; t < coarse; ++t) {
-        const auto begin = alive_.begin() + static_cast<std::ptrdiff_t>(children * t);
-        if (std::any_of(begin, begin + static_cast<std::ptrdiff_t>(children), [](std::uint8_t a) { return a != 0; })) {
-            for (const int node : model.coarse.tets[t]) {
-                first[node] = first[node] < 0 ? static_cast<int>(t) : first[node];
-                sets.join(first[node], static_cast<int>(t));
-            }
+        for (const int node : model.coarse.tets[t]) {
+            of_node[node] = std::max(of_node[node], pieces[t]);
         }
     }
     in_pieces_ = false;
     for (SurfaceVertex& vertex : vertices_) {
-        vertex.piece = sets.find(first[vertex.nodes[0]]);
+        vertex.piece = of_node[vertex.nodes[0]];
         in_pieces_ = in_pieces_ || vertex.piece != vertices_.front().piece;
     }
 }

@@ -2,6 +2,7 @@
 #include "physics/fluid_step.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "physics/chamber_flow.hpp"
 #include "physics/iris_motion.hpp"
@@ -10,10 +11,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double two_pi = 6.28318530717958648;
-
 double hole_area(const WorldState& state) {
-    return state.capsule ? 0.5 * two_pi * state.capsule->hole_radius * state.capsule->hole_radius : 0.0;
+    return state.capsule ? std::numbers::pi * state.capsule->hole_radius * state.capsule->hole_radius : 0.0;
 }
 
 /// Index of the handpiece that the machine serves; -1: none is in the eye.
@@ -31,7 +30,7 @@ int handpiece(std::span<const ToolState> tools, std::span<const MouthProbe> prob
 Vec3 inflow(const Vec3& mouth, double flow, double bore, const Vec3& place) {
     const Vec3 way = mouth - place;
     const double square = std::max(way.squaredNorm(), bore * bore);
-    return flow / (two_pi * square) * way.normalized();
+    return flow / (2.0 * std::numbers::pi * square) * way.normalized();
 }
 
 ChamberControl chamber_control(const WorldModel& model, std::span<const ToolState> tools,

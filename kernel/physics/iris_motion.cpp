@@ -8,9 +8,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double catching = 0.3;          ///< share of the mouth that the iris must cover to be caught. Proposal
-constexpr double least_suction = 2666.0;  ///< 20 mmHg: less than this holds nothing [Pa]
-constexpr double tear_rate = 2.0;         ///< of the arc, while stretched beyond what it bears [mm/s]. Proposal
+constexpr double catching = 0.3;   ///< share of the mouth that the iris must cover to be caught. Proposal
+constexpr double tear_rate = 2.0;  ///< of the arc, while stretched beyond what it bears [mm/s]. Proposal
 
 /// The edge of the pupil nearest to a place, at rest.
 Vec3 edge_near(const IrisState& iris, const Vec3& place) {

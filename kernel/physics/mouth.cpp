@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "physics/debris_motion.hpp"
 #include "physics/tissue_near.hpp"
@@ -56,7 +57,7 @@ MouthProbe mouth_probe(const ToolModel& tool) {
         return probe;
     }
     probe.mouth = tip_mouth(tool);
-    probe.area = 3.14159265358979324 * tool.bore_radius * tool.bore_radius;
+    probe.area = std::numbers::pi * tool.bore_radius * tool.bore_radius;
     const Vec3 right = Vec3::UnitX();
     const Vec3 up = probe.mouth.facing.cross(right);
     // 1 + 6 + 12 points of equal area, in rings; directions by roots, the same bits on every machine

@@ -31,6 +31,9 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
 /// How open a mouth is of which this share is covered, 1 to 0.
 double open_share(double covered);
 
+/// 20 mmHg: less than this holds neither capsule nor iris [Pa].
+inline constexpr double least_suction = 2666.0;
+
 /// Tissue nearer to the mouth than this is held by suction [mm].
 inline constexpr double seal = 0.15;
 

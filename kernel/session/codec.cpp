@@ -154,7 +154,6 @@ void fluid_fields(auto& io, auto& world) {
         inner(capsule.place);
         inner(capsule.depth);
         inner(capsule.strain);
-        inner(capsule.work);
         inner(capsule.force);
         inner(capsule.hole_radius);
         inner(capsule.hole_place);

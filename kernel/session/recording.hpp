@@ -51,6 +51,9 @@ struct RecordedStep {
     std::uint64_t hash = 0;
 };
 
+/// What a session says of itself: scene, schema and build. The rest is the caller's to fill in.
+RecordingHeader header_of(const Session& session);
+
 /// Program version and the BLAS core on which an implicit step's bits may depend.
 std::string build_note();
 

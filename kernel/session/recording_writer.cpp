@@ -52,6 +52,14 @@ struct RecordingWriter::Parts {
 };
 
 RecordingWriter::RecordingWriter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+RecordingHeader header_of(const Session& session) {
+    RecordingHeader header;
+    header.scene = session.scene();
+    header.schema = session.schema();
+    header.build = build_note();
+    return header;
+}
+
 RecordingWriter::~RecordingWriter() = default;
 RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
 RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;

@@ -94,7 +94,7 @@ void add(StateHash& hash, const CapsuleState& capsule) {
     for (const Vec3& vector : {capsule.place, capsule.force, capsule.hole_place}) {
         add(hash, vector);
     }
-    for (const double value : {capsule.depth, capsule.strain, capsule.work, capsule.hole_radius, capsule.peak_strain}) {
+    for (const double value : {capsule.depth, capsule.strain, capsule.hole_radius, capsule.peak_strain}) {
         hash.add(value);
     }
 }

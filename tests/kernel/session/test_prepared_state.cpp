@@ -12,17 +12,6 @@ using namespace rhexis::test;
 
 namespace {
 
-RecordingHeader header_of(const Session& session) {
-    RecordingHeader header;
-    header.scene = session.scene();
-    header.seed = 1;
-    header.curriculum = "test";
-    header.identity = R"({"id":"test"})";
-    header.build = build_note();
-    header.schema = session.schema();
-    return header;
-}
-
 PreparedState state_of(const Session& session) { return {header_of(session), session.copy_state()}; }
 
 bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == std::string::npos; }
