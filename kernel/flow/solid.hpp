@@ -31,6 +31,7 @@ struct SolidModel {
     double damping_stiffness = 0.0;   ///< Rayleigh damping, share of the stiffness [s]
     double buoyancy_density = 0.0;    ///< density of the fluid around it [g/mm^3]; gravity acts on the difference
     double stiffness_floor = 0.02;    ///< smallest factor on the stiffness of a tetrahedron that is still there
+    double sought_step = 0.0;         ///< explicit: nodes that are too light for it get more inertia, not weight [s]
     Advance advance = Advance::automatic;
     Formulation formulation = Formulation::linear;
 };

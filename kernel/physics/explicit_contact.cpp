@@ -277,14 +277,20 @@ void ExplicitContact::collect_pairs(double dt) {
     }
 }
 
+/// Over the unsettled pairs; leaves those that changed.
 void ExplicitContact::sweep_pairs() {
     double* const rows = rows_.velocity;
-    for (ActivePair& active : active_pairs_) {
+    std::size_t kept = 0;
+    for (const int index : unsettled_pairs_) {
+        ActivePair& active = active_pairs_[index];
         const Vec3& normal = (*pairs_)[active.pair].normal;
         const Vec3 velocity = 0.5 * (row(rows, active.nodes[0]) + row(rows, active.nodes[1]) -
                                      row(rows, active.others[0]) - row(rows, active.others[1]));
         const double along = normal.dot(velocity);
         const double impulse = std::max(0.0, active.impulse + active.mass * (active.target - along));
+        if (impulse == 0.0 && active.impulse == 0.0) {
+            continue;  // apart, and stays so
+        }
         const Vec3 sticking = active.tangent_impulse - active.mass * (velocity - along * normal);
         const Vec3 tangent = project_on_disc(sticking, piece_friction * impulse);
         const Vec3 change = 0.5 * ((impulse - active.impulse) * normal + tangent - active.tangent_impulse);
@@ -294,7 +300,12 @@ void ExplicitContact::sweep_pairs() {
         }
         active.impulse = impulse;
         active.tangent_impulse = tangent;
+        const double quiet = 0.5 * settled * active.mass;
+        if (change.squaredNorm() > quiet * quiet) {
+            unsettled_pairs_[kept++] = index;
+        }
     }
+    unsettled_pairs_.resize(kept);
 }
 
 void ExplicitContact::finish(double dt, const PartnerPoses& after) {
@@ -333,7 +344,9 @@ void ExplicitContact::resolve(double dt, const PartnerPoses& before, const Partn
     }
     unsettled_.resize(active_.size());
     std::iota(unsettled_.begin(), unsettled_.end(), 0);
-    for (int i = 0; i < most_sweeps && (!unsettled_.empty() || !active_pairs_.empty()); ++i) {
+    unsettled_pairs_.resize(active_pairs_.size());
+    std::iota(unsettled_pairs_.begin(), unsettled_pairs_.end(), 0);
+    for (int i = 0; i < most_sweeps && (!unsettled_.empty() || !unsettled_pairs_.empty()); ++i) {
         sweep();
         sweep_pairs();
     }

@@ -111,7 +111,8 @@ private:
     const std::vector<PiecePair>* pairs_ = nullptr;
     std::vector<ActivePair> active_pairs_;
     std::vector<Active> active_;
-    std::vector<int> unsettled_;  ///< indices into active_
+    std::vector<int> unsettled_;        ///< indices into active_
+    std::vector<int> unsettled_pairs_;  ///< indices into active_pairs_
 };
 
 }  // namespace rhexis

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <new>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "physics/explicit_groups.hpp"
 #include "physics/explicit_kernel.hpp"
 #include "physics/solid_share.hpp"
+#include "physics/node_stiffness.hpp"
 #include "physics/stable_step.hpp"
 
 namespace rhexis {
@@ -121,6 +123,7 @@ struct ExplicitSolid::Parts {
     std::vector<RestShape> rest;
     std::vector<int> slot;  ///< of each tetrahedron: group * lanes + lane
     std::vector<double> rest_inertia;
+    std::optional<NodeStiffness> held;  ///< only if a stable step is sought
     Array<Group> groups;
     // state
     Array<double> position, velocity;
@@ -140,7 +143,7 @@ struct ExplicitSolid::Parts {
     Nodes nodes();
     void allocate();
     void fill_lane(int t, const TetStiffness& own);
-    void set_masses(const NodeMass& now);
+    void set_masses(const NodeMass& now, const std::vector<TetStiffness>& shares);
     void set_pressures(const std::vector<TetStiffness>& shares);
     void fill(const std::vector<TetStiffness>& shares);
     void set_elements(const SolidState& state);
@@ -187,7 +190,7 @@ void ExplicitSolid::Parts::fill_lane(int t, const TetStiffness& own) {
     }
 }
 
-void ExplicitSolid::Parts::set_masses(const NodeMass& now) {
+void ExplicitSolid::Parts::set_masses(const NodeMass& now, const std::vector<TetStiffness>& shares) {
     double total = 0.0;
     for (const double m : rest_inertia) {
         total += m;
@@ -196,6 +199,13 @@ void ExplicitSolid::Parts::set_masses(const NodeMass& now) {
     for (int i = 0; i < node_count(); ++i) {
         const double inertia = now.inertia[at(i)];
         mass[at(i)] = inertia > 0.0 ? std::max(inertia, std::min(floor, rest_inertia[at(i)])) : 0.0;
+    }
+    if (held) {
+        const std::vector<double>& traces = held->traces(shares);
+        const double factor = 0.5 * model->sought_step * model->sought_step;
+        for (int i = 0; i < node_count(); ++i) {
+            mass[at(i)] = mass[at(i)] > 0.0 ? std::max(mass[at(i)], factor * traces[at(i)]) : 0.0;
+        }
     }
     for (const int node : model->fixed_nodes) {
         mass[at(node)] = 0.0;
@@ -224,7 +234,7 @@ void ExplicitSolid::Parts::fill(const std::vector<TetStiffness>& shares) {
     for (std::size_t t = 0; t < shares.size(); ++t) {
         fill_lane(static_cast<int>(t), shares[t]);
     }
-    set_masses(node_mass(*model, left, shares));
+    set_masses(node_mass(*model, left, shares), shares);
     if (model->formulation == Formulation::nodal_pressure) {
         set_pressures(shares);
     }
@@ -347,6 +357,9 @@ Result<ExplicitSolid> ExplicitSolid::create(const SolidModel& model, std::string
         parts->pressure.assign(at(parts->node_count()), 0.0F);
     }
     const SolidState rest = rest_state(model);
+    if (model.sought_step > 0.0) {
+        parts->held.emplace(mesh, model.formulation);
+    }
     parts->rest_inertia = node_mass(model, rest, tet_stiffness(model, rest)).inertia;
     ExplicitSolid solid(std::move(parts));
     solid.load(rest);

@@ -78,6 +78,7 @@ struct Physics::Solvers {
 /// Leaves in `result` the first try that is good, or the last that only inverted something, or the state as it was.
 void Physics::Solvers::step_solid(const StepTask& task, int solid, StepOutcome& outcome) {
     SolidStepper& stepper = steppers[solid];
+    stepper.look_for_contacts(task);
     bool usable = false;
     StepFailure failure = StepFailure::none;
     for (const Plan& plan : plans(stepper.prefers_explicit(task.dt), stepper.has_both_ways())) {

@@ -23,18 +23,26 @@ public:
         std::sort(entries_.begin(), entries_.end());
     }
 
-    template <typename Visit>
-    void near(const Vec3& point, const Visit& visit) const {
-        const std::array<long, 3> middle = cell(point);
-        for (long i = -1; i <= 1; ++i) {
-            for (long j = -1; j <= 1; ++j) {
-                for (long k = -1; k <= 1; ++k) {
-                    const std::uint64_t wanted = key({middle[0] + i, middle[1] + j, middle[2] + k});
-                    const std::pair<std::uint64_t, int> lowest{wanted, -1};
-                    for (auto entry = std::lower_bound(entries_.begin(), entries_.end(), lowest);
-                         entry != entries_.end() && entry->first == wanted; ++entry) {
-                        visit(entry->second);
-                    }
+    /// Visits what lies in the cells around each wanted point, the points in the order of their cells.
+    template <typename Wanted, typename Visit>
+    void for_each(const std::vector<Vec3>& points, const Wanted& wanted, const Visit& visit) const {
+        std::array<std::size_t, 9> first{};  // of each row of three cells; they only go forward
+        for (const auto& [own_cell, point] : entries_) {
+            if (!wanted(point)) {
+                continue;
+            }
+            const std::array<long, 3> middle = cell(points[point]);
+            for (std::size_t row = 0; row < 9; ++row) {
+                const long i = middle[0] + static_cast<long>(row / 3) - 1;
+                const long j = middle[1] + static_cast<long>(row % 3) - 1;
+                const std::uint64_t low = key({i, j, middle[2] - 1});
+                const std::uint64_t high = key({i, j, middle[2] + 1});
+                std::size_t& from = first[row];
+                while (from < entries_.size() && entries_[from].first < low) {
+                    ++from;
+                }
+                for (std::size_t e = from; e < entries_.size() && entries_[e].first <= high; ++e) {
+                    visit(point, entries_[e].second);
                 }
             }
         }
@@ -73,23 +81,29 @@ void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& no
     std::vector<Vec3> normals;
     surface.normals(nodes, normals);
     const double radius = reach + std::min(moved, reach);
-    const Cells cells(points, radius);
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-        if (vertices[v].between) {
-            continue;  // its two nodes are there for it
+    struct Nearest {
+        int vertex = -1;
+        double square = HUGE_VAL;
+    };
+    std::vector<Nearest> nearest(vertices.size());
+    const auto wanted = [&](int v) { return !vertices[v].between; };  // else its two nodes are there for it
+    Cells(points, radius).for_each(points, wanted, [&](int v, int w) {
+        if (vertices[w].piece == vertices[v].piece) {
+            return;
         }
-        double nearest = radius * radius;
-        int found = -1;
-        cells.near(points[v], [&](int w) {
-            const double square = (points[v] - points[w]).squaredNorm();
-            if (vertices[w].piece != vertices[v].piece && square < nearest && normals[v].dot(normals[w]) < facing &&
-                normals[w].dot(points[v] - points[w]) > deepest) {
-                nearest = square;
-                found = w;
-            }
-        });
-        if (found >= 0) {
-            pairs.push_back({static_cast<int>(v), found, normals[found]});
+        const double square = (points[v] - points[w]).squaredNorm();
+        // of two equally near ones the lower: what is visited first does not matter
+        const bool nearer = square < nearest[v].square || (square == nearest[v].square && w < nearest[v].vertex);
+        if (square < radius * radius && nearer && normals[v].dot(normals[w]) < facing &&
+            normals[w].dot(points[v] - points[w]) > deepest) {
+            nearest[v] = {w, square};
+        }
+    });
+    for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
+        const int other = nearest[v].vertex;
+        const bool both = other >= 0 && nearest[other].vertex == v;
+        if (other >= 0 && !(both && other < v)) {
+            pairs.push_back({v, other, normals[other]});
         }
     }
 }

@@ -34,7 +34,7 @@ NodeMass node_mass(const SolidModel& model, const SolidState& state, const std::
         const double left = remaining_fraction(model, state, static_cast<int>(t));
         for (const int node : tet) {
             const auto i = static_cast<std::size_t>(node);
-            result.inertia[i] += quarter * stiffness[t].share * material.inertia_scale * material.density;
+            result.inertia[i] += quarter * stiffness[t].share * material.density;
             result.weight[i] += quarter * left * (material.density - model.buoyancy_density);
         }
     }

@@ -193,10 +193,14 @@ void SolidStepper::drop_caches() {
     }
 }
 
-void SolidStepper::run(const StepTask& task, bool explicit_way, int divisions, StepTry& result) {
+void SolidStepper::look_for_contacts(const StepTask& task) {
     surface_.update(*solid_model_, task.state.solids[solid_]);
-    find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, result.candidates);
+    find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, candidates_);
     find_piece_pairs(surface_, task.state.solids[solid_].position, moved_in(task, solid_), pairs_);
+}
+
+void SolidStepper::run(const StepTask& task, bool explicit_way, int divisions, StepTry& result) {
+    result.candidates = candidates_;
     result.report = SolidStepReport{};
     result.report.explicit_used = explicit_way;
     result.failure = StepFailure::none;

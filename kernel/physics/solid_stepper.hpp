@@ -45,6 +45,9 @@ public:
     static Result<SolidStepper> create(const WorldModel& model, int solid, const PhysicsSettings& settings,
                                        ThreadPool& pool);
 
+    /// Finds what can touch what during the step; before its tries.
+    void look_for_contacts(const StepTask& task);
+
     /// One try of the whole step. divisions: 1, 2, 4, ... times as many substeps as usual.
     void run(const StepTask& task, bool explicit_way, int divisions, StepTry& result);
 
@@ -74,7 +77,8 @@ private:
     std::optional<ExplicitSolid> explicit_;
     std::optional<ImplicitSolid> implicit_;
     ExplicitContact explicit_contact_;
-    std::vector<PiecePair> pairs_;  ///< scratch of one try
+    ContactCandidates candidates_;  ///< scratch of one step
+    std::vector<PiecePair> pairs_;  ///< scratch of one step
     double rest_step_ = 0.0;        ///< explicit stability limit at rest [s]
 };
 

@@ -66,18 +66,16 @@ IrisModel make_iris(const EyeAnatomy& anatomy) {
     return iris;
 }
 
-/// Nuclei that are harder than this are given so much more inertia that their waves are no faster: the stable step of
-/// grade 6 doubles. The lens moves slowly, so what it does under a tool stays (docs/accuracy.md) [Pa].
-constexpr double fastest_modulus = 20000.0;
+/// Stable step that the lens is given the inertia for: twice that of a nucleus of grade 3, whole, and what cuts and
+/// harder nuclei keep. The lens moves slowly, so what it does under a tool stays (docs/accuracy.md) [s].
+constexpr double lens_step = 3e-4;
 
 /// The way the scene asks for, or substeps; each with elements it can step. In contact an implicit step of the lens
 /// costs more than all the substeps of its time (docs/accuracy.md).
 void set_up_lens(SolidModel& lens, Advance asked) {
     const bool implicit = asked == Advance::implicit;
     lens.advance = implicit ? Advance::implicit : Advance::explicit_;
-    for (Material& material : lens.materials) {
-        material.inertia_scale = implicit ? 1.0 : std::max(1.0, material.young_modulus / fastest_modulus);
-    }
+    lens.sought_step = implicit ? 0.0 : lens_step;
     lens.formulation = implicit ? Formulation::linear : Formulation::nodal_pressure;
 }
 

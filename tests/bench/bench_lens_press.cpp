@@ -2,6 +2,7 @@
 #include "bench/bench_lens_press.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenes/lens_press.hpp"
 #include "session/build_world.hpp"
@@ -25,14 +26,13 @@ scenes::LensPress press(const SolidModel& lens, double dt) {
     held.advance = lens.advance;
     held.formulation = lens.formulation;
     held.materials = lens.materials;
+    held.sought_step = lens.sought_step;
     return scenes::press_lens(std::move(held), dt);
 }
 
 /// Without mass scaling, in steps of 0.02 ms (implicit: 0.5 ms).
 scenes::LensPress press_finely(SolidModel lens) {
-    for (Material& material : lens.materials) {
-        material.inertia_scale = 1.0;
-    }
+    lens.sought_step = 0.0;
     return press(lens, lens.advance == Advance::explicit_ ? finest : 25.0 * finest);
 }
 
@@ -54,11 +54,18 @@ nlohmann::json press_row(const std::string& name, const SolidModel& lens, bool q
 
 nlohmann::json run_press(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
-    const auto add = [&](const char* name, double grade, Advance advance, Formulation formulation) {
+    const auto add = [&](const std::string& name, double grade, Advance advance, Formulation formulation) {
         SolidModel lens = lens_of(grade, advance);
         lens.formulation = formulation;
         rows.push_back(press_row(name, lens, options.quick));
     };
+    for (const double sought : {0.0, 2e-4, 3e-4, 4e-4, 6e-4, 8e-4}) {
+        SolidModel lens = lens_of(3.0, Advance::explicit_);
+        lens.sought_step = sought;
+        const int microseconds = static_cast<int>(std::lround(1e6 * sought));
+        rows.push_back(
+            press_row(std::string("press/step sought ").append(std::to_string(microseconds)), lens, options.quick));
+    }
     add("press/explicit linear", 3.0, Advance::explicit_, Formulation::linear);
     add("press/explicit nodal pressure", 3.0, Advance::explicit_, Formulation::nodal_pressure);
     add("press/implicit linear", 3.0, Advance::implicit, Formulation::linear);

@@ -56,9 +56,7 @@ LensPress press_lens(SolidModel lens, double dt) {
 double stroke_cost(const SolidModel& lens, double grade) {
     WorldModel world = lens_in_bag("phaco", lens.advance, 3000, grade);
     world.solids[0].formulation = lens.formulation;
-    for (std::size_t i = 0; i < world.solids[0].materials.size(); ++i) {
-        world.solids[0].materials[i].inertia_scale = lens.materials[i].inertia_scale;
-    }
+    world.solids[0].sought_step = lens.sought_step;
     Scene scene(std::move(world));
     const TetMesh& mesh = scene.model->solids[0].coarse;
     const double top = mesh.nodes[static_cast<std::size_t>(pole_of(mesh))].z();
