@@ -146,13 +146,11 @@ int run(const RunOptions& given, const Context& context) {
     if (!kept_in.empty() && !std::filesystem::is_directory(kept_in)) {
         return complain({"there is no such folder", kept_in.string(), "--save-state FILE in a folder that is there"});
     }
-    if (!given.start.empty()) {
-        Result<std::string> start = find_start({given.curriculum, given.start, set.value(), context.root, given.json});
-        if (!start) {
-            return complain(start.error());
-        }
-        options.start = std::move(start).value();
+    Result<std::string> start = find_start({given.curriculum, given.start, set.value(), context.root, given.json});
+    if (!start) {
+        return complain(start.error());
     }
+    options.start = std::move(start).value();
     options.exercise = {given.curriculum, given.surgeon, given.seed, std::move(set).value(), context.root};
     options.folder = given.out.empty() ? default_folder(given) : given.out;
     options.threads = given.threads;

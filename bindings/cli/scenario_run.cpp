@@ -160,10 +160,10 @@ private:
 }  // namespace
 
 StartRequest start_of(const ScenarioFile& file, const json& scenario, const std::string& root) {
-    std::string start = scenario.at("start");
+    std::string start = scenario.value("start", "");
     const std::filesystem::path beside = std::filesystem::path(file.path).parent_path() / start;
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(beside, ignored)) {
+    if (!start.empty() && std::filesystem::is_regular_file(beside, ignored)) {
         start = std::filesystem::absolute(beside).string();
     }
     return {file.curriculum, start, settings_of(scenario), root, false};
@@ -189,13 +189,8 @@ Status check_scenario(const ScenarioFile& file, const json& scenario, const std:
     if (!host) {
         return at_scenario(file, scenario, host.error());
     }
-    if (scenario.contains("start")) {
-        const Status start = check_start(start_of(file, scenario, root));
-        if (!start) {
-            return at_scenario(file, scenario, start.error());
-        }
-    }
-    return success();
+    const Status start = check_start(start_of(file, scenario, root));
+    return start ? success() : Status(at_scenario(file, scenario, start.error()));
 }
 
 ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const std::string& start,

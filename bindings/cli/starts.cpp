@@ -223,9 +223,36 @@ bool still_good(const std::string& path, const Recipe& recipe) {
     return identity.is_object() && identity.value("/start/fingerprint"_json_pointer, "") == recipe.fingerprint;
 }
 
+/// The start in starts.lua at which a run begins that names none.
+constexpr const char* first_moment = "begin";
+
+Result<StartRequest> default_start(StartRequest request) {
+    if (!request.start.empty()) {
+        return request;
+    }
+    const Result<CurriculumFiles> files = find_curriculum(request.curriculum, request.root);
+    if (!files) {
+        return files.error();
+    }
+    const std::string path = files.value().folder + "/starts.lua";
+    if (is_file(path)) {
+        const Result<ScenarioScript> script = ScenarioScript::load(path, "starts", request.root);
+        if (!script) {
+            return script.error();
+        }
+        request.start = script.value().listing().contains(first_moment) ? first_moment : "";
+    }
+    return request;
+}
+
 }  // namespace
 
-Status check_start(const StartRequest& request) {
+Status check_start(const StartRequest& given) {
+    const Result<StartRequest> found = default_start(given);
+    if (!found || found.value().start.empty()) {
+        return found ? success() : Status(found.error());
+    }
+    const StartRequest& request = found.value();
     if (!is_name(request.start)) {
         const Result<PreparedState> state = read_state(request.start);
         return state ? success() : Status(state.error());
@@ -234,7 +261,12 @@ Status check_start(const StartRequest& request) {
     return recipe ? success() : Status(recipe.error());
 }
 
-Result<std::string> find_start(const StartRequest& request) {
+Result<std::string> find_start(const StartRequest& given) {
+    const Result<StartRequest> found = default_start(given);
+    if (!found || found.value().start.empty()) {
+        return found ? Result<std::string>(std::string()) : Result<std::string>(found.error());
+    }
+    const StartRequest& request = found.value();
     if (!is_name(request.start)) {
         return request.start;
     }

@@ -95,9 +95,6 @@ public:
         for (Job& job : jobs) {
             const ScenarioFile& file = *job.scenario.file;
             const nlohmann::json& scenario = file.scenarios.at(job.scenario.number);
-            if (!scenario.contains("start")) {
-                continue;
-            }
             const Result<std::string> start = find_start(start_of(file, scenario, root));
             if (!start) {
                 return start.error();

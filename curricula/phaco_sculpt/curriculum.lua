@@ -23,8 +23,13 @@ return exercise {
     },
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
-    tissues = { "lens", "bag", "iris", "cornea" },
+    tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
     instruments = { "phaco", "spatula" },
+    settings = {
+        ["machine.bottle_cm"] = 75,
+        ["machine.flow_ml_min"] = 22,
+        ["machine.vacuum_mmhg"] = 80,
+    },
 
     goals = {
         length_mm = { 4.0, from = 1, to = 7, meaning = "how long each groove must be" },
@@ -54,7 +59,7 @@ return exercise {
             title = "Turn the nucleus by a quarter",
             hint = "Back to pedal 1. Bring the spatula in through the side port, put its end into the groove near the "
                 .. "far end, and push the wall sideways along an arc: the lens must turn, not shift.",
-            done = "abs(abs(lens.rotation_deg) - goal.angle_deg) < goal.tolerance_deg and not spatula.in_contact",
+            done = "abs(abs(lens.rotation_deg) - goal.angle_deg) < goal.tolerance_deg",
             time_limit_s = 90,
         },
         step "second groove" {

@@ -50,6 +50,7 @@ struct BagModel {
     double damping = 0.0;         ///< force per velocity of the centre [uN s/mm] (and mm^2 times that for rotation)
     double opening_radius = 0.0;  ///< radius of the anterior opening (capsulorhexis) [mm]; no wall inside it
     double friction = 0.1;        ///< Coulomb coefficient, lens against bag
+    double film = 0.0;            ///< what cortex left on the capsule bears in shear before it slides [Pa]
     double cushion = 0.0;         ///< stiffness with which the vitreous holds it along z [uN/mm]; 0: no vitreous
     double adhesion = 0.0;        ///< cortex to capsule where they still adhere: strength [Pa]
     std::vector<std::uint8_t> adherent;  ///< per coarse node of the lens: 1 where they do at the start; empty: nowhere

@@ -73,6 +73,7 @@ std::unique_ptr<MeasureGroup> bag_measures();
 std::unique_ptr<MeasureGroup> iris_measures(bool moves);
 /// bag: whether the scene has one, whose wall pieces can fall behind.
 std::unique_ptr<MeasureGroup> fragment_measures(bool bag);
+std::unique_ptr<MeasureGroup> crack_measures();
 std::unique_ptr<MeasureGroup> chamber_measures();
 std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();

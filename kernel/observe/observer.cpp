@@ -24,6 +24,7 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(reflex_measures());
         if (world.chamber) {
             groups.push_back(fragment_measures(tissues.bag));
+            groups.push_back(crack_measures());
         }
     }
     if (tissues.bag) {

@@ -133,7 +133,8 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
     }
 }
 
-/// Cortex that still adheres to the capsule bears pull and shear over the area of its vertex.
+/// Cortex that still adheres to the capsule bears pull and shear over the area of its vertex; where it came off, what
+/// stays behind bears a little shear.
 void set_adhesion(const WorldModel& model, const WorldState& state, const ContactSurface& surface,
                   ContactCandidates& candidates) {
     for (ContactCandidate& candidate : candidates) {
@@ -141,9 +142,12 @@ void set_adhesion(const WorldModel& model, const WorldState& state, const Contac
         if (candidate.partner != ContactPartner::bag || vertex.nodes[1] >= 0) {
             continue;
         }
+        const BagModel& bag = model.bags[candidate.index];
+        const double area = vertex.size * vertex.size;
+        candidate.grip = bag.film * area;
         const std::vector<std::uint8_t>& adherent = state.bags[candidate.index].adherent;
         if (!adherent.empty() && adherent[vertex.nodes[0]] != 0) {
-            candidate.hold = model.bags[candidate.index].adhesion * vertex.size * vertex.size;
+            candidate.hold = bag.adhesion * area;
             candidate.grip = candidate.hold;
         }
     }
@@ -271,7 +275,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
 
 void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags) {
     for (const ContactCandidate& candidate : candidates) {
-        if (candidate.grip > 0.0 && candidate.sliding) {
+        if (candidate.hold > 0.0 && candidate.partner == ContactPartner::bag && candidate.sliding) {
             bags[candidate.index].adherent[surface.vertices()[candidate.vertex].nodes[0]] = 0;
         }
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
@@ -119,6 +120,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "bag")) {
         BagModel& bag = world->bags.emplace_back(eye.value().bag);
         if (has_tissue(scene, "lens")) {
+            bag.film = getenv("FILM") ? atof(getenv("FILM")) : 0.0;
             bag.adhesion = cortex_adhesion;
             bag.adherent = adherent_nodes(eye.value().lens, all_settings(scene).at("hydrodissection.freed"));
         }

@@ -51,7 +51,6 @@ struct RecordingWriter::Parts {
     }
 };
 
-RecordingWriter::RecordingWriter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 RecordingHeader header_of(const Session& session) {
     RecordingHeader header;
     header.scene = session.scene();
@@ -60,6 +59,7 @@ RecordingHeader header_of(const Session& session) {
     return header;
 }
 
+RecordingWriter::RecordingWriter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 RecordingWriter::~RecordingWriter() = default;
 RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
 RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;

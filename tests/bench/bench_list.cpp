@@ -9,6 +9,7 @@
 #include "bench/bench_memory.hpp"
 #include "bench/bench_phaco.hpp"
 #include "bench/bench_render.hpp"
+#include "bench/bench_rotation.hpp"
 #include "bench/bench_stability.hpp"
 
 namespace rhexis::bench {
@@ -26,6 +27,7 @@ std::vector<BenchCase> bench_cases() {
     add(lens_press_cases());
     add(chamber_cases());
     add(phaco_cases());
+    add(rotation_cases());
     add(render_cases());
     add(memory_cases());
     return cases;

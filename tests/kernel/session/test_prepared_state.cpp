@@ -12,7 +12,13 @@ using namespace rhexis::test;
 
 namespace {
 
-PreparedState state_of(const Session& session) { return {header_of(session), session.copy_state()}; }
+RecordingHeader header_with_seed(const Session& session) {
+    RecordingHeader header = header_of(session);
+    header.seed = 1;
+    return header;
+}
+
+PreparedState state_of(const Session& session) { return {header_with_seed(session), session.copy_state()}; }
 
 bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == std::string::npos; }
 
@@ -127,7 +133,7 @@ TEST_SUITE("prepared state") {
         const PreparedState state = state_of(made);
         Session session = make_session();
         REQUIRE(start_from(session, state).ok());
-        RecordingWriter writer = std::move(RecordingWriter::create(folder / "a.rhx", header_of(session))).value();
+        RecordingWriter writer = std::move(RecordingWriter::create(folder / "a.rhx", header_with_seed(session))).value();
         REQUIRE(writer.add(session.copy_state()).ok());
         REQUIRE(writer.add(RecordedStart{session.observation(), session.state_hash()}).ok());
         for (int i = 0; i < 12; ++i) {

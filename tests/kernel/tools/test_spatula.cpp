@@ -7,16 +7,20 @@
 using namespace rhexis;
 
 TEST_SUITE("tools") {
-    TEST_CASE("the spatula is thin, blunt and bent down, and its foremost point is its origin") {
+    TEST_CASE("the spatula ends in an olive that is bent down, and its shaft runs through where the wound holds it") {
         const ToolModel spatula = make_tool("spatula").value();
         CHECK(spatula.name == "spatula");
-        const RoundedCone& end = spatula.parts.at(0);
-        const RoundedCone& shaft = spatula.parts.at(1);
-        CHECK(end.a.z() - end.radius_a == doctest::Approx(0.0));
-        CHECK(end.radius_a <= 0.25);
-        CHECK(shaft.radius_a == doctest::Approx(0.25));
-        CHECK(end.b == shaft.a);
-        CHECK(end.a.y() < shaft.a.y());
+        const RoundedCone& olive = spatula.parts.at(0);
+        const RoundedCone& neck = spatula.parts.at(1);
+        const RoundedCone& shaft = spatula.parts.at(2);
+        CHECK(olive.a.norm() - olive.radius_a == doctest::Approx(0.0));  // its tip is the origin
+        CHECK(olive.b == neck.a);
+        CHECK(neck.b == shaft.a);
+        CHECK(neck.radius_a < olive.radius_b);
+        CHECK(shaft.a.y() > olive.a.y() + 1.5);
+        const Vec3 along = (shaft.b - shaft.a).normalized();
+        const Vec3 wound(0.0, 0.0, 8.0);
+        CHECK((wound - shaft.a).cross(along).norm() < 1e-12);
         CHECK(spatula.friction > 0.0);
     }
 

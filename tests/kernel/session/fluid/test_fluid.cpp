@@ -212,31 +212,36 @@ TEST_SUITE("session with fluid") {
     }
 
     TEST_CASE("a nucleus cut into quarters: a quarter follows the tip that holds it, and not one that does not") {
-        const auto followed = [](double pedal) {
-            SceneDescription scene = fluid_scene();
-            scene.patient.tetrahedra = 3000;
-            scene.settings["nucleus.segments"] = 4.0;
-            scene.settings["machine.flow_ml_min"] = 35.0;
-            scene.settings["machine.bottle_cm"] = 95.0;
-            Session session = make_session(scene);
-            CHECK(value(session, "fragments.count") == 4.0);
-            const double mass = tissue_mass(session);
-            const LensPieceCentres start(session);
-            LensPieceCentres held = start;
+        SceneDescription scene = fluid_scene();
+        scene.patient.tetrahedra = 1500;
+        scene.settings["nucleus.segments"] = 4.0;
+        scene.settings["machine.flow_ml_min"] = 35.0;
+        scene.settings["machine.bottle_cm"] = 95.0;
+        Session session = make_session(scene);
+        CHECK(value(session, "fragments.count") == 4.0);
+        const double mass = tissue_mass(session);
+        const Vec3 over(1.0, -0.9, 2.0);
+        const Vec3 deep(1.0, 1.1, -0.4);
+        const Vec3 drawn(1.0, 0.3, 0.5);
+        const auto lead = [&](Session& eye, int from, int to, double pedal) {
             DeviceSample sample;
             sample.present = true;
             sample.pose.orientation = Quat(Eigen::AngleAxisd(0.9, Vec3::UnitX()));
-            const Vec3 over(1.0, -0.9, 2.0);
-            const Vec3 deep(1.0, 1.1, -0.4);
-            const Vec3 drawn(1.0, 0.3, 0.5);
-            for (int i = 0; i < 340; ++i) {
+            for (int i = from; i < to; ++i) {
                 const double in = std::clamp((i - 100) / 120.0, 0.0, 1.0);
                 const double out = std::clamp((i - 260) / 80.0, 0.0, 1.0);
                 sample.pose.position = over + in * (deep - over) + out * (drawn - deep);
                 sample.pedal = i < 100 ? 1.0 : (i < 220 ? 2.8 : pedal);
-                session.step({&sample, 1}, {});
-                held = i == 259 ? LensPieceCentres(session) : held;
+                eye.step({&sample, 1}, {});
             }
+        };
+        lead(session, 0, 220, 1.0);
+        const Snapshot buried = session.snapshot();
+        const auto followed = [&](double pedal) {
+            REQUIRE(session.restore(buried).ok());
+            lead(session, 220, 260, pedal);
+            const LensPieceCentres held(session);
+            lead(session, 260, 340, pedal);
             CHECK(tissue_mass(session) == doctest::Approx(mass).epsilon(1e-12));
             return LensPieceCentres(session).farthest_along((drawn - deep).normalized(), held);
         };
