@@ -2,6 +2,7 @@
 #include "observe/lens_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/components.hpp"
 
@@ -34,6 +35,36 @@ std::vector<LensPiece> lens_pieces(const SolidModel& lens, const std::vector<dou
         piece.centre /= std::max(piece.volume, 1e-12);
     }
     return pieces;
+}
+
+std::vector<Vec3> nearest_tissue(const SolidModel& lens, const SolidState& state, const std::vector<LensPiece>& pieces,
+                                 const Vec3& place) {
+    constexpr double least = 1.0 / 3.0;
+    const std::vector<int> names = pieces_by_nodes(lens.coarse.tets, lens.coarse.nodes.size(), state.present);
+    std::vector<Vec3> nearest;
+    std::vector<double> squares(pieces.size(), HUGE_VAL);
+    for (const LensPiece& piece : pieces) {
+        nearest.push_back(piece.centre);
+    }
+    for (std::size_t t = 0; t < names.size(); ++t) {
+        const auto piece = std::lower_bound(pieces.begin(), pieces.end(), names[t],
+                                            [](const LensPiece& a, int name) { return a.first < name; });
+        if (names[t] < 0 || piece == pieces.end() || piece->first != names[t] ||
+            remaining_fraction(lens, state, static_cast<int>(t)) < least) {
+            continue;
+        }
+        Vec3 middle = Vec3::Zero();
+        for (const int node : lens.coarse.tets[t]) {
+            middle += 0.25 * state.position[node];
+        }
+        const double square = (middle - place).squaredNorm();
+        const auto index = static_cast<std::size_t>(piece - pieces.begin());
+        if (square < squares[index]) {
+            squares[index] = square;
+            nearest[index] = middle;
+        }
+    }
+    return nearest;
 }
 
 }  // namespace rhexis

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "math/roots.hpp"
 
@@ -68,19 +69,26 @@ Landmark capsulorhexis(const BagModel& bag, const BagState& state, const EyeAnat
             state.pose.to_world(middle), bag.opening_radius};
 }
 
-/// Pieces that the lens is in, the largest first.
-void add_fragment_landmarks(const std::vector<LensPiece>& pieces, const EyeAnatomy& eye, std::vector<Landmark>& marks) {
+/// Pieces that the lens is in, the largest first, and where each is nearest to the first instrument's tip.
+void add_fragment_landmarks(const ObserveInput& input, const LensView& lens, std::vector<Landmark>& marks) {
     constexpr std::size_t most = 8;  // that one keeps apart
-    std::vector<const LensPiece*> sorted;
-    for (const LensPiece& piece : pieces) {
-        sorted.push_back(&piece);
-    }
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const LensPiece* a, const LensPiece* b) { return a->volume > b->volume; });
-    for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) {
-        const double radius = ball_radius(sorted[i]->volume);
-        marks.push_back(
-            {"fragment_" + std::to_string(i + 1), over_pupil(eye, sorted[i]->centre), sorted[i]->centre, radius});
+    const std::vector<LensPiece>& pieces = *lens.pieces;
+    const EyeAnatomy& eye = input.eye.anatomy;
+    const bool tool = !input.tools.empty() && input.tools[0].present;
+    const std::vector<Vec3> near =
+        tool ? nearest_tissue(*lens.model, input.state.solids[0], pieces, input.tools[0].pose.position)
+             : std::vector<Vec3>{};
+    std::vector<std::size_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return pieces[a].volume > pieces[b].volume; });
+    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
+        const LensPiece& piece = pieces[order[i]];
+        const std::string name = "fragment_" + std::to_string(i + 1);
+        marks.push_back({name, over_pupil(eye, piece.centre), piece.centre, ball_radius(piece.volume)});
+        if (tool) {
+            marks.push_back({name + "_near", over_pupil(eye, near[order[i]]), near[order[i]], 0.0});
+        }
     }
 }
 
@@ -120,7 +128,7 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
             std::max(0.0, -tube_pressure(chamber, input.state.chamber->tube_volume) / pascal_per_mmhg);
         percept.flow_ml_min = input.state.flows.pump / mm3_s_per_ml_min;
         if (lens.pieces != nullptr) {
-            add_fragment_landmarks(*lens.pieces, eye, percept.landmarks);
+            add_fragment_landmarks(input, lens, percept.landmarks);
         }
     }
     add_harm_landmarks(input, percept.landmarks);

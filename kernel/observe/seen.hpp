@@ -14,7 +14,8 @@ namespace rhexis {
 /// the largest patch that is gone, surgeon's side first), "groove_floor" (its deepest place), for each groove that can
 /// be told apart "groove_N_start", "groove_N_end" (its ends, which turn with the lens; size: half its width) and
 /// "groove_N_floor", and with a bag "capsulorhexis" (middle of the opening's edge; size: radius). With a chamber
-/// "fragment_N" (middle of a piece, the largest first; size: radius of a ball of its volume), with a capsule
+/// "fragment_N" (middle of a piece, the largest first; size: radius of a ball of its volume) and "fragment_N_near" (its
+/// tissue nearest to the first instrument's tip), with a capsule
 /// "capsule_folds" (where a tip holds it) and "capsule_hole" (size: radius), with an iris that moves "iris_caught".
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
@@ -23,6 +22,7 @@ void set_up_bag(BagModel& bag, const std::map<std::string, double>& settings) {
 constexpr double vitreous_stiffness =
     1.5e5;                                 ///< below A^2 / C, 3.6e5, of a wall that gives way to it [uN/mm]. Proposal
 constexpr double cortex_adhesion = 300.0;  ///< [Pa]. Proposal: no tool can turn a lens that adheres all round
+constexpr double cortex_film = 2.0;        ///< [Pa]. Proposal: a tool turns the lens with ease, and it stays where it is
 
 /// Increases with the angle of (x, y) about the axis, from 0 to 1, without trigonometry.
 double share_of_turn(const Vec3& place) {
@@ -120,7 +120,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "bag")) {
         BagModel& bag = world->bags.emplace_back(eye.value().bag);
         if (has_tissue(scene, "lens")) {
-            bag.film = getenv("FILM") ? atof(getenv("FILM")) : 0.0;
+            bag.film = cortex_film;
             bag.adhesion = cortex_adhesion;
             bag.adherent = adherent_nodes(eye.value().lens, all_settings(scene).at("hydrodissection.freed"));
         }
