@@ -54,6 +54,7 @@ local event_rules = {
 local patient_rules = {
     age = { kind = "number", from = 20, to = 95 },
     nuclear_grade = { kind = "number", from = 1, to = 6 },
+    cortical_opacity = { kind = "number", from = 0, to = 1 },
     cataract = { kind = "text" },
     pupil_mm = { kind = "number", from = 3, to = 9 },
     side = { kind = "text", choices = { "right", "left" } },

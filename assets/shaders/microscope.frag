@@ -98,6 +98,7 @@ uniform vec3 incision;
 uniform float incision_width;
 uniform vec3 side_port;
 uniform float side_port_width;
+uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.
 vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
@@ -164,9 +165,15 @@ uniform int has_bag;
 uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
+uniform float cortical_opacity;
+uniform vec4 folds;  // place where a tip holds the posterior capsule; 1 if it does
+uniform vec4 hole;   // of the posterior capsule: place, radius
+uniform vec4 crumbs[24];
+uniform int crumb_count;
 
 const vec3 fundus = vec3(1.0, 0.30, 0.08);
 const vec3 scattered_share = vec3(0.054, 0.034, 0.013);  // of the light that the cataract takes out
+const vec3 scattered_white = vec3(0.62, 0.61, 0.58);     // and a white one
 const float fundus_light = 0.86;
 
 struct LensLook {
@@ -211,7 +218,37 @@ LensLook lens_look(ivec2 pixel) {
     return look;
 }
 
-vec3 pupil_colour(vec3 way, vec4 tool, float radius) {
+// The posterior capsule in the reflex: folds that run like a star to where it is held, and the clear edge of a hole.
+float posterior_capsule(vec3 entry, vec3 way) {
+    float light = 1.0;
+    if (folds.w > 0.0) {
+        vec2 off = (entry + (folds.z - entry.z) / way.z * way).xy - folds.xy;
+        float radius = length(off);
+        float ray = 0.5 + 0.5 * cos(11.0 * atan(off.y, off.x) + 2.0 * texture(detail_map, off * 0.2).r);
+        light *= 1.0 + folds.w * (0.9 * pow(ray, 6.0) - 0.45) * exp(-radius / 1.3) * smoothstep(0.1, 0.35, radius);
+    }
+    if (hole.w > 0.0) {
+        vec2 off = (entry + (hole.z - entry.z) / way.z * way).xy - hole.xy;
+        float beyond = length(off) - hole.w - 0.06 * (texture(detail_map, off * 0.3).r - 0.5);
+        light *= 1.0 + 0.18 * (1.0 - smoothstep(-0.03, 0.03, beyond)) - 0.55 * exp(-pow(beyond / 0.05, 2.0));
+    }
+    return light;
+}
+
+// Crumbs that drift before the lens: how much of the light they take, and how lit they are.
+vec2 crumbs_at(vec3 entry, vec3 way) {
+    vec2 look = vec2(0.0);
+    for (int i = 0; i < crumb_count; ++i) {
+        vec3 off = cross(crumbs[i].xyz - entry, way);
+        float share = length(off) / crumbs[i].w;
+        if (share < 1.0) {
+            look = max(look, vec2(smoothstep(1.0, 0.7, share), sqrt(1.0 - share * share)));
+        }
+    }
+    return look;
+}
+
+vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float blocked = texelFetch(stop, pixel, 0).r < 1000.0 ? 1.0 : 0.0;
     vec3 sharp = texelFetch(optical_depth, pixel, 0).rgb;
@@ -224,11 +261,14 @@ vec3 pupil_colour(vec3 way, vec4 tool, float radius) {
     float cone = 1.0 - 0.06 * pow(radius / pupil_radius, 3.0);
     // and one side a little better than the other.
     cone *= 1.0 + 0.16 * dot(place - 0.5, vec2(-0.9, 1.6));
-    vec3 reflex = fundus * fundus_light * reaches * look.clear * cone;
+    vec3 reflex = fundus * fundus_light * reaches * look.clear * cone * posterior_capsule(entry, way);
     float lit = look.shade * (1.0 - 0.65 * max(look.hollow, 0.0)) * look.haze;
-    vec3 haze = 0.5 * scattered_share * (1.0 - exp(-2.0 * depth)) * lamp * lit;
+    vec3 scattered = mix(scattered_share, scattered_white, cortical_opacity);
+    vec3 haze = 0.5 * scattered * (1.0 - exp(-2.0 * depth)) * lamp * lit;
     vec3 behind = reflex * (1.0 - tool.a) * (1.0 - 0.28 * look.steep) + tool.rgb;
-    return haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
+    vec3 lens = haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
+    vec2 crumb = crumbs_at(entry, way);
+    return mix(lens, (0.04 + 0.16 * crumb.y) * vec3(0.95, 0.85, 0.66) * lamp, 0.85 * crumb.x * (1.0 - tool.a));
 }
 
 // The rim of the capsulorhexis and the sheen of the capsule around it.
@@ -308,14 +348,16 @@ void main() {
     vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
 #endif
 #if PART >= 2
-    vec3 deep = pupil_colour(inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
+    vec3 deep = pupil_colour(entry, inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
-    deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(pupil_radius - 0.20, pupil_radius, iris_rho);
+    float aside = caught_edge.z > 0.0 ? dot(on_iris.xy, caught_edge.xy) / max(iris_rho, 0.01) : -1.0;
+    float edge = pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);
+    deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, iris_rho);
 #if PART == 3
     vec3 inner = deep;
 #else
     float soft = max(0.015, 0.8 * pixel_mm);
-    inner = mix(deep, inner, smoothstep(pupil_radius - soft, pupil_radius + soft, iris_rho));
+    inner = mix(deep, inner, smoothstep(edge - soft, edge + soft, iris_rho));
 #endif
 #endif
 

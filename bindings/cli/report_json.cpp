@@ -11,6 +11,7 @@ using nlohmann::json;
 json patient_json(const Patient& patient) {
     return {{"age", patient.age},
             {"nuclear_grade", patient.nuclear_grade},
+            {"cortical_opacity", patient.cortical_opacity},
             {"pupil_mm", patient.pupil_mm},
             {"side", patient.side},
             {"tetrahedra", patient.tetrahedra}};

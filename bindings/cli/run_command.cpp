@@ -55,6 +55,7 @@ Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) 
         }
         set["patient.age"] = short_number(patient.value().age);
         set["patient.nuclear_grade"] = short_number(patient.value().nuclear_grade);
+        set["patient.cortical_opacity"] = short_number(patient.value().cortical_opacity);
         set["patient.pupil_mm"] = short_number(patient.value().pupil_mm);
         set["patient.side"] = patient.value().side;
         set["patient.tetrahedra"] = std::to_string(patient.value().tetrahedra);

@@ -82,7 +82,15 @@ void BareScene::remove(int solid, const std::vector<int>& tets) {
 
 std::uint64_t BareScene::state_hash() const { return hash_state(state_, tools_, {}, {}, steps_, 0); }
 
-Frame BareScene::frame() { return {model_, nullptr, state_.solids, state_.bags, tools_, state_.time_s}; }
+Frame BareScene::frame() {
+    Frame frame;
+    frame.model = model_;
+    frame.solids = state_.solids;
+    frame.bags = state_.bags;
+    frame.tools = tools_;
+    frame.time_s = state_.time_s;
+    return frame;
+}
 
 Snapshot BareScene::snapshot() {
     if (physics_) {

@@ -23,6 +23,7 @@ Patient patient_from(const json& given) {
     Patient patient;
     patient.age = given.value("age", patient.age);
     patient.nuclear_grade = given.value("nuclear_grade", patient.nuclear_grade);
+    patient.cortical_opacity = given.value("cortical_opacity", patient.cortical_opacity);
     patient.pupil_mm = given.value("pupil_mm", patient.pupil_mm);
     patient.side = given.value("side", patient.side);
     patient.tetrahedra = given.value("tetrahedra", patient.tetrahedra);

@@ -15,6 +15,7 @@ Patient read_patient_fields(Options& options) {
     Patient patient;
     patient.age = options.number("age", patient.age, {20.0, 95.0, "years"});
     patient.nuclear_grade = options.number("nuclear_grade", patient.nuclear_grade, {1.0, 6.0, "(LOCS III)"});
+    patient.cortical_opacity = options.number("cortical_opacity", patient.cortical_opacity, {0.0, 1.0, ""});
     patient.pupil_mm = options.number("pupil_mm", patient.pupil_mm, {3.0, 9.0, "mm"});
     patient.side = options.choice("side", patient.side, {"right", "left"});
     patient.tetrahedra = static_cast<int>(options.integer("tetrahedra", patient.tetrahedra, 500, 24000));

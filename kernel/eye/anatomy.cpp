@@ -58,6 +58,7 @@ EyeAnatomy make_anatomy(const Patient& patient) {
     eye.anterior_chamber_depth = chamber_depth(patient.age);
     eye.cornea_apex_z = lens.anterior + eye.anterior_chamber_depth;
     eye.limbus_z = eye.cornea_apex_z - sphere_sag(eye.cornea_radius, eye.limbus_radius);
+    eye.cortical_opacity = patient.cortical_opacity;
     eye.pupil_radius = 0.5 * patient.pupil_mm;
     eye.iris_z = anterior_z(lens, eye.pupil_radius) + iris_clearance + 0.5 * eye.iris_thickness;
     eye.incision = inner_lip(eye, wound_inset, Vec2(0.0, -1.0));  // the surgeon sits at -y

@@ -21,9 +21,10 @@ struct NumberField {
     const char* unit;
 };
 
-constexpr std::array<NumberField, 3> number_fields{{
+constexpr std::array<NumberField, 4> number_fields{{
     {"age", &Patient::age, 20.0, 95.0, " years"},
     {"nuclear_grade", &Patient::nuclear_grade, 1.0, 6.0, ""},
+    {"cortical_opacity", &Patient::cortical_opacity, 0.0, 1.0, ""},
     {"pupil_mm", &Patient::pupil_mm, 3.0, 9.0, " mm"},
 }};
 

@@ -25,6 +25,7 @@ constexpr std::array<TableRow, 4> extinction_blue{{{1.0, 0.069}, {2.0, 0.15}, {4
 
 constexpr double epinucleus_extinction = 0.5;  ///< share of the nucleus's
 constexpr double cortex_extinction = 0.25;
+constexpr double white_extinction = 3.0;  ///< of the cortex of a white cataract, all colours alike [1/mm]: proposal
 
 /// Of all lens tissue: nearly incompressible, but far enough from 0.5 for linear tetrahedra not to lock and for an
 /// explicit step of 120 us at grade 3.
@@ -79,9 +80,10 @@ std::vector<Material> lens_materials(const Patient& patient) {
     const double grade = patient.nuclear_grade;
     const Vec3 extinction(geometric_between(extinction_red, grade), geometric_between(extinction_green, grade),
                           geometric_between(extinction_blue, grade));
+    const Vec3 haze = Vec3::Constant(patient.cortical_opacity * white_extinction);
     return {tissue("nucleus", inner, extinction),
             tissue("epinucleus", std::sqrt(inner * outer), epinucleus_extinction * extinction),
-            tissue("cortex", outer, cortex_extinction * extinction)};
+            tissue("cortex", outer, cortex_extinction * extinction + haze)};
 }
 
 }  // namespace rhexis

@@ -17,6 +17,7 @@ namespace rhexis {
 struct Patient {
     double age = 68.0;           ///< [years], 20 to 95
     double nuclear_grade = 3.0;  ///< LOCS III nuclear opalescence, 1 to 6
+    double cortical_opacity = 0.0;  ///< 0: cortex as clear as the nucleus lets it be; 1: a white cataract
     double pupil_mm = 7.5;       ///< diameter, 3 to 9
     std::string side = "right";  ///< "right" or "left"
     int tetrahedra = 3000;       ///< requested mesh size of the lens, 500 to 24000
@@ -36,6 +37,7 @@ struct EyeAnatomy {
     double iris_z = 0.0;  ///< plane of the pupil's edge [mm]
     double iris_thickness = 0.4;
     double pupil_radius = 3.75;
+    double cortical_opacity = 0.0;        ///< as of the patient
     double anterior_chamber_depth = 3.0;  ///< front of the cornea to front of the lens [mm]
     Vec3 incision = Vec3::Zero();         ///< centre of the main wound at its inner lip [mm]
     double incision_width = 2.4;

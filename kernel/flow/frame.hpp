@@ -17,6 +17,9 @@ struct Frame {
     std::vector<SolidState> solids;
     std::vector<BagState> bags;
     std::vector<ToolState> tools;
+    std::optional<CapsuleState> capsule;
+    std::optional<IrisState> iris;
+    std::vector<Debris> debris;
     double time_s = 0.0;
 };
 

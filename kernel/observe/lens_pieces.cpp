@@ -8,6 +8,24 @@
 
 namespace rhexis {
 
+namespace {
+
+Vec3 fine_middle(const SolidModel& lens, const SolidState& state, std::size_t fine) {
+    const int coarse = static_cast<int>(lens.coarse.nodes.size());
+    Vec3 sum = Vec3::Zero();
+    for (const int node : lens.fine.tets[fine]) {
+        if (node < coarse) {
+            sum += 0.25 * state.position[node];
+        } else {
+            const std::array<int, 2>& edge = lens.fine.edges[node - coarse];
+            sum += 0.125 * (state.position[edge[0]] + state.position[edge[1]]);
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
 std::vector<LensPiece> lens_pieces(const SolidModel& lens, const std::vector<double>& volumes,
                                    const SolidState& state) {
     const std::vector<int> names = pieces_by_nodes(lens.coarse.tets, lens.coarse.nodes.size(), state.present);
@@ -49,19 +67,24 @@ std::vector<Vec3> nearest_tissue(const SolidModel& lens, const SolidState& state
     for (std::size_t t = 0; t < names.size(); ++t) {
         const auto piece = std::lower_bound(pieces.begin(), pieces.end(), names[t],
                                             [](const LensPiece& a, int name) { return a.first < name; });
-        if (names[t] < 0 || piece == pieces.end() || piece->first != names[t] ||
-            remaining_fraction(lens, state, static_cast<int>(t)) < least) {
+        if (names[t] < 0 || piece == pieces.end() || piece->first != names[t]) {
             continue;
         }
-        Vec3 middle = Vec3::Zero();
-        for (const int node : lens.coarse.tets[t]) {
-            middle += 0.25 * state.position[node];
-        }
-        const double square = (middle - place).squaredNorm();
         const auto index = static_cast<std::size_t>(piece - pieces.begin());
-        if (square < squares[index]) {
-            squares[index] = square;
-            nearest[index] = middle;
+        const std::array<int, 4>& tet = lens.coarse.tets[t];
+        const Vec3 middle =
+            0.25 * (state.position[tet[0]] + state.position[tet[1]] + state.position[tet[2]] + state.position[tet[3]]);
+        const double size = (state.position[tet[0]] - middle).norm();
+        if ((middle - place).norm() > std::sqrt(squares[index]) + 2.0 * size) {
+            continue;
+        }
+        for (std::size_t f = 8 * t; f < 8 * t + 8; ++f) {
+            const Vec3 child = fine_middle(lens, state, f);
+            const double square = (child - place).squaredNorm();
+            if (state.fraction[f] >= least && square < squares[index]) {
+                squares[index] = square;
+                nearest[index] = child;
+            }
         }
     }
     return nearest;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "math/roots.hpp"
+#include "physics/tool_shape.hpp"
 
 namespace rhexis {
 namespace {
@@ -69,6 +70,11 @@ Landmark capsulorhexis(const BagModel& bag, const BagState& state, const EyeAnat
             state.pose.to_world(middle), bag.opening_radius};
 }
 
+/// The open end of a tip, or the end of what has none.
+Vec3 mouth_of(const ToolModel& tool, const Pose& pose) {
+    return tool.bore_radius > 0.0 ? pose.to_world(tip_mouth(tool).centre) : pose.position;
+}
+
 /// Pieces that the lens is in, the largest first, and where each is nearest to the first instrument's tip.
 void add_fragment_landmarks(const ObserveInput& input, const LensView& lens, std::vector<Landmark>& marks) {
     constexpr std::size_t most = 8;  // that one keeps apart
@@ -76,7 +82,7 @@ void add_fragment_landmarks(const ObserveInput& input, const LensView& lens, std
     const EyeAnatomy& eye = input.eye.anatomy;
     const bool tool = !input.tools.empty() && input.tools[0].present;
     const std::vector<Vec3> near =
-        tool ? nearest_tissue(*lens.model, input.state.solids[0], pieces, input.tools[0].pose.position)
+        tool ? nearest_tissue(*lens.model, input.state.solids[0], pieces, mouth_of(input.world.tools[0], input.tools[0].pose))
              : std::vector<Vec3>{};
     std::vector<std::size_t> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);

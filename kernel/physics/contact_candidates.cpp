@@ -21,6 +21,7 @@ constexpr double reference_step = 0.01;  ///< [s]
 
 constexpr double apart = 5e-3;  ///< a candidate with a larger gap than this needs no anchor [mm]
 constexpr double sunk = 0.1;    ///< [mm]
+constexpr double resolved = 0.42;  ///< radius of the thinnest part that cannot slip between vertices, in their size
 constexpr double reach = 0.2;   ///< candidates are sought this far beyond what can move in a step [mm]
 
 double fastest(const SolidState& state) {
@@ -60,8 +61,9 @@ std::vector<Partner> partners_of(const WorldModel& model, const WorldState& stat
                         tools[i].previous_pose,
                         swept_box(model.tools[i], tools[i]),
                         0.0};
-        partner.box.low -= Vec3::Constant(reach + moved);
-        partner.box.high += Vec3::Constant(reach + moved);
+        const double around = moved + (state.tips[i].hold > 0.0 ? kept_seal : reach);
+        partner.box.low -= Vec3::Constant(around);
+        partner.box.high += Vec3::Constant(around);
         if ((partner.box.low.array() > solid.high.array()).any() ||
             (partner.box.high.array() < solid.low.array()).any()) {
             continue;
@@ -117,12 +119,12 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
         const double radius = model.tools[i].bore_radius + seal;
         const auto held = [&](const ContactCandidate& candidate) {
             if (candidate.partner != ContactPartner::tool || candidate.index != static_cast<int>(i) ||
-                candidate.start_gap > seal) {
+                candidate.start_gap > kept_seal) {
                 return false;
             }
             const Vec3 from_mouth = candidate.start - mouth.centre;
             const double along = mouth.facing.dot(from_mouth);
-            return along > -seal && from_mouth.squaredNorm() - along * along < radius * radius;
+            return along > -seal && along < kept_seal && from_mouth.squaredNorm() - along * along < radius * radius;
         };
         const double count = static_cast<double>(std::count_if(candidates.begin(), candidates.end(), held));
         for (ContactCandidate& candidate : candidates) {
@@ -144,7 +146,7 @@ void set_adhesion(const WorldModel& model, const WorldState& state, const Contac
         }
         const BagModel& bag = model.bags[candidate.index];
         const double area = vertex.size * vertex.size;
-        candidate.grip = bag.film * area;
+        candidate.grip = surface.in_pieces() ? 0.0 : bag.film * area;  // fluid gets between the pieces and the capsule
         const std::vector<std::uint8_t>& adherent = state.bags[candidate.index].adherent;
         if (!adherent.empty() && adherent[vertex.nodes[0]] != 0) {
             candidate.hold = bag.adhesion * area;
@@ -200,8 +202,9 @@ Gap bag_gap(const BagModel& bag, const Vec3& local, bool outside) {
     return found.distance > bag_wall ? Gap{} : Gap{-found.distance, -found.normal};
 }
 
-Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point,
-                bool outside) {
+Gap measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
+    const ContactPartner partner = candidate.partner;
+    const int index = candidate.index;
     if (partner == ContactPartner::dome) {
         const Vec3 out = point - model.domes[index].centre;
         const double distance = out.norm();
@@ -213,10 +216,10 @@ Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, cons
     }
     const Vec3 local = pose.to_body(point);
     if (partner == ContactPartner::tool) {
-        const ShapeDistance found = tool_distance(model.tools[index], local);
+        const ShapeDistance found = tool_distance(model.tools[index], local, candidate.least_radius);
         return {found.distance, pose.orientation * found.normal};
     }
-    const Gap found = bag_gap(model.bags[index], local, outside);
+    const Gap found = bag_gap(model.bags[index], local, candidate.outside);
     return {found.gap, pose.orientation * found.normal};
 }
 
@@ -245,25 +248,25 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             if (tool ? !partner.box.holds(point) : vertex.between) {
                 continue;
             }
-            Gap start = measure_gap(model, partner.kind, partner.index, partner.pose, point);
-            const bool outside = left_bag(partner, point, start);
-            if (outside) {
+            ContactCandidate candidate;
+            candidate.vertex = static_cast<int>(v);
+            candidate.partner = partner.kind;
+            candidate.index = partner.index;
+            candidate.least_radius = resolved * vertex.size;
+            Gap start = measure_gap(model, candidate, partner.pose, point);
+            candidate.outside = left_bag(partner, point, start);
+            if (candidate.outside) {
                 start = {-start.gap, -start.normal};
             }
             if (!tool && start.gap > partner.margin) {
                 continue;
             }
-            ContactCandidate candidate;
-            candidate.vertex = static_cast<int>(v);
-            candidate.partner = partner.kind;
-            candidate.index = partner.index;
             candidate.spring.friction = partner.friction;
             candidate.start = partner.pose.to_body(point);
             if (over_hole(state, partner.kind, candidate.start)) {
                 continue;
             }
             candidate.start_gap = start.gap;
-            candidate.outside = outside;
             candidate.anchor = candidate.start;
             recall(state.memory, solid, vertex.vertex, candidate);
             candidates.push_back(candidate);

@@ -31,6 +31,7 @@ struct ContactCandidate {
     ContactPartner partner = ContactPartner::tool;
     int index = 0;
     ContactSpring spring;       ///< its stiffness only after set_springs
+    double least_radius = 0.0;  ///< of a tool's part, as the vertex meets it [mm]
     double hold = 0.0;          ///< pull that it bears before it parts: suction, adhesion [uN]
     double grip = 0.0;          ///< what that adds to the largest friction [uN]
     Vec3 start = Vec3::Zero();  ///< in the partner's frame at the start of the step [mm]
@@ -55,8 +56,7 @@ struct Gap {
     double gap = HUGE_VAL;  ///< [mm]; infinite where there is nothing to touch
     Vec3 normal = Vec3::UnitZ();
 };
-Gap measure_gap(const WorldModel& model, ContactPartner partner, int index, const Pose& pose, const Vec3& point,
-                bool outside = false);
+Gap measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point);
 
 /// Gap and normal of a point in a bag's frame, both in that frame.
 /// A point that has left through the opening meets the wall from outside.

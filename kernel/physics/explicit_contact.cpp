@@ -110,7 +110,7 @@ bool ExplicitContact::asleep(const Watch& watch, const Vec3& point) const {
 Gap ExplicitContact::measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
                              Watch& watch) const {
     if (candidate.partner != ContactPartner::bag) {
-        return measure_gap(*model_, candidate.partner, candidate.index, pose, point, candidate.outside);
+        return measure_gap(*model_, candidate, pose, point);
     }
     const BagModel& bag = model_->bags[candidate.index];
     const Vec3 local = pose.to_body(point);
@@ -193,7 +193,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
         const Pose pose = after.of(candidate.partner, candidate.index);
         const Gap gap = measure(candidate, pose, point, watch);
         // Anything that could close within this substep, whatever the others do to it
-        const double near = std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? seal : 0.0);
+        const double near = std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? kept_seal : 0.0);
         if (gap.gap < near) {
             watch.free = 0.0;
             activate(static_cast<int>(c), dt, gap, before.of(candidate.partner, candidate.index), pose, point);

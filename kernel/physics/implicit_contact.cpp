@@ -17,7 +17,7 @@ Touch touch(const WorldModel& model, const ContactCandidate& candidate, const Po
     if (surely_apart(candidate, pose, point)) {
         return found;
     }
-    found.gap = measure_gap(model, candidate.partner, candidate.index, pose, point);
+    found.gap = measure_gap(model, candidate, pose, point);
     if (found.gap.gap < 0.0) {
         found.response = spring_contact(candidate.spring, found.gap.gap, found.gap.normal,
                                         point - pose.to_world(candidate.anchor), edge_slides);

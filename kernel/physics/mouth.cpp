@@ -13,7 +13,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr std::array<double, 2> looks{0.05, seal};  ///< in front of the mouth [mm]
+constexpr std::array<double, 4> looks{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
 constexpr double shut = 0.85;                       ///< share of the mouth that must be covered to shut it. Proposal
 
 /// Out along the mouth's normal to the surface of the rounded end.
@@ -24,7 +24,7 @@ Vec3 on_end(const RoundedCone& end, const Vec3& facing, const Vec3& point) {
     return point + (std::sqrt(std::max(0.0, room)) - along) * facing;
 }
 
-bool covered_by_lens(const std::vector<FineTissue>& tissue, const SolidState& lens, const std::array<Vec3, 2>& spots) {
+bool covered_by_lens(const std::vector<FineTissue>& tissue, const SolidState& lens, std::span<const Vec3> spots) {
     return std::any_of(tissue.begin(), tissue.end(), [&](const FineTissue& fine) {
         return lens.fraction[fine.tet] > 0.3 &&
                std::any_of(spots.begin(), spots.end(), [&](const Vec3& spot) { return holds(fine.corners, spot); });
@@ -98,20 +98,24 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
         return tip;
     }
     const Pose& pose = tool_state.pose;
+    const bool was_shut = state.tips[tool].lens > 0.5 && state.tips[tool].suction > least_suction;
+    const std::size_t far = was_shut ? looks.size() : 2;
     std::vector<FineTissue> tissue;
     if (!state.solids.empty() && !state.solids[0].fraction.empty()) {
-        tissue = tissue_near(model.solids[0], state.solids[0], model.tools[tool].parts.front(), pose, seal);
+        tissue = tissue_near(model.solids[0], state.solids[0], model.tools[tool].parts.front(), pose, looks[far - 1]);
     }
     const double each = 1.0 / static_cast<double>(probe.points.size());
     const Vec3 facing = pose.orientation * probe.mouth.facing;
     for (const Vec3& point : probe.points) {
         const Vec3 place = pose.to_world(point);
-        const std::array<Vec3, 2> spots{place + looks[0] * facing, place + looks[1] * facing};
+        std::array<Vec3, looks.size()> spots;
+        std::transform(looks.begin(), looks.end(), spots.begin(),
+                       [&](double look) { return Vec3(place + look * facing); });
         if (covered_by_iris(model, state, spots[0])) {
             tip.iris += each;
         } else if (covered_by_capsule(model, state, spots[1])) {
             tip.capsule += each;
-        } else if (!tissue.empty() && covered_by_lens(tissue, state.solids[0], spots)) {
+        } else if (!tissue.empty() && covered_by_lens(tissue, state.solids[0], std::span(spots).first(far))) {
             tip.lens += each;
         }
     }

@@ -3,7 +3,7 @@
 //
 // Points are spread over the mouth and pushed out to the rounded end that contact knows. A point is covered by what it
 // finds within `seal` in front of it, by the nearest first: iris, capsule, debris, lens. Soft tissue shuts the mouth
-// before the last point is covered, because it bulges into the bore.
+// before the last point is covered, because it bulges into the bore, and what has shut it may then be farther away.
 #pragma once
 
 #include <span>
@@ -36,5 +36,9 @@ inline constexpr double least_suction = 2666.0;
 
 /// Tissue nearer to the mouth than this is held by suction [mm].
 inline constexpr double seal = 0.15;
+
+/// A mouth that tissue has shut stays shut while it is as near as this: it bulges towards it, and slides over the metal
+/// around it [mm]. Proposal: what ultrasound clears and a fine tetrahedron.
+inline constexpr double kept_seal = 0.5;
 
 }  // namespace rhexis

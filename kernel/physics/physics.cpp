@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/aspiration.hpp"
 #include "physics/bag_motion.hpp"
 #include "physics/capsule_wall.hpp"
 #include "physics/crack.hpp"
@@ -193,7 +194,9 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     }
     const ProfileScope scope(profile, "sculpt");
     for (std::size_t i = 0; i < tools.size(); ++i) {
-        sculpt(*s.model, static_cast<int>(i), tools[i], s.zones[i], dt, next);
+        const int tool = static_cast<int>(i);
+        const double spare = sculpt(*s.model, tool, tools[i], s.zones[i], dt, next);
+        aspirate(*s.model, tool, tools[i], s.probes[i], spare, dt, next);
     }
     next.time_s = state.time_s + dt;
     return outcome;

@@ -122,12 +122,13 @@ double zone_weight(const ToolModel& tool, const SculptZone& zone, const Vec3& po
     return std::min(fade(off), fade(zone.facing.dot(point - zone.mouth) + behind_mouth));
 }
 
-void sculpt(const WorldModel& model, int tool, const ToolState& tool_state, const SculptZone& zone, double dt,
+double sculpt(const WorldModel& model, int tool, const ToolState& tool_state, const SculptZone& zone, double dt,
             WorldState& state) {
     if (!tool_state.present || !(tool_state.power > 0.0) || !(zone.volume > 0.0)) {
-        return;
+        return 0.0;
     }
     const ToolModel& tool_model = model.tools[tool];
+    double unused = 1.0;  // share
     for (std::size_t s = 0; s < model.solids.size(); ++s) {
         SolidState& solid = state.solids[s];
         if (solid.fraction.empty()) {
@@ -144,7 +145,9 @@ void sculpt(const WorldModel& model, int tool, const ToolState& tool_state, cons
         for (int pass = 0; pass < (coverage < 1.0 ? 1 : max_passes) && energy > 0.0; ++pass) {
             energy = spend(energy, touched, solid, state);
         }
+        unused = std::max(0.0, unused - coverage);
     }
+    return unused * tool_state.power * tool_model.max_power * dt;
 }
 
 }  // namespace rhexis

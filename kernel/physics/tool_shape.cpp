@@ -50,11 +50,13 @@ ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
     return result;
 }
 
-ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point) {
+ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius) {
     ShapeDistance nearest;
     nearest.distance = HUGE_VAL;
     for (const RoundedCone& part : tool.parts) {
-        const ShapeDistance distance = cone_distance(part, point);
+        const RoundedCone thick{part.a, part.b, std::max(part.radius_a, least_radius),
+                                std::max(part.radius_b, least_radius)};
+        const ShapeDistance distance = cone_distance(thick, point);
         if (distance.distance < nearest.distance) {
             nearest = distance;
         }

@@ -15,8 +15,9 @@ struct ShapeDistance {
 /// Exact distance to a rounded cone: the smallest of |p - c(s)| - r(s) over the balls along its axis.
 ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point);
 
-/// To the nearest part of a tool, for a point in the tool's frame. A tool without parts is infinitely far.
-ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point);
+/// To the nearest part of a tool, for a point in the tool's frame, with parts that are thinner taken to have at least
+/// this radius [mm]. A tool without parts is infinitely far.
+ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius = 0.0);
 
 /// The open end of an aspirating tip, in the tool's frame.
 struct Mouth {

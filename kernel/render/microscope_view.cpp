@@ -24,13 +24,29 @@ double reach_of_wound(const EyeAnatomy& eye, const Vec3& inner_lip, double width
     return width > 0.0 ? 1.075 * inner_lip.head<2>().norm() - 0.35 : eye.limbus_radius;
 }
 
+constexpr std::size_t most_crumbs = 24;  ///< that are drawn; as in the shader
+
+/// Where the pupil's edge is drawn into a mouth: its direction from the axis, and how far it has come from where it was
+/// [mm]; 0: it is not.
+Vec3 caught_edge(const Frame& frame) {
+    if (!frame.iris || frame.iris->tool < 0) {
+        return Vec3::Zero();
+    }
+    const Vec2 edge = frame.iris->place.head<2>();
+    const Vec2 mouth = frame.tools[frame.iris->tool].pose.position.head<2>();
+    const Vec2 direction = edge.normalized();
+    const double come = std::clamp(edge.norm() - direction.dot(mouth), 0.0, 2.0);
+    return {direction.x(), direction.y(), come};
+}
+
 /// Within this, at the iris, neither its edge nor a wound nor the limbus can show. [mm]
-double core_radius(const EyeAnatomy& eye) {
+double core_radius(const Frame& frame) {
+    const EyeAnatomy& eye = *frame.eye;
     const double magnified = 1.15;  // by the cornea, at most
     const double wound = std::min(reach_of_wound(eye, eye.incision, eye.incision_width),
                                   reach_of_wound(eye, eye.side_port, eye.side_port_width));
     const double clear = std::min(wound, eye.limbus_radius - 1.5) / magnified;
-    return std::min(opening_of(eye) - 0.25, clear);
+    return std::max(0.0, std::min(opening_of(eye) - 0.25 - caught_edge(frame).z(), clear));
 }
 
 PupilOnScreen pupil_on_screen(const EyeAnatomy& eye, const View& inner) {
@@ -58,6 +74,28 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("incision_width", eye.incision_width);
     program.set("side_port", eye.side_port);
     program.set("side_port_width", eye.side_port_width);
+}
+
+/// What a posterior capsule that is held or open shows, an iris that is caught, and crumbs.
+void set_harm(const Program& program, const Frame& frame) {
+    Eigen::Vector4d folds = Eigen::Vector4d::Zero();
+    Eigen::Vector4d hole = Eigen::Vector4d::Zero();
+    if (frame.capsule && !frame.bags.empty()) {
+        const Pose& bag = frame.bags[0].pose;
+        folds << bag.to_world(frame.capsule->place), frame.capsule->captured ? 1.0 : 0.0;
+        hole << bag.to_world(frame.capsule->hole_place), frame.capsule->hole_radius;
+    }
+    program.set("folds", folds);
+    program.set("hole", hole);
+    program.set("caught_edge", caught_edge(frame));
+    const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
+    program.set("crumb_count", static_cast<int>(crumbs));
+    for (std::size_t i = 0; i < crumbs; ++i) {
+        const Debris& crumb = frame.debris[i];
+        Eigen::Vector4d ball;
+        ball << crumb.position, radius_of(crumb);
+        program.set(("crumbs[" + std::to_string(i) + "]").c_str(), ball);
+    }
 }
 
 void set_bag(const Program& program, const Frame& frame) {
@@ -158,7 +196,7 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     cast_shadows(inner);
     const std::vector<PixelRect> cornea = bands_around_circle(outer, eye.limbus_radius + 0.4, eye.limbus_z, 2);
     const std::vector<PixelRect> pupil = bands_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, 2);
-    const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(eye), eye.iris_z);
+    const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(frame), eye.iris_z);
     const std::array<std::vector<PixelRect>, 4> where{without(without(bands_of(inner), cornea), pupil),
                                                       without(cornea, pupil), without(pupil, core), core};
     picture_.bind();
@@ -234,7 +272,9 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("reference", depth.reference());
     program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, frame.eye->iris_z)));
     set_anatomy(program, *frame.eye);
+    program.set("cortical_opacity", frame.eye->cortical_opacity);
     set_bag(program, frame);
+    set_harm(program, frame);
 }
 
 }  // namespace rhexis

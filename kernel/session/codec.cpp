@@ -62,6 +62,7 @@ public:
 void scene_fields(auto& io, auto& scene) {
     io(scene.patient.age);
     io(scene.patient.nuclear_grade);
+    io(scene.patient.cortical_opacity);
     io(scene.patient.pupil_mm);
     io(scene.patient.side);
     io(scene.patient.tetrahedra);

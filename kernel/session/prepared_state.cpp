@@ -59,6 +59,7 @@ Status check_same_scene(const PreparedState& state, const SceneDescription& here
     Differences differences;
     differences.add("patient.age", there.patient.age, here.patient.age);
     differences.add("patient.nuclear_grade", there.patient.nuclear_grade, here.patient.nuclear_grade);
+    differences.add("patient.cortical_opacity", there.patient.cortical_opacity, here.patient.cortical_opacity);
     differences.add("patient.pupil_mm", there.patient.pupil_mm, here.patient.pupil_mm);
     differences.add("patient.side", there.patient.side, here.patient.side);
     differences.add("patient.tetrahedra", there.patient.tetrahedra, here.patient.tetrahedra);

@@ -32,6 +32,7 @@ Status check_names(const char* field, const std::vector<std::string>& names, std
 Status check_patient(const Patient& patient) {
     for (const Status& status : {check_range("patient.age", patient.age, 20.0, 95.0),
                                  check_range("patient.nuclear_grade", patient.nuclear_grade, 1.0, 6.0),
+                                 check_range("patient.cortical_opacity", patient.cortical_opacity, 0.0, 1.0),
                                  check_range("patient.pupil_mm", patient.pupil_mm, 3.0, 9.0),
                                  check_range("patient.tetrahedra", patient.tetrahedra, 500.0, 24000.0)}) {
         if (!status) {

@@ -383,7 +383,15 @@ const Log& Session::log() const { return parts_->log; }
 
 Frame Session::frame() const {
     const Parts& p = *parts_;
-    return {p.world,       std::make_shared<const EyeAnatomy>(p.eye.anatomy), p.state.solids, p.state.bags, p.tools,
+    EyeAnatomy anatomy = p.eye.anatomy;
+    if (p.state.iris) {
+        anatomy.iris_z = p.state.iris->z;
+        anatomy.pupil_radius = p.state.iris->pupil_radius;
+    }
+    return {p.world, std::make_shared<const EyeAnatomy>(anatomy),
+            p.state.solids, p.state.bags,
+            p.tools, p.state.capsule,
+            p.state.iris, p.state.debris,
             p.state.time_s};
 }
 

@@ -28,6 +28,9 @@ local function patient_text(patient)
     local parts = {}
     if patient.age then parts[#parts + 1] = number(patient.age, 0) .. " years" end
     if patient.nuclear_grade then parts[#parts + 1] = "nuclear cataract NO" .. number(patient.nuclear_grade, 1) end
+    if (patient.cortical_opacity or 0) > 0 then
+        parts[#parts + 1] = patient.cortical_opacity >= 1 and "white cortex" or "hazy cortex"
+    end
     if patient.pupil_mm then parts[#parts + 1] = "pupil " .. number(patient.pupil_mm, 1) .. " mm" end
     if patient.side then parts[#parts + 1] = patient.side .. " eye" end
     return table.concat(parts, ", ")

@@ -42,7 +42,7 @@ TEST_SUITE("report") {
             CAPTURE(key);
             CHECK(report.contains(key));
         }
-        for (const char* key : {"age", "nuclear_grade", "pupil_mm", "side", "tetrahedra"}) {
+        for (const char* key : {"age", "nuclear_grade", "cortical_opacity", "pupil_mm", "side", "tetrahedra"}) {
             CHECK(report["patient"].contains(key));
         }
         CHECK(report["log"][0] == json{{"level", "warning"}, {"time_s", 1.0}, {"text", "sample refused"}});
