@@ -10,15 +10,15 @@
 namespace rhexis::cli {
 
 struct StartRequest {
-    std::string curriculum;                  ///< as for rhexis run
-    std::string start;                       ///< name in starts.lua; with a dot or slash in it, a state file; "": "begin", if it is there
+    std::string curriculum;  ///< as for rhexis run
+    std::string start;  ///< name in starts.lua; with a dot or slash in it, a state file; "": "begin", if it is there
     std::map<std::string, std::string> set;  ///< of the run that is to start; its patient and fixed settings count
     std::string root;
     bool quiet = false;  ///< no progress
 };
 
-/// Path of the state, "" for none: the file itself, or the one kept in runs/states/, which is made again when it is missing or was
-/// made by other scripts, another program or for another patient.
+/// Path of the state, "" for none: the file itself, or the one kept in runs/states/, which is made again when it is
+/// missing or was made by other scripts, another program or for another patient.
 Result<std::string> find_start(const StartRequest& request);
 
 /// Fails when the exercise has no such start, or the file is no good; makes nothing.

@@ -15,12 +15,12 @@ namespace rhexis {
 
 /// What a curriculum says of the patient. Every number is checked against the range given here.
 struct Patient {
-    double age = 68.0;           ///< [years], 20 to 95
-    double nuclear_grade = 3.0;  ///< LOCS III nuclear opalescence, 1 to 6
+    double age = 68.0;              ///< [years], 20 to 95
+    double nuclear_grade = 3.0;     ///< LOCS III nuclear opalescence, 1 to 6
     double cortical_opacity = 0.0;  ///< 0: cortex as clear as the nucleus lets it be; 1: a white cataract
-    double pupil_mm = 7.5;       ///< diameter, 3 to 9
-    std::string side = "right";  ///< "right" or "left"
-    int tetrahedra = 3000;       ///< requested mesh size of the lens, 500 to 24000
+    double pupil_mm = 7.5;          ///< diameter, 3 to 9
+    std::string side = "right";     ///< "right" or "left"
+    int tetrahedra = 3000;          ///< requested mesh size of the lens, 500 to 24000
 };
 
 /// Surfaces that only the picture and distances need.

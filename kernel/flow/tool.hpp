@@ -61,4 +61,11 @@ struct ToolState {
     double vacuum_limit = 0.0;   ///< phaco: what the pedal allows it [Pa]
 };
 
+/// The open end of an aspirating tip, in the tool's frame.
+struct Mouth {
+    Vec3 centre = Vec3::Zero();    ///< [mm]
+    Vec3 facing = -Vec3::UnitZ();  ///< unit, outward
+};
+Mouth tip_mouth(const ToolModel& tool);
+
 }  // namespace rhexis

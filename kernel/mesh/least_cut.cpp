@@ -87,8 +87,7 @@ private:
         int cell = start;
         while ((*sides_)[cell] != CutSide::second) {
             int& k = next_[cell];
-            while (k < offset_[cell + 1] &&
-                   !(left_[arcs_[k]] > nothing && level_[to_[arcs_[k]]] == level_[cell] + 1)) {
+            while (k < offset_[cell + 1] && !(left_[arcs_[k]] > nothing && level_[to_[arcs_[k]]] == level_[cell] + 1)) {
                 ++k;
             }
             if (k < offset_[cell + 1]) {

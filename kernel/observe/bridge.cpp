@@ -45,7 +45,8 @@ double face_area(const SolidModel& lens, int fine, std::size_t opposite) {
     return 0.5 * (fine_node(lens, tet[face[1]]) - a).cross(fine_node(lens, tet[face[2]]) - a).norm();
 }
 
-/// What holds neighbouring coarse tetrahedra of the nucleus together: the area of fine faces that both sides still have.
+/// What holds neighbouring coarse tetrahedra of the nucleus together: the area of fine faces that both sides still
+/// have.
 std::vector<Joint> nucleus_joints(const SolidModel& lens, const SolidState& state) {
     const auto alive = [&](int fine) {
         return state.present[fine / 8] != 0 && state.fraction[fine] > 0.0 && in_nucleus(lens, fine / 8);
@@ -80,8 +81,8 @@ Bridge find_bridge(const SolidModel& lens, const SolidState& state, const Groove
     const LeastCut cut = least_cut(joints, sides);
     Bridge bridge{cut.strength, Vec3::Zero()};
     for (const int j : cut.joints) {
-        bridge.place += joints[j].strength / cut.strength * 0.5 *
-                        (middle_of(lens, joints[j].a) + middle_of(lens, joints[j].b));
+        bridge.place +=
+            joints[j].strength / cut.strength * 0.5 * (middle_of(lens, joints[j].a) + middle_of(lens, joints[j].b));
     }
     return bridge;
 }

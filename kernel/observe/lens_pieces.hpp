@@ -19,8 +19,8 @@ struct LensPiece {
 /// Ascending by name. volumes: of whole coarse tetrahedra at rest.
 std::vector<LensPiece> lens_pieces(const SolidModel& lens, const std::vector<double>& volumes, const SolidState& state);
 
-/// Per piece the middle of its tissue that is nearest to a place: of a fine tetrahedron of which at least a third is left;
-/// the piece's own middle if it has none.
+/// Per piece the middle of its tissue that is nearest to a place: of a fine tetrahedron of which at least a third is
+/// left; the piece's own middle if it has none.
 std::vector<Vec3> nearest_tissue(const SolidModel& lens, const SolidState& state, const std::vector<LensPiece>& pieces,
                                  const Vec3& place);
 

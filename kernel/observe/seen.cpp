@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "math/roots.hpp"
-#include "physics/tool_shape.hpp"
 
 namespace rhexis {
 namespace {
@@ -81,9 +80,9 @@ void add_fragment_landmarks(const ObserveInput& input, const LensView& lens, std
     const std::vector<LensPiece>& pieces = *lens.pieces;
     const EyeAnatomy& eye = input.eye.anatomy;
     const bool tool = !input.tools.empty() && input.tools[0].present;
-    const std::vector<Vec3> near =
-        tool ? nearest_tissue(*lens.model, input.state.solids[0], pieces, mouth_of(input.world.tools[0], input.tools[0].pose))
-             : std::vector<Vec3>{};
+    const std::vector<Vec3> near = tool ? nearest_tissue(*lens.model, input.state.solids[0], pieces,
+                                                         mouth_of(input.world.tools[0], input.tools[0].pose))
+                                        : std::vector<Vec3>{};
     std::vector<std::size_t> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),

@@ -9,7 +9,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr double entry_pressure = 10.0;   ///< at which tissue enters the bore, in Young's moduli. Proposal
+constexpr double entry_pressure = 10.0;  ///< at which tissue enters the bore, in Young's moduli. Proposal
 constexpr double entry_rate = 3.0;       ///< at twice that [mm^3/s]. Proposal
 constexpr double least_fraction = 0.01;  ///< less than this drifts away and counts as removed
 
@@ -39,10 +39,10 @@ std::vector<Before> before_mouth(const WorldModel& model, const WorldState& stat
 
 /// What is left to take, by either means.
 struct Means {
-    double seconds = 0.0;   ///< of suction
-    double suction = 0.0;   ///< [Pa]
-    double pull = 0.0;      ///< share of the mouth that is shut
-    double energy = 0.0;    ///< [mJ]
+    double seconds = 0.0;  ///< of suction
+    double suction = 0.0;  ///< [Pa]
+    double pull = 0.0;     ///< share of the mouth that is shut
+    double energy = 0.0;   ///< [mJ]
 };
 
 /// Volume of this material that goes, at most `left` [mm^3].

@@ -19,10 +19,10 @@ constexpr double wall_factor = 5.0;   ///< bags and planes: wide contacts at low
 constexpr double stiffest = 100.0;
 constexpr double reference_step = 0.01;  ///< [s]
 
-constexpr double apart = 5e-3;  ///< a candidate with a larger gap than this needs no anchor [mm]
-constexpr double sunk = 0.1;    ///< [mm]
+constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this needs no anchor [mm]
+constexpr double sunk = 0.1;       ///< [mm]
 constexpr double resolved = 0.42;  ///< radius of the thinnest part that cannot slip between vertices, in their size
-constexpr double reach = 0.2;   ///< candidates are sought this far beyond what can move in a step [mm]
+constexpr double reach = 0.2;      ///< candidates are sought this far beyond what can move in a step [mm]
 
 double fastest(const SolidState& state) {
     double square = 0.0;

@@ -114,11 +114,11 @@ void CrackFinder::mark_touched(const SolidModel& model, const ContactSet& contac
         if (std::none_of(tet.begin(), tet.end(), [&](int node) { return node_pressed[node] != 0; })) {
             continue;
         }
-        touched_[t] = std::any_of(pressed.begin(), pressed.end(), [&](const std::array<int, 2>& nodes) {
-                          return has(tet, nodes[0]) && has(tet, nodes[1]);
-                      })
-                          ? 1
-                          : 0;
+        touched_[t] =
+            std::any_of(pressed.begin(), pressed.end(),
+                        [&](const std::array<int, 2>& nodes) { return has(tet, nodes[0]) && has(tet, nodes[1]); })
+                ? 1
+                : 0;
     }
 }
 

@@ -193,7 +193,8 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
         const Pose pose = after.of(candidate.partner, candidate.index);
         const Gap gap = measure(candidate, pose, point, watch);
         // Anything that could close within this substep, whatever the others do to it
-        const double near = std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? kept_seal : 0.0);
+        const double near =
+            std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? kept_seal : 0.0);
         if (gap.gap < near) {
             watch.free = 0.0;
             activate(static_cast<int>(c), dt, gap, before.of(candidate.partner, candidate.index), pose, point);

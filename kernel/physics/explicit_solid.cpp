@@ -5,15 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "energy/nodal_pressure.hpp"
 #include "physics/explicit_groups.hpp"
 #include "physics/explicit_kernel.hpp"
-#include "physics/solid_share.hpp"
 #include "physics/node_stiffness.hpp"
+#include "physics/solid_share.hpp"
 #include "physics/stable_step.hpp"
 
 namespace rhexis {

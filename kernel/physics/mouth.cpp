@@ -14,7 +14,7 @@ namespace rhexis {
 namespace {
 
 constexpr std::array<double, 4> looks{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
-constexpr double shut = 0.85;                       ///< share of the mouth that must be covered to shut it. Proposal
+constexpr double shut = 0.85;  ///< share of the mouth that must be covered to shut it. Proposal
 
 /// Out along the mouth's normal to the surface of the rounded end.
 Vec3 on_end(const RoundedCone& end, const Vec3& facing, const Vec3& point) {

@@ -23,10 +23,10 @@ private:
     Formulation formulation_;
     std::vector<std::array<Vec3, 4>> gradients_;  ///< of the four shape functions [1/mm]
     std::vector<double> volumes_;                 ///< at rest [mm^3]
-    std::vector<std::array<int, 16>> pair_;  ///< per tetrahedron and corners (patch, node): a row of dilation_
-    std::vector<int> patch_;                 ///< per row
-    std::vector<int> node_;                  ///< per row
-    std::vector<Vec3> dilation_;             ///< per row: d(volume of the patch) / d(node) [mm^2]
+    std::vector<std::array<int, 16>> pair_;       ///< per tetrahedron and corners (patch, node): a row of dilation_
+    std::vector<int> patch_;                      ///< per row
+    std::vector<int> node_;                       ///< per row
+    std::vector<Vec3> dilation_;                  ///< per row: d(volume of the patch) / d(node) [mm^2]
     std::vector<double> traces_;
 };
 

@@ -123,7 +123,7 @@ double zone_weight(const ToolModel& tool, const SculptZone& zone, const Vec3& po
 }
 
 double sculpt(const WorldModel& model, int tool, const ToolState& tool_state, const SculptZone& zone, double dt,
-            WorldState& state) {
+              WorldState& state) {
     if (!tool_state.present || !(tool_state.power > 0.0) || !(zone.volume > 0.0)) {
         return 0.0;
     }

@@ -28,9 +28,9 @@ SculptZone sculpt_zone(const ToolModel& tool);
 /// How much a point counts as inside the zone, 0 to 1; in the tool's frame.
 double zone_weight(const ToolModel& tool, const SculptZone& zone, const Vec3& point);
 
-/// Lets one tool act for dt [s] on every solid: lowers fractions, books removed mass and energy. Returns the energy that
-/// found no tissue in the zone [mJ].
+/// Lets one tool act for dt [s] on every solid: lowers fractions, books removed mass and energy. Returns the energy
+/// that found no tissue in the zone [mJ].
 double sculpt(const WorldModel& model, int tool, const ToolState& tool_state, const SculptZone& zone, double dt,
-            WorldState& state);
+              WorldState& state);
 
 }  // namespace rhexis

@@ -22,12 +22,6 @@ double tangent_of(double angle) {
 
 }  // namespace
 
-Mouth tip_mouth(const ToolModel& tool) {
-    const RoundedCone& end = tool.parts.front();
-    const double tangent = tangent_of(tool.bevel);
-    return {end.a + Vec3(0.0, 0.0, end.radius_a * (tangent - 1.0)), Vec3(0.0, tangent, -1.0).normalized()};
-}
-
 ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
     const Vec3 axis = cone.b - cone.a;
     const Vec3 from_a = point - cone.a;

@@ -19,13 +19,6 @@ ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point);
 /// this radius [mm]. A tool without parts is infinitely far.
 ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius = 0.0);
 
-/// The open end of an aspirating tip, in the tool's frame.
-struct Mouth {
-    Vec3 centre = Vec3::Zero();    ///< [mm]
-    Vec3 facing = -Vec3::UnitZ();  ///< unit, outward
-};
-Mouth tip_mouth(const ToolModel& tool);
-
 /// Pose at share s of a step, 0: previous_pose, 1: pose. Normalised linear interpolation of the orientation, the short
 /// way round: no trigonometry, so the same bits on every machine.
 Pose pose_within(const ToolState& tool, double s);

@@ -22,7 +22,7 @@ void set_up_bag(BagModel& bag, const std::map<std::string, double>& settings) {
 constexpr double vitreous_stiffness =
     1.5e5;                                 ///< below A^2 / C, 3.6e5, of a wall that gives way to it [uN/mm]. Proposal
 constexpr double cortex_adhesion = 300.0;  ///< [Pa]. Proposal: no tool can turn a lens that adheres all round
-constexpr double cortex_film = 2.0;        ///< [Pa]. Proposal: a tool turns the lens with ease, and it stays where it is
+constexpr double cortex_film = 2.0;  ///< [Pa]. Proposal: a tool turns the lens with ease, and it stays where it is
 
 /// Increases with the angle of (x, y) about the axis, from 0 to 1, without trigonometry.
 double share_of_turn(const Vec3& place) {

@@ -388,10 +388,10 @@ Frame Session::frame() const {
         anatomy.iris_z = p.state.iris->z;
         anatomy.pupil_radius = p.state.iris->pupil_radius;
     }
-    return {p.world, std::make_shared<const EyeAnatomy>(anatomy),
+    return {p.world,        std::make_shared<const EyeAnatomy>(anatomy),
             p.state.solids, p.state.bags,
-            p.tools, p.state.capsule,
-            p.state.iris, p.state.debris,
+            p.tools,        p.state.capsule,
+            p.state.iris,   p.state.debris,
             p.state.time_s};
 }
 

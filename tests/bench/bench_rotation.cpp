@@ -11,11 +11,11 @@
 namespace rhexis::bench {
 namespace {
 
-constexpr double arm = 2.0;         ///< of the probe about the lens's axis [mm]
-constexpr double sinking = 1.0;     ///< time to go into the front [s]
-constexpr double depth = 0.8;       ///< of its end in the tissue [mm]
+constexpr double arm = 2.0;          ///< of the probe about the lens's axis [mm]
+constexpr double sinking = 1.0;      ///< time to go into the front [s]
+constexpr double depth = 0.8;        ///< of its end in the tissue [mm]
 constexpr double hand_speed = 22.5;  ///< [deg/s]: 90 degrees in 4 s
-constexpr double front = 2.0;       ///< of the lens at the arm [mm]
+constexpr double front = 2.0;        ///< of the lens at the arm [mm]
 
 /// Into the front off the axis, then along an arc about it.
 DeviceSample hand_at(double time_s) {
@@ -82,10 +82,11 @@ nlohmann::json run_rotation(const BenchOptions& options) {
 }  // namespace
 
 std::vector<BenchCase> rotation_cases() {
-    return {{"rotation",
-             "a probe sunk into the front turns the nucleus: torque, zonules and slip over the angle, by how much of the "
-             "cortex is freed",
-             run_rotation}};
+    return {
+        {"rotation",
+         "a probe sunk into the front turns the nucleus: torque, zonules and slip over the angle, by how much of the "
+         "cortex is freed",
+         run_rotation}};
 }
 
 }  // namespace rhexis::bench

@@ -75,7 +75,8 @@ TEST_SUITE("eye") {
         CHECK(fault(R"({"pupil": 7})").find(": unknown field \"pupil\"") == 0);
         CHECK(fault(R"({"pupil_m": 7})").find("did you mean 'pupil_mm'?") != std::string::npos);
         CHECK(fault(R"({"nucleus_grade": 7})").find("did you mean 'nuclear_grade'?") != std::string::npos);
-        CHECK(fault(R"({"sex": 7})").find("one of age, nuclear_grade, cortical_opacity, pupil_mm, side, tetrahedra, note") !=
+        CHECK(fault(R"({"sex": 7})")
+                  .find("one of age, nuclear_grade, cortical_opacity, pupil_mm, side, tetrahedra, note") !=
               std::string::npos);
         CHECK(fault(R"({"side": 3})").find(": side is not a text") == 0);
         CHECK(fault(R"({"tetrahedra": 3000.5})").find(": tetrahedra is not a whole number") == 0);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-
 #include "base/rng.hpp"
 
 using namespace rhexis;

@@ -133,7 +133,8 @@ TEST_SUITE("prepared state") {
         const PreparedState state = state_of(made);
         Session session = make_session();
         REQUIRE(start_from(session, state).ok());
-        RecordingWriter writer = std::move(RecordingWriter::create(folder / "a.rhx", header_with_seed(session))).value();
+        RecordingWriter writer =
+            std::move(RecordingWriter::create(folder / "a.rhx", header_with_seed(session))).value();
         REQUIRE(writer.add(session.copy_state()).ok());
         REQUIRE(writer.add(RecordedStart{session.observation(), session.state_hash()}).ok());
         for (int i = 0; i < 12; ++i) {
