@@ -5,6 +5,22 @@
 
 namespace rhexis {
 
+namespace {
+
+/// By its power series: the library's may differ in its last bit between processors. angle in [0, 1.2].
+double tangent_of(double angle) {
+    double sine = 0.0;
+    double cosine = 0.0;
+    double term = 1.0;
+    for (int n = 0; n < 24; ++n) {
+        (n % 2 == 0 ? cosine : sine) += (n / 2) % 2 == 0 ? term : -term;
+        term *= angle / (n + 1);
+    }
+    return sine / cosine;
+}
+
+}  // namespace
+
 Mouth tip_mouth(const ToolModel& tool) {
     const RoundedCone& end = tool.parts.front();
     const double tangent = tangent_of(tool.bevel);

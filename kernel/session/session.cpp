@@ -111,6 +111,7 @@ ToolSettings tool_settings(const std::map<std::string, double>& settings) {
     limits.power_limit = settings.at("phaco.power_limit");
     limits.pulse_hz = settings.at("phaco.pulse_hz");
     limits.duty = settings.at("phaco.duty");
+    limits.infusion = settings.at("machine.infusion") >= 0.5;
     limits.bottle_height = 10.0 * settings.at("machine.bottle_cm");
     limits.pump_flow = mm3_s_per_ml_min * settings.at("machine.flow_ml_min");
     limits.vacuum_limit = pascal_per_mmhg * settings.at("machine.vacuum_mmhg");

@@ -10,13 +10,15 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 13> table{{
+constexpr std::array<SettingInfo, 14> table{{
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
      "Strain that the posterior capsule bears, share of that at the age."},
     {"capsulorhexis.diameter_mm", "mm", 3.0, 8.0, 5.25, false, "Diameter of the opening in the anterior capsule."},
     {"hydrodissection.freed", "1", 0.0, 1.0, 1.0, false, "Share of the cortex that no longer adheres to the capsule."},
     {"machine.bottle_cm", "cm", 0.0, 150.0, 75.0, true, "Height of the infusion bottle above the eye."},
     {"machine.flow_ml_min", "ml/min", 0.0, 60.0, 25.0, true, "Flow of the aspiration pump at full pedal."},
+    {"machine.infusion", "1", 0.0, 1.0, 1.0, true,
+     "1: the infusion's line is open; 0: shut, kinked, or the bottle is empty."},
     {"machine.tubing_mm3_mmhg", "mm^3/mmHg", 0.05, 1.0, 0.15, false, "Volume per pressure of the aspiration tubing."},
     {"machine.vacuum_mmhg", "mmHg", 0.0, 650.0, 80.0, true, "Vacuum at which the pump stops, at full pedal."},
     {"nucleus.segments", "1", 0.0, 8.0, 0.0, false, "Segments into which a laser has cut the lens: 0, 2, 4, 6 or 8."},

@@ -58,7 +58,7 @@ void apply_pedal(const ToolModel& model, double pedal, double dt, const ToolSett
     if (model.kind != ToolKind::phaco) {
         return;
     }
-    state.irrigation = state.pedal >= 1.0;
+    state.irrigation = state.pedal >= 1.0 && settings.infusion;
     state.aspiration = std::clamp(state.pedal - 1.0, 0.0, 1.0);
     state.bottle_height = settings.bottle_height;
     state.pump_flow = state.aspiration * settings.pump_flow;

@@ -14,6 +14,7 @@ struct ToolSettings {
     double pulse_hz = 0.0;        ///< ultrasound pulses per second; 0: continuous
     double duty = 0.5;            ///< share of a pulse's period with ultrasound, above 0 to 1
     double bottle_height = 0.0;   ///< drip chamber above the eye [mm]
+    bool infusion = true;         ///< its line is open
     double pump_flow = 0.0;       ///< at full aspiration [mm^3/s]
     double vacuum_limit = 0.0;    ///< at full aspiration [Pa]
     double max_speed = 2000.0;    ///< a sample that asks for more is a tracking error [mm/s]
