@@ -146,6 +146,15 @@ int report(lua_State* L) {
     return 1;
 }
 
+int crumb_mass(lua_State* L) {
+    double sum = 0.0;
+    for (const Debris& crumb : check_scene(L, 1).state().debris) {
+        sum += crumb.volume * crumb.density;
+    }
+    push(L, sum);
+    return 1;
+}
+
 int removed_mass(lua_State* L) {
     push(L, check_scene(L, 1).state().removed_mass);
     return 1;
@@ -234,6 +243,7 @@ void push_scene_module(lua_State* L) {
                                      {"contacts", guarded<contacts>},
                                      {"energy", guarded<energy>},
                                      {"report", guarded<report>},
+                                     {"crumb_mass", guarded<crumb_mass>},
                                      {"removed_mass", guarded<removed_mass>},
                                      {"solid", guarded<solid>},
                                      {"tool", guarded<tool>},

@@ -28,6 +28,7 @@ local clear_of_lens = 0.7     -- height over the lens at which nothing touches i
 local out_of_danger = 1.5     -- height over the lens to which a tip is lifted when something went wrong
 local escape_speed = 14.0     -- of that lift [mm/s]
 local look_s = 0.8            -- before going on after that
+local sound_share = 0.68      -- of the thickness that the groove must seem to have when looked at in the end
 local iris_margin = 0.15      -- of the tip's edge from the pupil's at which to stop
 local tip_radius = 0.45
 
@@ -241,22 +242,30 @@ local function keep_across(groove)
     return before, recover
 end
 
-local function sculpt(me, eye, groove, until_s, before, recover)
+local function sculpt(me, eye, groove, until_s, before, recover, depth)
     local iris, rim = near_iris(eye), near_rim(eye)
-    sculpting.sculpt(me, eye, groove, { deep_enough = 0.80, surely_deep = 0.69, thin = 0.08, until_s = until_s,
+    sculpting.sculpt(me, eye, groove, { depth = depth, until_s = until_s, deep_enough = 0.80, surely_deep = 0.69, thin = 0.08,
         floor = floor_ahead, recover = recover or get_clear, pushed = 0.3, before = before,
         also = function(seen) return iris(seen) or rim(seen) end, return_height = 0.35, entry_speed = 4.0,
         half_width = 0.3 })
 end
 
--- Tip over the lens, pedal at irrigation: are both grooves deep enough? True when they seem so.
-local function look_at_depth(me, eye)
-    me.pedal(1)
-    local tip = me.tip()
-    me.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, sculpting.free_speed)
-    me.wait(2.2)
-    local floor = floor_ahead(me.see())
-    return floor and sculpting.seen_share(eye, floor) > 0.68
+local function shallow(eye)
+    return function(seen) return sculpting.seen_share(eye, floor_ahead(seen)) < sound_share end
+end
+
+-- Tip over the lens, pedal at irrigation: is the groove deep enough? If it does not seem so, it is deepened.
+local function check_depth(me, eye, groove, before, recover)
+    for _ = 1, 3 do
+        me.pedal(1)
+        local tip = me.tip()
+        me.go({ tip[1], tip[2], height(eye, tip) + clear_of_lens }, sculpting.free_speed)
+        me.wait(2.2)
+        if not me.notices(shallow(eye)) then return end
+        local floor = floor_ahead(me.see())
+        local depth = floor and sculpting.surface(eye, floor.position[2]) - floor.position[3] or 0
+        sculpt(me, eye, groove, me.time_s() + 30, before, recover, math.max(0, depth - 0.3))
+    end
 end
 
 return function(me)
@@ -268,8 +277,9 @@ return function(me)
     bring_spatula(me, eye)
     rotate(me, eye)
     hold(me, eye)
-    sculpt(me, eye, groove, 205, keep_across(groove))
-    look_at_depth(me, eye)
+    local before, recover = keep_across(groove)
+    sculpt(me, eye, groove, 205, before, recover)
+    check_depth(me, eye, groove, before, recover)
     take_spatula_away(me, eye)
     sculpting.leave(me, eye)
 end

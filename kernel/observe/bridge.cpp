@@ -9,7 +9,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr double beside = 1.2;  ///< [mm]
+constexpr double beside = 2.0;  ///< room for a crack that does not run straight, in a nucleus of 3.3 mm radius [mm]
 
 bool in_nucleus(const SolidModel& lens, int coarse) {
     return lens.materials[lens.coarse.region[coarse]].name == "nucleus";

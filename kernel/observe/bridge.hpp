@@ -11,7 +11,7 @@ struct Bridge {
     Vec3 place = Vec3::Zero();  ///< its middle, at rest [mm]
 };
 
-/// Least area of nucleus that has to give way before what lies beyond 1.2 mm on one side of a groove is apart from what
+/// Least area of nucleus that has to give way before what lies beyond 2 mm on one side of a groove is apart from what
 /// lies beyond it on the other. Faces that have broken and tissue that is gone hold nothing. At rest.
 Bridge find_bridge(const SolidModel& lens, const SolidState& state, const GrooveShape& groove);
 

@@ -259,6 +259,13 @@ function Scene:report() end
 ---@return number
 function Scene:removed_mass() end
 
+---Mass of the crumbs that have come loose from bodies and drift about [g].
+---```lua
+---assert(rhexis.scene.create():crumb_mass() == 0)
+---```
+---@return number
+function Scene:crumb_mass() end
+
 ---A body by its name or number.
 ---```lua
 ---local eye = rhexis.eye.create { tetrahedra = 500 }
