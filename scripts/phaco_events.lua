@@ -32,7 +32,9 @@ function phaco_events.infusion_off(own)
     return with({
         when = "phaco.ultrasound and chamber.infusion_ml_min < 5",
         hold_s = 0.3,
-        recovered = "not phaco.ultrasound and chamber.infusion_ml_min > 5",
+        -- Into a full chamber flows no more than what leaks at the wound.
+        recovered = "not phaco.ultrasound and (chamber.infusion_ml_min > 5 "
+            .. "or (chamber.infusion_ml_min > 1 and chamber.depth_share > 1))",
         deadline_s = 3,
         near_miss_s = 0,
         severity = "critical",
