@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- A nucleus that is cut into quarters is taken out, quarter by quarter, with vacuum and pulsed ultrasound.
 
+local phaco_events = require "phaco_events"
+
 return exercise {
     title = "Removing the quarters",
     version = 1,
@@ -66,17 +68,7 @@ return exercise {
             items = { "T8", "T11", "G4" },
             evidence = { "chamber.depth_share", "chamber.lowest_pressure_mmhg", "panel.vacuum_mmhg", "phaco.pedal" },
         },
-        error_event "Chamber collapse" {
-            when = "chamber.depth_share < 0.4 and phaco.present",
-            recovered = "chamber.depth_share > 0.9",
-            deadline_s = 4,
-            near_miss_s = 0,
-            severity = "critical",
-            cue = "Iris and capsule rush forward, the cornea folds.",
-            advice = "The chamber is empty: pedal to 1, bottle up, and look whether the tubing or the wound leaks.",
-            items = { "T8", "G3", "G4" },
-            evidence = { "chamber.pressure_mmhg", "chamber.infusion_ml_min", "phaco.pedal" },
-        },
+        error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
         error_event "Capsule in the tip" {
             when = "capsule.captured",
             recovered = "not capsule.captured and not capsule.open",
@@ -89,20 +81,7 @@ return exercise {
             items = { "T11", "G4" },
             evidence = { "capsule.strain_share", "phaco.suction_mmhg", "phaco.pedal" },
         },
-        error_event "Capsule torn" {
-            when = "capsule.open",
-            recovered = { "phaco.pedal >= 0.5 and phaco.pedal < 1.5 and not phaco.ultrasound",
-                "not phaco.present" },
-            deadline_s = 20,
-            near_miss_s = 0,
-            harm = "capsule.hole_mm2 > 7",
-            severity = "critical",
-            cue = "The chamber deepens suddenly, the pupil widens for a moment, a round clear edge shows.",
-            advice = "The posterior capsule is torn: stay in with irrigation only, no vacuum, no ultrasound; fill the "
-                .. "chamber, then leave. Do not chase what sinks.",
-            items = { "T11", "G4" },
-            evidence = { "capsule.hole_mm2", "chamber.diaphragm_mm", "fragments.sunk_mm" },
-        },
+        error_event "Capsule torn" (phaco_events.capsule_torn(nil, { items = { "T11", "G4" } })),
         error_event "Iris in the tip" {
             when = "iris.captured",
             recovered = "not iris.captured",

@@ -1,0 +1,59 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The posterior capsule, torn by ultrasound at the bottom of a hole that is too deep.
+
+local over_lens = { 0, 0, 3 }
+local coarse = { patient = { tetrahedra = 1000 } }  -- the way down to the capsule needs no finer mesh
+
+-- A hole straight down the middle, until the tip is about to touch the capsule; pedal at 1.
+local function drill(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to(over_lens, { speed = 8 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ 0, 0, 1.4 }, { speed = 8 })
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < 0.05" })
+end
+
+local function tear(t)
+    drill(t)
+    t.phaco:pedal(3)
+    t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
+    t:expect_event("Capsule torn")
+end
+
+return scenarios {
+    scenario "capsule torn; irrigation only, chamber kept, then out" {
+        set = coarse,
+        function(t)
+            tear(t)
+            t.phaco:pedal(1)
+            t:wait(2)
+            t:expect("chamber.depth_share > 0.9")
+            t.phaco:move_to(over_lens, { speed = 4 })
+            t.phaco:withdraw()
+            t:expect_event("Capsule torn", { recovered = true, within = 1 })
+        end },
+
+    scenario "capsule torn, and the tip drawn out without irrigation" {
+        set = coarse,
+        function(t)
+            tear(t)
+            t.phaco:pedal(0)
+            t.phaco:move_to(over_lens, { speed = 8 })
+            t.phaco:withdraw()
+            t:expect_event("Capsule torn", { recovered = false, within = 1 })
+        end },
+
+    scenario "the capsule pressed without ultrasound" {
+        set = coarse,
+        silent_twin_of = "Capsule torn",
+        function(t)
+            drill(t)
+            t.phaco:move_by({ 0, 0, -0.6 }, { speed = 1, motion = "even" })
+            t:wait(1)
+            t:expect("capsule.dimple_mm > 0.2")
+            t.phaco:move_to(over_lens, { speed = 6 })
+        end },
+}

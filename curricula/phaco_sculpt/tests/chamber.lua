@@ -1,0 +1,106 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The infusion is shut: the chamber empties, and ultrasound goes on without flow.
+
+local coarse = { patient = { tetrahedra = 1000 } }  -- the fluid does not see the mesh
+local no_infusion = { ["machine.infusion"] = 0 }
+local infusion = { ["machine.infusion"] = 1 }
+
+-- To the front of the lens with irrigation, pump and infusion as the exercise sets them.
+local function come_in(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, -1, 3 }, { speed = 8 })
+    t:wait(1)  -- the chamber deepens
+end
+
+local function empty(t)
+    come_in(t)
+    t:set(no_infusion)
+    t.phaco:pedal(2)
+    t:wait_until("chamber.depth_share < 0.4", 3)
+    t:expect_event("Chamber collapse")
+end
+
+-- Ultrasound just over the lens while the infusion is shut.
+local function run_dry(t)
+    come_in(t)
+    t:set(no_infusion)
+    t.phaco:pedal(3)
+    t:expect_event("Infusion off", { within = 1 })
+end
+
+return scenarios {
+    scenario "chamber empty; pedal to irrigation, infusion opened" {
+        set = coarse,
+        function(t)
+            empty(t)
+            t.phaco:pedal(1)
+            t:set(infusion)
+            t:expect_event("Chamber collapse", { recovered = true, within = 2 })
+        end },
+
+    scenario "chamber empty, and aspiration goes on" {
+        set = coarse,
+        function(t)
+            empty(t)
+            t:expect_event("Chamber collapse", { recovered = false, within = 5 })
+        end },
+
+    scenario "infusion shut for a moment" {
+        set = coarse,
+        silent_twin_of = "Chamber collapse",
+        function(t)
+            come_in(t)
+            t:set(no_infusion)
+            t.phaco:pedal(2)
+            t:wait_until("chamber.depth_share < 0.7", 3)
+            t.phaco:pedal(1)
+            t:set(infusion)
+            t:wait(1)
+            t:expect("chamber.depth_share > 0.9 and chamber.least_depth_share < 0.75")
+        end },
+
+    scenario "no infusion; ultrasound off at once, infusion opened" {
+        set = coarse,
+        function(t)
+            run_dry(t)
+            t.phaco:pedal(1)
+            t:set(infusion)
+            t:expect_event("Infusion off", { recovered = true, within = 2 })
+        end },
+
+    scenario "no flow through a buried tip; ultrasound off" {
+        set = coarse,
+        function(t)
+            come_in(t)
+            t.phaco:pedal(3)
+            t.phaco:move_to({ 0, -1, -1.2 }, { speed = 1.2, motion = "even" })
+            t:expect_event("Infusion off")
+            t.phaco:pedal(1)
+            t:expect_event("Infusion off", { recovered = true, within = 1 })
+        end },
+
+    scenario "no infusion, and ultrasound goes on" {
+        set = coarse,
+        function(t)
+            run_dry(t)
+            t:expect_event("Infusion off", { recovered = false, within = 4 })
+        end },
+
+    scenario "no infusion, seen before ultrasound" {
+        set = coarse,
+        silent_twin_of = "Infusion off",
+        function(t)
+            come_in(t)
+            t:set(no_infusion)
+            t.phaco:pedal(2)
+            t:wait(0.5)
+            t:expect("chamber.infusion_ml_min < 5")
+            t.phaco:pedal(1)
+            t:set(infusion)
+            t:wait_until("chamber.depth_share > 1", 2)
+            t.phaco:pedal(3)
+            t:wait(1)
+            t:expect("chamber.infusion_ml_min > 15 and phaco.ultrasound")
+        end },
+}

@@ -1,0 +1,111 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A groove that is too shallow when the spatula comes to it, and one that is not across the other. The exact hand needs
+-- no turned lens for that: it sculpts in any direction.
+
+local half_length = 2.2
+local over = 2.4
+
+-- Shallow grooves in a coarse mesh show both as well as deep ones, and sooner.
+local function shallow(percent)
+    return { patient = { tetrahedra = 1000 }, goal = { depth_percent = percent } }
+end
+
+-- One stroke through the middle with ultrasound. turn: degrees from straight away to the surgeon's right.
+local function stroke(t, turn, height)
+    local x, y = half_length * math.sin(math.rad(turn)), half_length * math.cos(math.rad(turn))
+    t.phaco:move_to({ -x, -y, over }, { speed = 15 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ -x, -y, height }, { speed = 6 })
+    t.phaco:move_to({ x, y, height }, { speed = 2.5, motion = "even" })
+    t.phaco:pedal(1)
+    t.phaco:move_to({ x, y, over }, { speed = 15 })
+end
+
+local function layers(t, turn, ...)
+    for _, height in ipairs { ... } do stroke(t, turn, height) end
+end
+
+local function come_in(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, -half_length, over }, { speed = 8 })
+end
+
+local function leave(t)
+    t:together(function() t.phaco:withdraw() end,
+        function() if t:value("spatula.present") then t.spatula:withdraw() end end)
+end
+
+local function touch_with_spatula(t)
+    t.spatula:enter()
+    t.spatula:move_to({ -1.2, 1, 2.2 }, { speed = 8 })
+    t.spatula:move_to({ -1.2, 1, 0.6 }, { speed = 3, stop = "spatula.in_contact" })
+    t:expect("spatula.in_contact and grooves.count == 1")
+end
+
+return scenarios {
+    scenario "spatula at a shallow groove; both grooves made deep enough" {
+        set = shallow(24),
+        function(t)
+            come_in(t)
+            layers(t, 0, 0.9)
+            touch_with_spatula(t)
+            t:expect_event("Groove too shallow")
+            t.spatula:withdraw()
+            layers(t, 0, 0.4)
+            layers(t, 90, 0.9, 0.4)
+            t:expect_event("Groove too shallow", { recovered = true })
+        end },
+
+    scenario "spatula at a shallow groove, and nothing more" {
+        set = shallow(24),
+        function(t)
+            come_in(t)
+            layers(t, 0, 0.9)
+            touch_with_spatula(t)
+            leave(t)
+            t:expect_event("Groove too shallow", { recovered = false })
+        end },
+
+    scenario "spatula at a groove just deep enough" {
+        set = shallow(24),
+        silent_twin_of = "Groove too shallow",
+        function(t)
+            come_in(t)
+            layers(t, 0, 0.9, 0.4)
+            touch_with_spatula(t)
+            t:expect("100 * groove_1.depth_share > 24")
+        end },
+
+    scenario "second groove askew; another one across" {
+        set = shallow(10),
+        function(t)
+            come_in(t)
+            layers(t, 0, 0.9, 0.4)
+            layers(t, 45, 0.9)
+            t:expect_event("Groove askew")
+            layers(t, 90, 0.9, 0.4)
+            t:expect_event("Groove askew", { recovered = true })
+        end },
+
+    scenario "second groove askew, and left so" {
+        set = shallow(10),
+        function(t)
+            come_in(t)
+            layers(t, 0, 0.9, 0.4)
+            layers(t, 45, 0.9)
+            t:expect_event("Groove askew")
+            leave(t)
+            t:expect_event("Groove askew", { recovered = false })
+        end },
+
+    scenario "second groove nearly across" {
+        set = shallow(10),
+        silent_twin_of = "Groove askew",
+        function(t)
+            come_in(t)
+            layers(t, 0, 0.9, 0.4)
+            layers(t, 82, 0.9)
+            t:expect("groove_2.length_mm >= 3 and grooves.angle_deg > 80")
+        end },
+}

@@ -1,0 +1,66 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Error events that belong to the machine, the chamber and the posterior capsule rather than to one exercise. An
+-- exercise names them, gives the items that they cap, and may put another value in place of any field:
+--
+--   local phaco_events = require "phaco_events"
+--   errors = { error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }) }
+
+local phaco_events = {}
+
+local function with(common, own)
+    for field, value in pairs(own) do common[field] = value end
+    return common
+end
+
+--- The chamber runs empty: more leaves it than the bottle gives.
+function phaco_events.chamber_collapse(own)
+    return with({
+        when = "chamber.depth_share < 0.4 and phaco.present",
+        recovered = "chamber.depth_share > 0.9",
+        deadline_s = 4,
+        near_miss_s = 0,
+        severity = "critical",
+        cue = "Iris and capsule rush forward, the cornea folds.",
+        advice = "The chamber is empty: pedal to 1, bottle up, and look whether the tubing or the wound leaks.",
+        evidence = { "chamber.pressure_mmhg", "chamber.infusion_ml_min", "phaco.pedal" },
+    }, own)
+end
+
+--- Ultrasound without the flow that cools the tip. For hold_s the flow may be low: so long it takes to follow the pedal
+--- and to come back after tissue has shut the mouth for a moment.
+function phaco_events.infusion_off(own)
+    return with({
+        when = "phaco.ultrasound and chamber.infusion_ml_min < 5",
+        hold_s = 0.3,
+        -- Into a full chamber flows no more than what leaks at the wound.
+        recovered = "not phaco.ultrasound and (chamber.infusion_ml_min > 5 "
+            .. "or (chamber.infusion_ml_min > 1 and chamber.depth_share > 1))",
+        deadline_s = 3,
+        near_miss_s = 0,
+        severity = "critical",
+        cue = "Nothing flows through the bottle's drip chamber, and the chamber does not deepen.",
+        advice = "Ultrasound without flow heats the wound: let go of ultrasound at once, open the infusion, and see "
+            .. "that it flows before you go on.",
+        evidence = { "chamber.infusion_ml_min", "panel.flow_ml_min", "phaco.occlusion", "phaco.power" },
+    }, own)
+end
+
+--- The posterior capsule tears: irrigation only until the chamber is deep, then out. ready: what must hold besides
+--- before the tip leaves, or nil.
+function phaco_events.capsule_torn(ready, own)
+    local safe = "phaco.pedal >= 0.5 and phaco.pedal < 1.5 and chamber.depth_share > 0.9"
+    return with({
+        when = "capsule.open",
+        recovered = { ready and ("%s and %s"):format(safe, ready) or safe, "not phaco.present" },
+        deadline_s = 20,
+        near_miss_s = 0,
+        harm = "capsule.hole_mm2 > 7",
+        severity = "critical",
+        cue = "The chamber deepens suddenly, the pupil widens for a moment, a round clear edge shows.",
+        advice = "The posterior capsule is torn: stay in with irrigation only, no vacuum, no ultrasound; fill the "
+            .. "chamber, then leave. Do not chase what sinks.",
+        evidence = { "capsule.hole_mm2", "chamber.diaphragm_mm", "fragments.sunk_mm" },
+    }, own)
+end
+
+return phaco_events
