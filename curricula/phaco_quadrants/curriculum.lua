@@ -15,7 +15,7 @@ return exercise {
         "Recognise a capsule that is held, and let go before pulling",
     },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 1000 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
     instruments = { "phaco" },
     settings = {
