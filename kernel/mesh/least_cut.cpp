@@ -35,6 +35,9 @@ public:
         }
     }
 
+    /// After flow: whether a cell is still joined to the first set.
+    [[nodiscard]] bool on_first_side(int cell) const { return level_[cell] >= 0; }
+
     double flow() {
         double sum = 0.0;
         while (find_levels()) {
@@ -119,8 +122,16 @@ private:
 
 }  // namespace
 
-double least_cut(const std::vector<Joint>& joints, const std::vector<CutSide>& sides) {
-    return Network(joints, sides).flow();
+LeastCut least_cut(const std::vector<Joint>& joints, const std::vector<CutSide>& sides) {
+    Network network(joints, sides);
+    LeastCut cut;
+    cut.strength = network.flow();
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        if (network.on_first_side(joints[j].a) != network.on_first_side(joints[j].b) && joints[j].strength > nothing) {
+            cut.joints.push_back(static_cast<int>(j));
+        }
+    }
+    return cut;
 }
 
 }  // namespace rhexis

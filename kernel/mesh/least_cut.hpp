@@ -17,9 +17,14 @@ struct Joint {
 /// Which side a cell is on; free cells may end on either.
 enum class CutSide : std::uint8_t { free, first, second };
 
-/// Sum of the strengths of the joints whose loss separates every cell of the first set from every cell of the second,
-/// for the set of joints that makes it least: maximum flow by shortest augmenting paths [Dinic1970]. Joints that are
-/// below 1e-12 count as none. 0 if a set is empty.
-double least_cut(const std::vector<Joint>& joints, const std::vector<CutSide>& sides);
+struct LeastCut {
+    double strength = 0.0;    ///< sum over the joints that part
+    std::vector<int> joints;  ///< their indices, ascending
+};
+
+/// The joints whose loss separates every cell of the first set from every cell of the second,
+/// with the least sum of strengths: maximum flow by shortest augmenting paths [Dinic1970]. Joints that are
+/// below 1e-12 count as none. None if a set is empty.
+LeastCut least_cut(const std::vector<Joint>& joints, const std::vector<CutSide>& sides);
 
 }  // namespace rhexis

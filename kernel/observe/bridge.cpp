@@ -15,6 +15,14 @@ bool in_nucleus(const SolidModel& lens, int coarse) {
     return lens.materials[lens.coarse.region[coarse]].name == "nucleus";
 }
 
+Vec3 middle_of(const SolidModel& lens, int coarse) {
+    Vec3 sum = Vec3::Zero();
+    for (const int node : lens.coarse.tets[coarse]) {
+        sum += 0.25 * lens.coarse.nodes[node];
+    }
+    return sum;
+}
+
 /// Of a place from the upright plane through the groove [mm].
 double distance_from(const GrooveShape& groove, const Vec3& place) {
     const Vec2 from = (place - 0.5 * (groove.near_end + groove.far_end)).head<2>();
@@ -60,19 +68,22 @@ std::vector<Joint> nucleus_joints(const SolidModel& lens, const SolidState& stat
 
 }  // namespace
 
-double bridge_area(const SolidModel& lens, const SolidState& state, const GrooveShape& groove) {
+Bridge find_bridge(const SolidModel& lens, const SolidState& state, const GrooveShape& groove) {
     std::vector<CutSide> sides(lens.coarse.tets.size(), CutSide::free);
     for (int t = 0; t < static_cast<int>(sides.size()); ++t) {
-        Vec3 centre = Vec3::Zero();
-        for (const int node : lens.coarse.tets[t]) {
-            centre += 0.25 * lens.coarse.nodes[node];
-        }
-        const double distance = distance_from(groove, centre);
+        const double distance = distance_from(groove, middle_of(lens, t));
         if (state.present[t] != 0 && in_nucleus(lens, t) && std::abs(distance) > beside) {
             sides[t] = distance > 0.0 ? CutSide::first : CutSide::second;
         }
     }
-    return least_cut(nucleus_joints(lens, state), sides);
+    const std::vector<Joint> joints = nucleus_joints(lens, state);
+    const LeastCut cut = least_cut(joints, sides);
+    Bridge bridge{cut.strength, Vec3::Zero()};
+    for (const int j : cut.joints) {
+        bridge.place += joints[j].strength / cut.strength * 0.5 *
+                        (middle_of(lens, joints[j].a) + middle_of(lens, joints[j].b));
+    }
+    return bridge;
 }
 
 double section_area(const SolidModel& lens, const ColumnGrid& grid, const GrooveShape& groove) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What still bridges the groove.
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "observe/bridge.hpp"
@@ -18,29 +20,37 @@ public:
         schema.push_back({"crack.bridge_share", "1",
                           "Nucleus that still holds the halves beside groove 1 together: least area that would have to "
                           "part, over that of the whole nucleus there. Nothing while there is no groove."});
+        for (const char* axis : {"x", "y", "z"}) {
+            schema.push_back({std::string("crack.bridge_").append(axis) + "_mm", "mm",
+                              "Where its middle is. Nothing while there is no bridge."});
+        }
     }
 
-    [[nodiscard]] std::size_t memory_size() const override { return 2; }
+    [[nodiscard]] std::size_t memory_size() const override { return 5; }
 
     void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
                  std::span<double> values) const override {
         const SolidState& state = input.state.solids[0];
         const auto broken = static_cast<double>(state.broken.size());
+        std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
         values[0] = broken;
-        values[1] = std::numeric_limits<double>::quiet_NaN();
         if (lens.arms->empty()) {
             return;
         }
-        double& looked_at = memory[0];
-        double& share = memory[1];
         const double now = 1.0 + broken + 1e-4 * std::floor(lens.fill->removed_volume / change);
-        if (now != looked_at) {
+        if (now != memory[0]) {
             const GrooveShape& groove = lens.arms->front();
             const double whole = section_area(*lens.model, *lens.grid, groove);
-            looked_at = now;
-            share = whole > 0.0 ? bridge_area(*lens.model, state, groove) / whole : 0.0;
+            const Bridge bridge = find_bridge(*lens.model, state, groove);
+            memory[0] = now;
+            memory[1] = whole > 0.0 ? bridge.area / whole : 0.0;
+            std::copy(bridge.place.begin(), bridge.place.end(), memory.begin() + 2);
         }
-        values[1] = share;
+        values[1] = memory[1];
+        if (values[1] > 0.0) {
+            const Vec3 place = lens.motion->to_eye(Vec3(memory[2], memory[3], memory[4]));
+            std::copy(place.begin(), place.end(), values.begin() + 2);
+        }
     }
 };
 

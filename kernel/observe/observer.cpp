@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "observe/observer.hpp"
 
+#include <algorithm>
+
 #include "observe/seen.hpp"
 
 namespace rhexis {
@@ -101,6 +103,15 @@ void Observer::observe(const ObserveInput& input, std::vector<double>& memory, O
     }
 }
 
-Percept Observer::percept(const ObserveInput& input) const { return seen(input, view(), tissues_.iris); }
+Percept Observer::percept(const ObserveInput& input, const Observation& observation) const {
+    Percept percept = seen(input, view(), tissues_.iris);
+    const auto share = std::find_if(schema_.begin(), schema_.end(),
+                                    [](const MeasureInfo& measure) { return measure.name == "crack.bridge_share"; });
+    if (share != schema_.end() && !observation.values.empty()) {
+        const double* const value = &observation.values[static_cast<std::size_t>(share - schema_.begin())];
+        add_bridge_landmark(value[0], Vec3(value[1], value[2], value[3]), input.eye.anatomy, percept);
+    }
+    return percept;
+}
 
 }  // namespace rhexis

@@ -35,7 +35,7 @@ public:
     void observe(const ObserveInput& input, std::vector<double>& memory, Observation& observation);
 
     /// What can be seen now, of the same step that was observed last.
-    [[nodiscard]] Percept percept(const ObserveInput& input) const;
+    [[nodiscard]] Percept percept(const ObserveInput& input, const Observation& observation) const;
 
 private:
     void look_at_lens(const ObserveInput& input);

@@ -152,4 +152,10 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
     return percept;
 }
 
+void add_bridge_landmark(double share, const Vec3& place, const EyeAnatomy& eye, Percept& percept) {
+    if (share > 0.0) {
+        percept.landmarks.push_back({"bridge", over_pupil(eye, place), place, 3.5 * std::sqrt(share)});
+    }
+}
+
 }  // namespace rhexis

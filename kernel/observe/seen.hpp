@@ -19,4 +19,8 @@ namespace rhexis {
 /// "capsule_folds" (where a tip holds it) and "capsule_hole" (size: radius), with an iris that moves "iris_caught".
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris);
 
+/// With a groove and a chamber "bridge": where the reflex of a groove that is held apart stops, because the halves still
+/// hang together (size: radius of a disc of that share of a section 7 mm across; only while something holds).
+void add_bridge_landmark(double share, const Vec3& place, const EyeAnatomy& eye, Percept& percept);
+
 }  // namespace rhexis

@@ -9,7 +9,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr double entry_pressure = 8.0;   ///< at which tissue enters the bore, in Young's moduli. Proposal
+constexpr double entry_pressure = 10.0;   ///< at which tissue enters the bore, in Young's moduli. Proposal
 constexpr double entry_rate = 3.0;       ///< at twice that [mm^3/s]. Proposal
 constexpr double least_fraction = 0.01;  ///< less than this drifts away and counts as removed
 

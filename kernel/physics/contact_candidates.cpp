@@ -107,7 +107,18 @@ void recall(const std::vector<ContactMemory>& memory, int solid, int vertex, Con
     }
 }
 
-/// Suction holds what lies before the mouth, each vertex by the same part.
+/// Distance before the mouth of a tool at which a candidate lies, by its gap; infinite if it lies elsewhere.
+double before_mouth(const ContactCandidate& candidate, int tool, const Mouth& mouth, double radius) {
+    if (candidate.partner != ContactPartner::tool || candidate.index != tool) {
+        return HUGE_VAL;
+    }
+    const Vec3 from_mouth = candidate.start - mouth.centre;
+    const double along = mouth.facing.dot(from_mouth);
+    const bool before = along > -seal && from_mouth.squaredNorm() - along * along < radius * radius;
+    return before ? candidate.start_gap : HUGE_VAL;
+}
+
+/// Suction holds what lies before the mouth and nearest to it, each vertex by the same part.
 void share_suction(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
                    ContactCandidates& candidates) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -117,14 +128,13 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
         }
         const Mouth mouth = tip_mouth(model.tools[i]);
         const double radius = model.tools[i].bore_radius + seal;
+        double farthest = kept_seal - seal;
+        for (const ContactCandidate& candidate : candidates) {
+            farthest = std::min(farthest, before_mouth(candidate, static_cast<int>(i), mouth, radius));
+        }
+        farthest = std::max(0.0, farthest) + seal;
         const auto held = [&](const ContactCandidate& candidate) {
-            if (candidate.partner != ContactPartner::tool || candidate.index != static_cast<int>(i) ||
-                candidate.start_gap > kept_seal) {
-                return false;
-            }
-            const Vec3 from_mouth = candidate.start - mouth.centre;
-            const double along = mouth.facing.dot(from_mouth);
-            return along > -seal && along < kept_seal && from_mouth.squaredNorm() - along * along < radius * radius;
+            return before_mouth(candidate, static_cast<int>(i), mouth, radius) < farthest;
         };
         const double count = static_cast<double>(std::count_if(candidates.begin(), candidates.end(), held));
         for (ContactCandidate& candidate : candidates) {

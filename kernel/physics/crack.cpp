@@ -94,23 +94,31 @@ void CrackFinder::find_stress(const SolidModel& model, const SolidState& state) 
     }
 }
 
-/// Tetrahedra that a tool presses on: the mesh does not resolve the stress beside a point.
+/// Tetrahedra that a tool presses on, those that have the whole edge or the node that it touches: the mesh does not
+/// resolve the stress beside a point.
 void CrackFinder::mark_touched(const SolidModel& model, const ContactSet& contacts, int solid) {
-    std::vector<char> node_touched(model.coarse.nodes.size(), 0);
+    touched_.assign(model.coarse.tets.size(), 0);
+    std::vector<std::array<int, 2>> pressed;
+    std::vector<char> node_pressed(model.coarse.nodes.size(), 0);
     for (const Contact& contact : contacts) {
         if (contact.solid == solid && contact.partner == ContactPartner::tool) {
-            for (const int node : contact.nodes) {
-                if (node >= 0) {
-                    node_touched[node] = 1;
-                }
-            }
+            pressed.push_back({contact.nodes[0], contact.nodes[1] < 0 ? contact.nodes[0] : contact.nodes[1]});
+            node_pressed[pressed.back()[0]] = node_pressed[pressed.back()[1]] = 1;
         }
     }
-    touched_.assign(model.coarse.tets.size(), 0);
+    const auto has = [](const std::array<int, 4>& tet, int node) {
+        return std::find(tet.begin(), tet.end(), node) != tet.end();
+    };
     for (std::size_t t = 0; t < touched_.size(); ++t) {
-        for (const int node : model.coarse.tets[t]) {
-            touched_[t] = node_touched[node] != 0 ? 1 : touched_[t];
+        const std::array<int, 4>& tet = model.coarse.tets[t];
+        if (std::none_of(tet.begin(), tet.end(), [&](int node) { return node_pressed[node] != 0; })) {
+            continue;
         }
+        touched_[t] = std::any_of(pressed.begin(), pressed.end(), [&](const std::array<int, 2>& nodes) {
+                          return has(tet, nodes[0]) && has(tet, nodes[1]);
+                      })
+                          ? 1
+                          : 0;
     }
 }
 

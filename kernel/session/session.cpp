@@ -374,7 +374,7 @@ std::span<const ToolState> Session::tools() const { return parts_->tools; }
 const ContactSet& Session::contacts() const { return parts_->contacts; }
 const ObservationSchema& Session::schema() const { return parts_->observer.schema(); }
 const Observation& Session::observation() const { return parts_->observation; }
-Percept Session::percept() const { return parts_->observer.percept(parts_->observe_input()); }
+Percept Session::percept() const { return parts_->observer.percept(parts_->observe_input(), observation()); }
 std::uint64_t Session::state_hash() const { return parts_->hash; }
 std::uint64_t Session::step_count() const { return parts_->step; }
 double Session::time_s() const { return parts_->state.time_s; }

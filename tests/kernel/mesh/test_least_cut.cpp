@@ -35,10 +35,12 @@ double least_by_trying(const std::vector<Joint>& joints, const std::vector<CutSi
 TEST_SUITE("least cut") {
     TEST_CASE("a chain parts at its weakest joint") {
         const std::vector<CutSide> sides{CutSide::first, CutSide::free, CutSide::free, CutSide::second};
-        CHECK(least_cut({{0, 1, 3.0}, {1, 2, 0.5}, {2, 3, 2.0}}, sides) == doctest::Approx(0.5));
-        CHECK(least_cut({{0, 1, 3.0}, {2, 3, 2.0}}, sides) == 0.0);
-        CHECK(least_cut({}, sides) == 0.0);
-        CHECK(least_cut({{0, 1, 1.0}}, {CutSide::first, CutSide::free}) == 0.0);
+        const LeastCut cut = least_cut({{0, 1, 3.0}, {1, 2, 0.5}, {2, 3, 2.0}}, sides);
+        CHECK(cut.strength == doctest::Approx(0.5));
+        CHECK(cut.joints == std::vector<int>{1});
+        CHECK(least_cut({{0, 1, 3.0}, {2, 3, 2.0}}, sides).strength == 0.0);
+        CHECK(least_cut({}, sides).strength == 0.0);
+        CHECK(least_cut({{0, 1, 1.0}}, {CutSide::first, CutSide::free}).strength == 0.0);
     }
 
     TEST_CASE("on random networks the same as trying every cut") {
@@ -55,7 +57,13 @@ TEST_SUITE("least cut") {
                     }
                 }
             }
-            CHECK(least_cut(joints, sides) == doctest::Approx(least_by_trying(joints, sides)).epsilon(1e-9));
+            const LeastCut cut = least_cut(joints, sides);
+            CHECK(cut.strength == doctest::Approx(least_by_trying(joints, sides)).epsilon(1e-9));
+            double sum = 0.0;
+            for (const int joint : cut.joints) {
+                sum += joints[joint].strength;
+            }
+            CHECK(sum == doctest::Approx(cut.strength).epsilon(1e-9));
         }
     }
 }

@@ -240,7 +240,7 @@ TEST_SUITE("observe") {
             CHECK(bench.value(observer, length) == doctest::Approx(5.0).epsilon(0.12));
         }
         const auto end_of_first = [&] {
-            for (const Landmark& mark : observer.percept(bench.input()).landmarks) {
+            for (const Landmark& mark : observer.percept(bench.input(), Observation{}).landmarks) {
                 if (mark.name == "groove_1_end") {
                     return mark;
                 }
@@ -382,10 +382,10 @@ TEST_SUITE("observe") {
         bench.tools[0].pedal = 2.5;
         bench.tools[0].power = 0.25;
         bench.observe(observer);
-        const Percept before = observer.percept(bench.input());
+        const Percept before = observer.percept(bench.input(), Observation{});
         bench.remove(trench(grid, 0.6, 2.0, 2.0, 0.0));
         bench.observe(observer);
-        const Percept percept = observer.percept(bench.input());
+        const Percept percept = observer.percept(bench.input(), Observation{});
         const auto landmark = [&](const std::string& name) {
             for (const Landmark& mark : percept.landmarks) {
                 if (mark.name == name) {
