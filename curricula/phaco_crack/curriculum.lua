@@ -79,7 +79,7 @@ return exercise {
         error_event "Incomplete split" {
             when = { ("%s and %s < %s"):format(both_press, higher_tip, lower_half),
                 both_out .. " and " .. bridged },
-            hold_s = 1.5,
+            hold_s = 3,
             recovered = "100 * crack.bridge_share <= goal.bridge_percent",
             deadline_s = 60,
             near_miss_s = 0,

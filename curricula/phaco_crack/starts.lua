@@ -3,7 +3,7 @@
 
 -- One straight groove away from the surgeon, by an exact hand: layers of two strokes side by side, whose floor rises
 -- towards both ends as the posterior capsule does. Irrigation has pushed the lens back by 0.66. [mm]
-local half_length = 2.2     -- of the way of the tip
+local half_length = 2.0     -- of the way of the tip
 local half_width = 0.3      -- of it; the tip adds its radius of 0.45 on each side
 local floor = -1.85          -- height of the tip's way at its deepest
 local rise = 0.6            -- of its ends over that

@@ -27,7 +27,7 @@ end
 
 -- What comes and goes, or is there in some exercises only, has a stream of chance of its own, so that it changes
 -- nothing for the rest.
-local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$" }
+local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$", "^bridge$" }
 
 local function has_own_stream(name)
     for _, pattern in ipairs(own_stream) do
