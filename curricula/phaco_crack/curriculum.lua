@@ -6,7 +6,6 @@
 local lower_third = "groove.floor_posterior_mm + 0.33 * groove_1.depth_mm"
 local lower_half = "groove.floor_posterior_mm + 0.5 * groove_1.depth_mm"
 local higher_tip = "max(phaco.tip_posterior_mm, spatula.tip_posterior_mm)"
-local lower_tip = "min(phaco.tip_posterior_mm, spatula.tip_posterior_mm)"
 
 local both_press = "phaco.force_mN > 2 and spatula.force_mN > 2"
 local both_free = "not phaco.in_contact and not spatula.in_contact"
@@ -132,8 +131,8 @@ return exercise {
             evidence = { "zonules.load_mN", "phaco.force_mN", "spatula.force_mN" },
         },
         error_event "Capsule struck" {
-            when = lower_tip .. " < 0.3",
-            recovered = "phaco.tip_posterior_mm > 1 and spatula.tip_posterior_mm > 1",
+            when = "phaco.tip_posterior_mm < 0.3 or spatula.tip_posterior_mm < 0.3",
+            recovered = "not (phaco.tip_posterior_mm < 1 or spatula.tip_posterior_mm < 1)",
             recovered_hold_s = 0.5,
             deadline_s = 2,
             near_miss_s = 0,

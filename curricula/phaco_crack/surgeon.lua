@@ -16,7 +16,9 @@ local part_speed = 0.9        -- of each tip
 local part_way = 1.5          -- of each tip
 local beside = 0.30           -- of each tip from the middle of the groove before they part
 local over_floor = 0.45       -- of the tips before they part
-local tries_at = { 0.58, 0.7, 0.45, 0.8 }  -- shares of the groove's half length at which the tips go down
+-- Shares of the groove's half length at which the tips go down, far from the surgeon and near; nearer still the shaft
+-- would lie on the iris.
+local tries_at = { [1] = { 0.58, 0.7, 0.45 }, [-1] = { 0.48, 0.38, 0.55 } }
 local deeper = 0.15           -- the tips the next time, after the nucleus was pushed
 local seen_bridge = 0.35      -- size of a bridge that is worth going back for
 local small_bridge = 0.9      -- the same, when many tries did not part it
@@ -163,8 +165,8 @@ local function crack(me, eye, state)
         if not groove or me.time_s() > stop_s then return true end
         local side = state.tries == 1 and -state.last
             or next_end(groove, me.see().landmarks.bridge, state.last)
-        state.at[side] = state.at[side] % #tries_at + 1
-        local reason = part_at(me, eye, groove, side * tries_at[state.at[side]] * groove.half_length, state)
+        state.at[side] = state.at[side] % #tries_at[side] + 1
+        local reason = part_at(me, eye, groove, side * tries_at[side][state.at[side]] * groove.half_length, state)
         if reason == "hole" then return true end
         state.tries, state.last = state.tries + 1, side
     until state.tries > 1 and not bridge_seen(me.see(), state.tries)
