@@ -37,7 +37,7 @@ return exercise {
         bridge_percent = { 10, from = 0, to = 50, meaning = "how much of the nucleus may bridge the groove, of the "
             .. "area that it has there" },
     },
-    reference = { time_s = 60, path_mm = 150 },
+    reference = { time_s = 65, path_mm = 220 },
 
     steps = {
         step "approach" {
