@@ -12,6 +12,10 @@
 
 local scoring = require "scoring"
 
+-- Some measures count only where an exercise has the goal that they tell of.
+local parting = "goal.bridge_percent >= 0"
+local removing = "fragments.count ~= 1 and goal.left_percent > 0"
+
 return scoring.rubric {
     name = "OSACSS",
     source = "Saleh et al. 2007; measures and thresholds as given with each",
@@ -114,8 +118,8 @@ return scoring.rubric {
         { id = "T10", name = "Nucleus: rotation and manipulation", not_scored = "the nucleus need not be turned.",
             measures = {
             { id = "T10.rotation", name = "Turn of the nucleus", unit = "deg", digits = 0,
-                of = "abs(lens.rotation_deg)", take = "max", during = "spatula.present", five = 80, three = 45,
-                one = 0, weight = 1.5,
+                of = "abs(lens.rotation_deg)", take = "max", during = "spatula.present and goal.angle_deg > 0",
+                five = 80, three = 45, one = 0, weight = 1.5,
                 source = "90 degrees for five points is a proposal; 80 leaves room for the tolerance",
                 better = "Push the wall of the groove farther from the middle of the lens, until the groove lies "
                     .. "across." },
@@ -133,27 +137,38 @@ return scoring.rubric {
         } },
         { id = "T11", name = "Nucleus: cracking or chopping with safe phaco of segments",
             not_scored = "the nucleus is not divided.", measures = {
+            { id = "T11.bridge", name = "Nucleus that still bridges the groove", unit = "%", digits = 0,
+                of = "100 * crack.bridge_share", take = "last", during = parting, five = 0,
+                three = 10, one = 30, weight = 2, source = "proposal",
+                better = "Go back with both tips into the lower third, next to where the halves still hang "
+                    .. "together." },
+            { id = "T11.depth", name = "Parting done with both tips in the lower third of the groove", unit = "%",
+                digits = 0, of = "max(phaco.tip_posterior_mm, spatula.tip_posterior_mm) < groove.floor_posterior_mm "
+                    .. "+ 0.33 * groove_1.depth_mm", take = "share",
+                during = parting .. " and phaco.force_mN > 2 and spatula.force_mN > 2", five = 90,
+                three = 60, one = 30, weight = 1, source = "proposal",
+                better = "Put both tips on the floor of the groove before you part its walls." },
             { id = "T11.left", name = "Part of the lens that was left", unit = "%", digits = 0,
-                of = "100 * fragments.left_share", take = "last", during = "fragments.count ~= 1", five = 5,
+                of = "100 * fragments.left_share", take = "last", during = removing, five = 5,
                 three = 25, one = 60, weight = 1.5, source = "proposal",
                 better = "Go on until the bag is empty: draw the next piece to the middle as soon as one has "
                     .. "cleared." },
             { id = "T11.surges", name = "Losses of more than 30 % of the chamber's depth within a second", unit = "1",
-                digits = 0, of = "chamber.surges", take = "max", during = "fragments.count ~= 1", five = 0, three = 2,
+                digits = 0, of = "chamber.surges", take = "max", during = removing, five = 0, three = 2,
                 one = 4, weight = 1, source = "proposal",
                 better = "Ease the pedal as a piece is about to clear; less vacuum or a higher bottle." },
             { id = "T11.plane", name = "Ultrasound at least 1.5 mm from the cornea and 1 mm from the capsule",
                 unit = "%", digits = 0, of = "phaco.endothelium_mm > 1.5 and phaco.tip_posterior_mm > 1",
-                take = "share", during = "phaco.ultrasound and fragments.count ~= 1", five = 95,
+                take = "share", during = "phaco.ultrasound and " .. removing, five = 95,
                 three = 80, one = 60, weight = 1,
                 source = "proposal",
                 better = "Draw the piece to the plane of the iris before emulsifying it." },
             { id = "T11.captures", name = "Times that the capsule was in the tip", unit = "1", digits = 0,
-                of = "capsule.captured", take = "count", during = "fragments.count ~= 1", five = 0, three = 0.5,
+                of = "capsule.captured", take = "count", during = removing, five = 0, three = 0.5,
                 one = 1, weight = 1, source = "proposal",
                 better = "Keep the mouth turned away from the capsule while vacuum is high." },
             { id = "T11.time", name = "Time with the instrument in the eye", unit = "s", digits = 0,
-                of = "phaco.present and fragments.count ~= 1", take = "time", five = 270, three = 610, one = 900,
+                of = "phaco.present and " .. removing, take = "time", five = 270, three = 610, one = 900,
                 weight = 0.5, source = "Joshi 2019: 267 to 277 s; Rali 2022: 275 to 611 s",
                 better = "Hold, draw and emulsify without letting go in between." },
         } },

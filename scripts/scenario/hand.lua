@@ -219,8 +219,9 @@ function Hand:sample(dt)
         move.share = move.even and time or motion.minimum_jerk(time)
         self.place = move.path(move.share)
     end
+    local orientation = entries[self.name] and vector.upright or vector.orientation  -- as a surgeon's hands hold them
     local sample = { instrument = self.index, present = self.inside, position = self.place,
-        orientation = vector.orientation(shaft_at(self, self.place)), jaw = 0, pedal = self.pedal_now }
+        orientation = orientation(shaft_at(self, self.place)), jaw = 0, pedal = self.pedal_now }
     if move and move.elapsed >= move.duration - 1e-9 then self.axis, self.move = move.axis_to, nil end
     return sample
 end

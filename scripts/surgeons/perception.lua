@@ -27,7 +27,7 @@ end
 
 -- What comes and goes, or is there in some exercises only, has a stream of chance of its own, so that it changes
 -- nothing for the rest.
-local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$", "^fragment_%d",
+local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$", "^fragment_%d", "^bridge$",
     "^capsule_folds$", "^capsule_hole$", "^iris_caught$" }
 
 local function has_own_stream(name)

@@ -46,8 +46,8 @@ function sculpting.look_around(me)
     return eye
 end
 
--- How high the lens is, looked at again and again.
-local function look_at_height(me, eye)
+--- How high the lens is, looked at again and again.
+function sculpting.look_at_height(me, eye)
     local front = me.see().landmarks.lens_front
     if front then eye.front[3] = eye.front[3] + heed * (front.position[3] - eye.front[3]) end
 end
@@ -159,7 +159,7 @@ local function stroke(me, eye, groove, state, beside)
     me.pedal(3)
     local reason = me.follow(way, me.about(stroke_speed) * state.pace, danger(eye, state))
     me.pedal(1)
-    look_at_height(me, eye)
+    sculpting.look_at_height(me, eye)
     if reason then state.recover(me, eye) end
     me.follow(along(eye, groove, state.depth, beside, me.tip()[2], groove.near, 0.5), return_speed)
     return reason
@@ -176,7 +176,7 @@ local function careful_stroke(me, eye, groove, state, beside)
     local speed = me.about(stroke_speed) * state.pace * (1 - slower * state.depth)
     local reason = me.follow(way, speed, danger(eye, state))
     me.pedal(1)
-    look_at_height(me, eye)
+    sculpting.look_at_height(me, eye)
     if reason then state.recover(me, eye) else me.go(over(me.tip()[2]), return_speed) end
     return reason
 end

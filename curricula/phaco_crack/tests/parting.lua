@@ -1,0 +1,83 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The split: complete or not, by tips at the floor of the groove or too high.
+
+-- Both instruments into the eye, over the groove, with irrigation on; the chamber deepens.
+local function enter(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0.3, 0, 2.6 })
+    t.spatula:enter()
+    t.spatula:move_to({ -0.3, 0, 2.6 })
+    t:wait(0.5)
+end
+
+local function both(t, right, left, speed)
+    t:together(function() t.phaco:move_to(right, { speed = speed, motion = "even" }) end,
+        function() t.spatula:move_to(left, { speed = speed, motion = "even" }) end)
+end
+
+-- Both tips down at y, to a height, and apart by a way each.
+local function part(t, y, z, way)
+    both(t, { 0.3, y, 2.4 }, { -0.3, y, 2.4 }, 5)
+    both(t, { 0.3, y, z }, { -0.3, y, z }, 3)
+    both(t, { 0.3 + way, y, z }, { -0.3 - way, y, z }, 0.9)
+end
+
+-- Back together and up.
+local function close(t, y, z)
+    both(t, { 0.3, y, z }, { -0.3, y, z }, 3)
+    both(t, { 0.3, y, 2.4 }, { -0.3, y, 2.4 }, 5)
+end
+
+local function split(t, y, z, way)
+    part(t, y, z, way)
+    close(t, y, z)
+end
+
+return scenarios {
+    scenario "parted too little, looked, and parted again" {
+        function(t)
+            enter(t)
+            split(t, 1.5, -1.55, 0.7)
+            t:expect("crack.bridge_share > 0.1")
+            t:expect_event("Incomplete split", { within = 4 })
+            split(t, 1.5, -1.55, 1.5)
+            split(t, -1.5, -1.55, 1.5)
+            split(t, 1.8, -1.45, 1.5)
+            t:expect_event("Incomplete split", { recovered = true })
+        end },
+
+    scenario "parted too little, and left so" {
+        function(t)
+            enter(t)
+            split(t, 1.5, -1.55, 0.7)
+            t:expect_event("Incomplete split", { recovered = false, within = 70 })
+        end },
+
+    scenario "parted near both ends" {
+        silent_twin_of = { "Incomplete split", "Tips too shallow" },
+        function(t)
+            enter(t)
+            split(t, 1.5, -1.55, 1.5)
+            split(t, -1.5, -1.55, 1.5)
+            split(t, 1.8, -1.45, 1.5)
+            t:wait(4)
+            t:expect("crack.bridge_share < 0.1")
+        end },
+
+    scenario "parted too high, closed at once" {
+        function(t)
+            enter(t)
+            part(t, 1.2, 0.4, 1.4)
+            t:expect_event("Tips too shallow")
+            both(t, { 0.3, 1.2, 0.4 }, { -0.3, 1.2, 0.4 }, 3)
+            t:expect_event("Tips too shallow", { recovered = true })
+        end },
+
+    scenario "parted too high, and held so" {
+        function(t)
+            enter(t)
+            part(t, 1.2, 0.4, 1.4)
+            t:expect_event("Tips too shallow", { recovered = false, within = 3 })
+        end },
+}
