@@ -130,7 +130,8 @@ Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
 
-Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const PhysicsSettings& settings) {
+Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const PhysicsSettings& settings,
+                                const Physics* before) {
     if (Status status = check_world(*model, settings); !status) {
         return status.error();
     }
@@ -142,6 +143,12 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
         }
         solvers->steppers.push_back(std::move(stepper).value());
         solvers->cracks.emplace_back(model->solids[solid]);
+    }
+    if (before != nullptr) {
+        RHEXIS_ASSERT(before->solvers_->zones.size() == model->tools.size());
+        solvers->zones = before->solvers_->zones;
+        solvers->probes = before->solvers_->probes;
+        return Physics(std::move(solvers));
     }
     for (const ToolModel& tool : model->tools) {
         solvers->zones.push_back(sculpt_zone(tool));

@@ -28,7 +28,9 @@ struct PhysicsSettings {
 class Physics {
 public:
     /// Fails on a model that cannot be stepped (element number, field and range in the error).
-    static Result<Physics> create(std::shared_ptr<const WorldModel> model, const PhysicsSettings& settings);
+    /// before: of the same instruments; what was prepared for them is taken over.
+    static Result<Physics> create(std::shared_ptr<const WorldModel> model, const PhysicsSettings& settings,
+                                  const Physics* before = nullptr);
     ~Physics();
     Physics(Physics&&) noexcept;
     Physics& operator=(Physics&&) noexcept;

@@ -292,7 +292,7 @@ void Session::Parts::cut_into_segments() {
 /// After the state's splits changed.
 void Session::Parts::follow_model() {
     world = with_splits(*base_world, state);
-    Result<Physics> made = Physics::create(world, physics_settings);
+    Result<Physics> made = Physics::create(world, physics_settings, &physics);
     RHEXIS_ASSERT(made.ok());
     physics = std::move(made).value();
     observer.follow(*world);

@@ -218,7 +218,7 @@ TEST_SUITE("session with fluid") {
 
     TEST_CASE("a nucleus cut into quarters: a quarter follows the tip that holds it, more than one that does not") {
         SceneDescription scene = fluid_scene();
-        scene.patient.tetrahedra = 1500;
+        scene.patient.tetrahedra = 1000;
         scene.settings["nucleus.segments"] = 4.0;
         scene.settings["machine.flow_ml_min"] = 35.0;
         scene.settings["machine.bottle_cm"] = 95.0;
@@ -271,7 +271,7 @@ TEST_SUITE("session with fluid") {
             Rng rng(3, "blind");
             std::array<Vec3, 2> tips{Vec3(0, -3, 3), Vec3(1, -3, 3)};
             std::array<Vec3, 2> goals = tips;
-            operate_blindly(session, rng, tips, goals, 400);
+            operate_blindly(session, rng, tips, goals, 250);
             CHECK(tissue_mass(session) == doctest::Approx(mass).epsilon(1e-12));
             for (const Vec3& node : session.state().solids[0].position) {
                 REQUIRE(node.allFinite());
