@@ -20,6 +20,7 @@ return exercise {
     instruments = { "phaco" },
     settings = {
         ["nucleus.segments"] = 4,
+        ["nucleus.trench_mm"] = 1.2,
         ["machine.bottle_cm"] = 95,
         ["machine.flow_ml_min"] = 32,
         ["machine.vacuum_mmhg"] = 350,

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- How a virtual surgeon takes out the quarters of a nucleus: the tip goes into the tissue that is nearest, vacuum holds
--- it, and what is held and at the edge of where one may work is drawn to the middle of the pupil and emulsified there.
+-- How a virtual surgeon takes out the quarters of a nucleus: ultrasound buries the tip in a quarter, the pedal goes back
+-- to 2 while the tip presses on until vacuum holds, what is held is drawn to the middle of the pupil and emulsified
+-- there. What is too small to be held is followed and eaten where it lies.
 -- All groups follow this plan; what they make of it depends on their hands, eyes and attention
 -- (scripts/surgeons/groups.lua). It sees the picture and the machine's panel only: no measure, no event, no score. [mm]
 
@@ -8,11 +9,12 @@ local sculpting = require "surgeons.sculpting"
 local vector = require "surgeons.vector"
 
 local approach_speed = 6.0
-local eat_speed = 3.2           -- with ultrasound, through tissue [mm/s]
-local draw_speed = 2.5          -- with a piece on the tip
-local through = 1.6             -- how far a lane goes on behind the tissue that it begins at
-local further = 1.2             -- the same along the shaft while vacuum says that a piece is held
-local held_vacuum = 150         -- on the panel [mmHg]
+local sweep_speed = 4.0
+local press_speed = 1.0         -- with vacuum, until it holds
+local draw_speed = 2.0          -- with a piece on the tip
+local radii = { 1.2, 2.0, 2.8 }
+local depths = { 0.6, 1.1, 1.6, 2.1, 2.6, 3.1 }
+local held_vacuum = 200         -- on the panel [mmHg]
 local small = 0.3               -- radius of a piece that is left
 local edge = 3.9                -- of where the tip may go, from the middle of the pupil
 local plate = 1.0               -- that the tip keeps from where the posterior capsule must be
@@ -51,7 +53,7 @@ local function pieces(seen)
         local name = "fragment_" .. i
         local mark, near = seen.landmarks[name], seen.landmarks[name .. "_near"]
         if near and not (mark and mark.size < small) then
-            list[#list + 1] = { position = (mark or near).position, near = near.position }
+            list[#list + 1] = { position = (mark or near).position, near = near.position, size = mark and mark.size }
         end
     end
     return list
@@ -66,20 +68,17 @@ local function best(list, cost)
     return found, least
 end
 
-local function can_reach(eye, piece) return vector.distance(within(eye, piece.near), piece.near) < 0.3 end
-
 -- Where a piece is emulsified best: in the middle, in the plane of the iris.
 local function safe_place(eye) return { eye.pupil[1], eye.pupil[2], eye.front[3] - 1.5 } end
 
--- The piece that was worked at last, while it can be reached; else the nearest to the middle, rather the far ones.
+-- The piece that was worked at last, else the nearest to the middle, rather the far ones: the mouth looks away from the
+-- wound.
 local function choose(eye, seen, last)
     local list = pieces(seen)
     local same, shift = best(list, function(piece) return last and vector.distance(piece.position, last) end)
-    if same and shift < 1.5 and can_reach(eye, same) then return same end
+    if same and shift < 1.5 then return same end
     local safe = safe_place(eye)
-    return best(list, function(piece)
-        return can_reach(eye, piece) and vector.distance(piece.near, safe) - 0.2 * piece.position[2] or nil
-    end)
+    return best(list, function(piece) return vector.distance(piece.near, safe) - 0.2 * piece.position[2] end)
 end
 
 -- What makes a surgeon let go: the capsule or the iris in the tip, or a hole.
@@ -115,61 +114,66 @@ local function draw(me, eye)
     local reason = go(me, safe_place(eye), draw_speed, lost)
     if reason then return reason end
     me.pedal(3)
-    me.wait_until(function(seen) return alarm(seen) or lost(seen) end, 3)
-    return nil
+    me.wait_until(function(seen) return alarm(seen) or lost(seen) end, 4)
+    return alarm(me.see())
 end
 
--- Into the nearest tissue of a piece and on through it, with ultrasound; on along the shaft while vacuum holds it.
-local function lane(me, eye, piece)
-    local off = vector.sub(piece.near, me.tip())
-    local way = vector.unit(off)
-    local reason
-    if vector.norm(off) > 1.0 then
-        me.pedal(2)
-        reason = go(me, within(eye, vector.add(piece.near, vector.scale(way, -0.6))), approach_speed)
-        if reason then return reason end
+-- Once round at a height, with ultrasound: what the tip meets is emulsified, and pieces turn past it.
+local function circle(me, eye, radius, z)
+    local function path(share)
+        local angle = 2 * math.pi * (share + 0.25)
+        return within(eye, { eye.pupil[1] + radius * math.cos(angle), eye.pupil[2] + radius * math.sin(angle), z })
     end
+    me.pedal(2)
+    local reason = go(me, path(0), approach_speed)
+    if reason then return reason end
     me.pedal(3)
-    reason = go(me, within(eye, vector.add(piece.near, vector.scale(way, through))), me.about(eat_speed))
-    if reason or lost(me.see()) then return reason end
-    local tip = me.tip()
-    local on = within(eye, vector.add(tip, vector.scale(into(eye, tip), further)))
-    if vector.distance(on, tip) < 0.4 then return draw(me, eye) end
-    return go(me, on, me.about(draw_speed), lost)
+    return me.follow(path, me.about(sweep_speed), alarm)
 end
 
--- Nothing can be worked at where it lies: goes to one piece after the other with vacuum only, and draws what it holds.
-local function fetch(me, eye, number)
+local function nearest_of(seen, position)
+    return best(pieces(seen), function(piece) return vector.distance(piece.position, position) end)
+end
+
+-- From the middle to a piece with vacuum, pressed on until it is held, and back to the middle with it. A touch of
+-- ultrasound where vacuum alone finds no hold.
+local function fetch(me, eye, position)
     me.pedal(2)
-    local list = pieces(me.see())
-    local piece = list[(number - 1) % math.max(1, #list) + 1]
-    if not piece then return nil end
-    local way = into(eye, piece.near)
-    local place = within(eye, vector.add(piece.near, vector.scale(way, 0.2)))
-    local reason = go(me, within(eye, vector.add(place, vector.scale(way, -0.8))), approach_speed)
-        or go(me, place, draw_speed)
+    local reason = go(me, safe_place(eye), approach_speed)
     if reason then return reason end
-    return me.wait_until(held, 0.8) and draw(me, eye) or nil
+    me.wait(0.3)
+    local piece = nearest_of(me.see(), position)
+    if not piece then return nil end
+    for _, extra in ipairs { 0.4, 1.0 } do
+        local way = vector.unit(vector.sub(piece.near, me.tip()))
+        local function at(distance) return within(eye, vector.add(piece.near, vector.scale(way, distance))) end
+        reason = go(me, at(-0.3), approach_speed) or go(me, at(extra), press_speed, held)
+        if reason then return reason end
+        if me.wait_until(held, 0.4) then return draw(me, eye) end
+        me.pedal(3)
+        me.wait(0.15)
+        me.pedal(2)
+    end
+    return nil
 end
 
 return function(me)
     local eye = sculpting.look_around(me)
     sculpting.enter(me, eye, sculpting.plan_groove(eye))
     me.wait(1.5)  -- the chamber deepens
-    local last
-    local vain = 0
-    while me.time_s() < until_s and vain < 12 do
-        local piece = choose(eye, me.see(), last)
+    local turn = 0
+    while me.time_s() < until_s and #pieces(me.see()) > 0 do
         local reason
-        if piece then
-            vain, last = 0, piece.position
-            reason = lane(me, eye, piece)
+        if turn < #radii * #depths then
+            local radius = radii[turn % #radii + 1]
+            local depth = depths[turn // #radii % #depths + 1]
+            reason = circle(me, eye, radius, eye.front[3] - depth)
         else
-            vain, last = vain + 1, nil
-            reason = fetch(me, eye, vain)
+            local list = pieces(me.see())
+            reason = fetch(me, eye, list[turn % #list + 1].position)
         end
+        turn = turn + 1
         if reason then
-            last = nil
             let_go(me, eye)
             if reason == "hole" then break end
         end

@@ -5,6 +5,7 @@
 #include "eye/capsular_bag.hpp"
 #include "eye/patient.hpp"
 #include "eye/tissue.hpp"
+#include "mesh/places.hpp"
 #include "mesh/shapes.hpp"
 
 namespace rhexis {
@@ -19,20 +20,12 @@ constexpr double damping_stiffness = 1e-5;
 
 constexpr double aqueous_density = 1.0e-3;  ///< [g/mm^3]
 
-Vec3 centroid(const TetMesh& mesh, const std::array<int, 4>& tet) {
-    Vec3 sum = Vec3::Zero();
-    for (int node : tet) {
-        sum += mesh.nodes[static_cast<std::size_t>(node)];
-    }
-    return 0.25 * sum;
-}
-
 SolidModel make_lens(const Patient& patient, const HalfEllipsoids& shape) {
     SolidModel lens;
     lens.name = "lens";
     lens.coarse = lens_body(shape, patient.tetrahedra);
     for (std::size_t t = 0; t < lens.coarse.tets.size(); ++t) {
-        lens.coarse.region[t] = region_at(patient, shape, centroid(lens.coarse, lens.coarse.tets[t]));
+        lens.coarse.region[t] = region_at(patient, shape, centroid(lens.coarse.nodes, lens.coarse.tets[t]));
     }
     lens.fine = subdivide(lens.coarse);
     lens.materials = lens_materials(patient);

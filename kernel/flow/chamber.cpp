@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/chamber.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rhexis {
@@ -100,6 +101,12 @@ ChamberState chamber_state(const ChamberModel& model, double eye_pressure, doubl
     state.eye_volume = eye_volume(model, eye_pressure);
     state.tube_volume = model.tube_compliance * tube_pressure;
     return state;
+}
+
+double burn_share(const WoundState& wound) {
+    constexpr double first_harm = 1.0;  // [s]
+    constexpr double full_harm = 3.0;   // [s]
+    return std::clamp((wound.hot_s - first_harm) / (full_harm - first_harm), 0.0, 1.0);
 }
 
 }  // namespace rhexis

@@ -49,7 +49,7 @@ struct ChamberControl {
     double pump_flow = 0.0;      ///< what the pump moves well below the vacuum limit [mm^3/s]
     double vacuum_limit = 0.0;   ///< the pump stands still at this vacuum [Pa]
     double tip_open = 1.0;       ///< share of the free tip's conductance, 0: occluded
-    double wound_open = 1.0;     ///< share of the wound's leak: 1 with an instrument in it, 0 closed
+    double wound_open = 1.0;     ///< share of the wound's leak: 1 with an instrument in it, 0 closed, to 3 burnt
 };
 
 /// Fluid moved since the start [mm^3]. Backward flow counts negative.
@@ -60,12 +60,19 @@ struct ChamberTotals {
     double leaked = 0.0;     ///< eye to wounds
 };
 
+/// The wall of the main wound.
+struct WoundState {
+    double temperature = 34.0;  ///< [degrees C]
+    double hot_s = 0.0;         ///< time that it has been hot enough to shrink [s]
+};
+
 /// Changes from step to step; always
 ///   eye_volume + tube_volume = constant + infused + vented - aspirated - leaked.
 struct ChamberState {
     double eye_volume = 0.0;   ///< beyond that of an eye at the collapse pressure [mm^3]; negative: collapsed
     double tube_volume = 0.0;  ///< beyond that of tubing at atmospheric pressure [mm^3]; negative: vacuum
     ChamberTotals totals;
+    WoundState wound;
 };
 
 /// Of one step: mean flows [mm^3/s] and the range of the eye's pressure [Pa], which may dip within a step.
@@ -91,6 +98,9 @@ double depth_change(const ChamberModel& model, double eye_volume);
 /// How far lens and iris are shifted along z, negative: back [mm]. hole_area: in the posterior capsule [mm^2], which
 /// holds them against the fluid in front.
 double diaphragm_shift(const ChamberModel& model, double eye_volume, double hole_area);
+
+/// Share of the burn that shrinks the wound most: 0 until it has been hot for a second, 1 from three seconds on.
+double burn_share(const WoundState& wound);
 
 /// Tanks filled to these pressures [Pa], nothing moved yet.
 ChamberState chamber_state(const ChamberModel& model, double eye_pressure, double tube_pressure);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/assert.hpp"
+#include "mesh/places.hpp"
 
 namespace rhexis {
 
@@ -38,14 +39,7 @@ bool box_holds_origin(const std::vector<Vec2>& flat, const std::array<int, 4>& t
     return true;
 }
 
-Vec3 fine_node(const AbsorbingBody& body, int node) {
-    const int coarse = static_cast<int>(body.nodes.size());
-    if (node < coarse) {
-        return body.nodes[node];
-    }
-    const std::array<int, 2>& edge = body.fine.edges[node - coarse];
-    return 0.5 * (body.nodes[edge[0]] + body.nodes[edge[1]]);
-}
+Vec3 fine_node(const AbsorbingBody& body, int node) { return fine_point(body.fine, body.nodes, node); }
 
 std::array<Vec3, 4> coarse_corners(const AbsorbingBody& body, int t) {
     const std::array<int, 4>& tet = body.coarse.tets[t];

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mesh/least_cut.hpp"
+#include "mesh/places.hpp"
 
 namespace rhexis {
 
@@ -29,14 +30,7 @@ double distance_from(const GrooveShape& groove, const Vec3& place) {
     return from.x() * groove.direction.y() - from.y() * groove.direction.x();
 }
 
-Vec3 fine_node(const SolidModel& lens, int node) {
-    const int coarse = static_cast<int>(lens.coarse.nodes.size());
-    if (node < coarse) {
-        return lens.coarse.nodes[node];
-    }
-    const std::array<int, 2>& edge = lens.fine.edges[node - coarse];
-    return 0.5 * (lens.coarse.nodes[edge[0]] + lens.coarse.nodes[edge[1]]);
-}
+Vec3 fine_node(const SolidModel& lens, int node) { return fine_point(lens.fine, lens.coarse.nodes, node); }
 
 double face_area(const SolidModel& lens, int fine, std::size_t opposite) {
     const std::array<int, 4>& tet = lens.fine.tets[fine];

@@ -67,6 +67,8 @@ public:
         schema.push_back({"chamber.infused_ml", "ml", "Fluid from the bottle so far."});
         schema.push_back({"chamber.leaked_ml", "ml", "Fluid lost through the wounds so far."});
         schema.push_back({"chamber.infusion_ml_min", "ml/min", "Flow from the bottle now."});
+        schema.push_back({"wound.temperature_c", "degrees C", "Temperature of the main wound around the sleeve."});
+        schema.push_back({"wound.burn_share", "1", "Its burn: 0 none, 1 shrunk as far as it goes."});
         schema.push_back({"panel.vacuum_mmhg", "mmHg", "Vacuum in the tubing, as the machine's panel shows it."});
         schema.push_back({"panel.flow_ml_min", "ml/min", "Flow through the pump, as the panel shows it."});
     }
@@ -90,6 +92,7 @@ public:
         for (const double value :
              {pressure, memory[lowest_pressure], depth, depth / rest, memory[least_share], lost, memory[surges], shift,
               1e-3 * chamber.totals.infused, 1e-3 * chamber.totals.leaked, flows.infusion / mm3_s_per_ml_min,
+              chamber.wound.temperature, burn_share(chamber.wound),
               std::max(0.0, -tube_pressure(model, chamber.tube_volume) / pascal_per_mmhg),
               flows.pump / mm3_s_per_ml_min}) {
             values[next++] = value;

@@ -3,12 +3,10 @@
 
 #include <cmath>
 
+#include "mesh/places.hpp"
+
 namespace rhexis {
 namespace {
-
-Vec3 centroid(const std::vector<Vec3>& nodes, const std::array<int, 4>& tet) {
-    return 0.25 * (nodes[tet[0]] + nodes[tet[1]] + nodes[tet[2]] + nodes[tet[3]]);
-}
 
 Vec3 rotated(const Vec2& turn, const Vec3& v) {
     return {turn.x() * v.x() - turn.y() * v.y(), turn.y() * v.x() + turn.x() * v.y(), v.z()};

@@ -5,26 +5,9 @@
 #include <cmath>
 
 #include "mesh/components.hpp"
+#include "mesh/places.hpp"
 
 namespace rhexis {
-
-namespace {
-
-Vec3 fine_middle(const SolidModel& lens, const SolidState& state, std::size_t fine) {
-    const int coarse = static_cast<int>(lens.coarse.nodes.size());
-    Vec3 sum = Vec3::Zero();
-    for (const int node : lens.fine.tets[fine]) {
-        if (node < coarse) {
-            sum += 0.25 * state.position[node];
-        } else {
-            const std::array<int, 2>& edge = lens.fine.edges[node - coarse];
-            sum += 0.125 * (state.position[edge[0]] + state.position[edge[1]]);
-        }
-    }
-    return sum;
-}
-
-}  // namespace
 
 std::vector<LensPiece> lens_pieces(const SolidModel& lens, const std::vector<double>& volumes,
                                    const SolidState& state) {
@@ -79,7 +62,7 @@ std::vector<Vec3> nearest_tissue(const SolidModel& lens, const SolidState& state
             continue;
         }
         for (std::size_t f = 8 * t; f < 8 * t + 8; ++f) {
-            const Vec3 child = fine_middle(lens, state, f);
+            const Vec3 child = fine_middle(lens.fine, state.position, static_cast<int>(f));
             const double square = (child - place).squaredNorm();
             if (state.fraction[f] >= least && square < squares[index]) {
                 squares[index] = square;

@@ -3,39 +3,14 @@
 
 #include <algorithm>
 
-#include "physics/tissue_near.hpp"
-
 namespace rhexis {
 
 namespace {
 
 constexpr double entry_pressure = 10.0;  ///< at which tissue enters the bore, in Young's moduli. Proposal
 constexpr double entry_rate = 3.0;       ///< at twice that [mm^3/s]. Proposal
+constexpr double cut_share = 0.7;        ///< of that pressure which full ultrasound power saves. Proposal
 constexpr double least_fraction = 0.01;  ///< less than this drifts away and counts as removed
-
-/// A fine tetrahedron before the mouth.
-struct Before {
-    int fine = 0;
-    double distance = 0.0;  ///< of its middle from the mouth's [mm]
-};
-
-/// Nearest first.
-std::vector<Before> before_mouth(const WorldModel& model, const WorldState& state, const ToolModel& tool,
-                                 const Mouth& mouth, const Pose& pose) {
-    std::vector<Before> found;
-    const double wide = tool.bore_radius + seal;
-    for (const FineTissue& fine : tissue_near(model.solids[0], state.solids[0], tool.parts.front(), pose, kept_seal)) {
-        const Vec3 middle = 0.25 * (fine.corners[0] + fine.corners[1] + fine.corners[2] + fine.corners[3]);
-        const Vec3 from_mouth = pose.to_body(middle) - mouth.centre;
-        const double along = mouth.facing.dot(from_mouth);
-        if (along > -seal && from_mouth.squaredNorm() - along * along < wide * wide) {
-            found.push_back({fine.tet, from_mouth.norm()});
-        }
-    }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Before& a, const Before& b) { return a.distance < b.distance; });
-    return found;
-}
 
 /// What is left to take, by either means.
 struct Means {
@@ -43,12 +18,15 @@ struct Means {
     double suction = 0.0;  ///< [Pa]
     double pull = 0.0;     ///< share of the mouth that is shut
     double energy = 0.0;   ///< [mJ]
+    double power = 0.0;    ///< of ultrasound, share of full
 };
 
-/// Volume of this material that goes, at most `left` [mm^3].
-double taken(const Material& material, double left, Means& means, double& spent) {
+/// Volume of a fine tetrahedron of this material that goes. What is emulsified in part is softer in proportion.
+double taken(const Material& material, double fraction, double whole, Means& means, double& spent) {
+    const double left = fraction * whole;
+    const double entry = entry_pressure * (1.0 - cut_share * means.power) * fraction * material.young_modulus;
     double volume = 0.0;
-    const double rate = means.pull * entry_rate * (means.suction / (entry_pressure * material.young_modulus) - 1.0);
+    const double rate = means.pull * entry_rate * (means.suction / entry - 1.0);
     if (rate > 0.0 && means.seconds > 0.0) {
         volume = std::min(left, rate * means.seconds);
         means.seconds -= volume / rate;
@@ -74,15 +52,18 @@ void aspirate(const WorldModel& model, int tool, const ToolState& tool_state, co
     const SolidModel& lens = model.solids[0];
     SolidState& solid = state.solids[0];
     const double shut = tip.lens * (1.0 - tip.open);
-    Means means{dt, tip.suction, shut, shut * spare_energy};
-    for (const Before& near : before_mouth(model, state, model.tools[tool], probe.mouth, tool_state.pose)) {
+    Means means{dt, tip.suction, shut, shut * spare_energy, tool_state.power};
+    for (const BeforeMouth& near : before_mouth(model, state, tool, probe.mouth, tool_state.pose)) {
         const std::array<int, 4>& tet = lens.coarse.tets[near.fine / 8];
         const std::vector<Vec3>& nodes = lens.coarse.nodes;
         const double whole = tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]) / 8.0;
         const Material& material = lens.materials[lens.coarse.region[near.fine / 8]];
         double& fraction = solid.fraction[near.fine];
         double spent = 0.0;
-        double lost = taken(material, fraction * whole, means, spent) / whole;
+        if (!(fraction > 0.0)) {
+            continue;
+        }
+        double lost = taken(material, fraction, whole, means, spent) / whole;
         lost = fraction - lost < least_fraction && lost > 0.0 ? fraction : lost;
         fraction = lost == fraction ? 0.0 : fraction - lost;
         state.removed_mass += lost * whole * material.density;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside physics: tissue that shuts the mouth of an aspirating tip is drawn into its bore.
 //
-// By suction alone what is soft enough: an elastic body that is pressed against a hole enters it beyond about ten
-// times its Young's modulus, and the faster the higher the pressure.
+// An elastic body that is pressed against a hole enters it beyond about ten times its Young's modulus, and the faster
+// the higher the pressure. The edge of a needle that vibrates cuts it, so that less pressure does.
 //
-//   dV/dt = c (p / p_c - 1) for p > p_c = 10 E         c = 3 mm^3/s. Proposals
+//   dV/dt = c (p / p_c - 1) for p > p_c = 10 E (1 - 0.7 P)         c = 3 mm^3/s. Proposals
 //
-// With ultrasound also what is harder: the energy that finds no tissue around the end is spent in the bore, on what
-// suction holds before it. What is nearest to the mouth goes first.
+// with E what tissue that is emulsified in part has left, and P the share of full ultrasound power. Ultrasound that
+// finds no tissue around the end is spent in the bore, on what suction holds before it. What is nearest to the mouth
+// goes first.
 #pragma once
 
 #include "physics/mouth.hpp"

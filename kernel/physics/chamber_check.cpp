@@ -56,7 +56,7 @@ constexpr std::array<Field<ChamberControl>, 5> control_fields{{
     {"pump_flow", &ChamberControl::pump_flow, 0.0, 1000.0, " mm^3/s"},
     {"vacuum_limit", &ChamberControl::vacuum_limit, 0.0, 94000.0, " Pa"},
     {"tip_open", &ChamberControl::tip_open, 0.0, 1.0, ""},
-    {"wound_open", &ChamberControl::wound_open, 0.0, 1.0, ""},
+    {"wound_open", &ChamberControl::wound_open, 0.0, 3.0, ""},
 }};
 
 constexpr double highest_pressure = 100000.0;  ///< of either tank, above or below atmospheric [Pa]
@@ -66,6 +66,10 @@ constexpr std::array<Field<ChamberTotals>, 4> totals_fields{{
     {"vented", &ChamberTotals::vented, -most_moved, most_moved, " mm^3"},
     {"aspirated", &ChamberTotals::aspirated, -most_moved, most_moved, " mm^3"},
     {"leaked", &ChamberTotals::leaked, -most_moved, most_moved, " mm^3"},
+}};
+constexpr std::array<Field<WoundState>, 2> wound_fields{{
+    {"temperature", &WoundState::temperature, 0.0, 500.0, " degrees C"},
+    {"hot_s", &WoundState::hot_s, 0.0, most_moved, " s"},
 }};
 
 }  // namespace
@@ -81,7 +85,10 @@ Status check(const ChamberModel& model, const ChamberState& state) {
     if (status.ok()) {
         status = check_range("tube_volume", state.tube_volume, low.tube_volume, high.tube_volume, state_name, " mm^3");
     }
-    return status.ok() ? check_fields(state_name, state.totals, totals_fields) : status;
+    if (status.ok()) {
+        status = check_fields(state_name, state.totals, totals_fields);
+    }
+    return status.ok() ? check_fields("wound", state.wound, wound_fields) : status;
 }
 
 Status check_chamber_step(double dt) {

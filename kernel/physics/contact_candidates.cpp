@@ -21,7 +21,7 @@ constexpr double reference_step = 0.01;  ///< [s]
 
 constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this needs no anchor [mm]
 constexpr double sunk = 0.1;       ///< [mm]
-constexpr double resolved = 0.42;  ///< radius of the thinnest part that cannot slip between vertices, in their size
+constexpr double resolved = 0.38;  ///< radius of the thinnest part that cannot slip between vertices, in their size
 constexpr double reach = 0.2;      ///< candidates are sought this far beyond what can move in a step [mm]
 
 double fastest(const SolidState& state) {
@@ -48,7 +48,7 @@ struct Partner {
 };
 
 std::vector<Partner> partners_of(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
-                                 double moved, const Box& solid) {
+                                 double moved, double least_radius, const Box& solid) {
     std::vector<Partner> partners;
     double pushed = moved;
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -61,7 +61,8 @@ std::vector<Partner> partners_of(const WorldModel& model, const WorldState& stat
                         tools[i].previous_pose,
                         swept_box(model.tools[i], tools[i]),
                         0.0};
-        const double around = moved + (state.tips[i].hold > 0.0 ? kept_seal : reach);
+        const double thicker = std::max(0.0, least_radius - thinnest(model.tools[i]));
+        const double around = moved + thicker + (state.tips[i].hold > 0.0 ? kept_seal : reach);
         partner.box.low -= Vec3::Constant(around);
         partner.box.high += Vec3::Constant(around);
         if ((partner.box.low.array() > solid.high.array()).any() ||
@@ -140,6 +141,7 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
         for (ContactCandidate& candidate : candidates) {
             if (held(candidate)) {
                 candidate.hold = hold / count;
+                candidate.grip = candidate.hold;  // what bulges into the bore is held sideways by its rim
             }
         }
     }
@@ -244,11 +246,13 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
     candidates.clear();
     const std::vector<Vec3>& nodes = state.solids[solid].position;
     Box box;
+    double largest = 0.0;
     for (const SurfaceVertex& vertex : surface.vertices()) {
         box.add(point_of(vertex, nodes), 0.0);
+        largest = std::max(largest, vertex.size);
     }
     const double moved = 2.0 * fastest(state.solids[solid]) * dt;
-    const std::vector<Partner> partners = partners_of(model, state, tools, moved, box);
+    const std::vector<Partner> partners = partners_of(model, state, tools, moved, resolved * largest, box);
     for (std::size_t v = 0; v < surface.vertices().size(); ++v) {
         const SurfaceVertex& vertex = surface.vertices()[v];
         const Vec3 point = point_of(vertex, nodes);

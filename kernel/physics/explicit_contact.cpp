@@ -40,11 +40,13 @@ void move_anchor(const Pose& pose, const Vec3& point, const Vec3& normal, bool s
 }  // namespace
 
 void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
-                            ContactCandidates& candidates, const std::vector<PiecePair>& pairs, ExplicitSolid& solid) {
+                            ContactCandidates& candidates, const std::vector<PiecePair>& pairs,
+                            std::vector<SuctionGrip>& grips, ExplicitSolid& solid) {
     model_ = &model;
     surface_ = &surface;
     candidates_ = &candidates;
     pairs_ = &pairs;
+    grips_ = &grips;
     rows_ = solid.rows();
     drifts_.assign(1, Drift{});
     for (const std::vector<Pose>* partners : {&poses.tools, &poses.bags}) {
@@ -309,6 +311,32 @@ void ExplicitContact::sweep_pairs() {
     unsettled_pairs_.resize(kept);
 }
 
+/// The tissue that a tip holds gets its velocity, as far as the hold goes.
+void ExplicitContact::sweep_grips(double dt, const PartnerPoses& before, const PartnerPoses& after) {
+    for (SuctionGrip& grip : *grips_) {
+        double response = 0.0;
+        Vec3 velocity = Vec3::Zero();
+        for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
+            response += grip.weights[k] * grip.weights[k] * rows_.inverse_mass[grip.nodes[k]];
+            velocity += grip.weights[k] * row(rows_.velocity, grip.nodes[k]);
+        }
+        if (!(response > 0.0)) {
+            continue;
+        }
+        const Vec3 led =
+            (after.tools[grip.tool].to_world(grip.mouth) - before.tools[grip.tool].to_world(grip.mouth)) / dt;
+        const Vec3 wanted = grip.last + (led - velocity) / response;
+        const double largest = dt * grip.limit;
+        const double size = wanted.norm();
+        const Vec3 impulse = size > largest ? Vec3(largest / size * wanted) : wanted;
+        for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
+            row(rows_.velocity, grip.nodes[k]) +=
+                grip.weights[k] * rows_.inverse_mass[grip.nodes[k]] * (impulse - grip.last);
+        }
+        grip.last = impulse;
+    }
+}
+
 void ExplicitContact::finish(double dt, const PartnerPoses& after) {
     for (const Active& active : active_) {
         ContactCandidate& candidate = (*candidates_)[active.candidate];
@@ -347,9 +375,16 @@ void ExplicitContact::resolve(double dt, const PartnerPoses& before, const Partn
     std::iota(unsettled_.begin(), unsettled_.end(), 0);
     unsettled_pairs_.resize(active_pairs_.size());
     std::iota(unsettled_pairs_.begin(), unsettled_pairs_.end(), 0);
-    for (int i = 0; i < most_sweeps && (!unsettled_.empty() || !unsettled_pairs_.empty()); ++i) {
+    for (SuctionGrip& grip : *grips_) {
+        grip.last = Vec3::Zero();
+    }
+    for (int i = 0; i < most_sweeps && (i == 0 || !unsettled_.empty() || !unsettled_pairs_.empty()); ++i) {
+        sweep_grips(dt, before, after);
         sweep();
         sweep_pairs();
+    }
+    for (SuctionGrip& grip : *grips_) {
+        grip.impulse += grip.last;
     }
     finish(dt, after);
     for (std::size_t i = 0; i < bags.size(); ++i) {

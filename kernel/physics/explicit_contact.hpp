@@ -14,15 +14,17 @@
 #include "physics/contact_candidates.hpp"
 #include "physics/explicit_solid.hpp"
 #include "physics/piece_contact.hpp"
+#include "physics/suction_grip.hpp"
 
 namespace rhexis {
 
 /// Scratch of the explicit resolver for one step.
 class ExplicitContact {
 public:
-    /// Starts a step of a loaded solid. candidates must outlive the step. poses: at its start.
+    /// Starts a step of a loaded solid. candidates and grips must outlive the step. poses: at its start.
     void begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
-               ContactCandidates& candidates, const std::vector<PiecePair>& pairs, ExplicitSolid& solid);
+               ContactCandidates& candidates, const std::vector<PiecePair>& pairs, std::vector<SuctionGrip>& grips,
+               ExplicitSolid& solid);
 
     /// Corrects the velocities of the solid and of the bags so that no contact is violated after dt [s].
     /// before, after: poses at the ends of the substep, of the bags both at its start; bags: already accelerated.
@@ -89,6 +91,7 @@ private:
     void sweep();
     void collect_pairs(double dt);
     void sweep_pairs();
+    void sweep_grips(double dt, const PartnerPoses& before, const PartnerPoses& after);
     void finish(double dt, const PartnerPoses& after);
 
     const WorldModel* model_ = nullptr;
@@ -110,6 +113,7 @@ private:
     };
     const std::vector<PiecePair>* pairs_ = nullptr;
     std::vector<ActivePair> active_pairs_;
+    std::vector<SuctionGrip>* grips_ = nullptr;
     std::vector<Active> active_;
     std::vector<int> unsettled_;        ///< indices into active_
     std::vector<int> unsettled_pairs_;  ///< indices into active_pairs_

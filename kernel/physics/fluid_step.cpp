@@ -6,6 +6,7 @@
 
 #include "physics/chamber_flow.hpp"
 #include "physics/iris_motion.hpp"
+#include "physics/wound_heat.hpp"
 
 namespace rhexis {
 
@@ -34,11 +35,12 @@ Vec3 inflow(const Vec3& mouth, double flow, double bore, const Vec3& place) {
 }
 
 ChamberControl chamber_control(const WorldModel& model, std::span<const ToolState> tools,
-                               std::span<const TipState> tips, std::span<const MouthProbe> probes) {
+                               std::span<const TipState> tips, std::span<const MouthProbe> probes,
+                               const WoundState& wound) {
     ChamberControl control;
     control.vent = true;
     control.wound_open =
-        std::any_of(tools.begin(), tools.end(), [](const ToolState& tool) { return tool.present; }) ? 1.0 : 0.0;
+        wound_gape(wound, std::any_of(tools.begin(), tools.end(), [](const ToolState& tool) { return tool.present; }));
     const int hand = handpiece(tools, probes);
     if (hand < 0 || !model.chamber) {
         control.tip_open = 0.0;
@@ -62,7 +64,10 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
     }
     if (model.chamber) {
         const ChamberModel& chamber = *model.chamber;
-        state.flows = advance_chamber(chamber, chamber_control(model, tools, state.tips, probes), dt, *state.chamber);
+        state.flows = advance_chamber(chamber, chamber_control(model, tools, state.tips, probes, state.chamber->wound),
+                                      dt, *state.chamber);
+        const int hot = handpiece(tools, probes);
+        heat_wound(hot >= 0 ? tools[hot].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
         const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;

@@ -15,7 +15,8 @@ namespace rhexis {
 
 /// What the operator's pedal and the machine ask of the chamber. One handpiece: the first present that aspirates.
 ChamberControl chamber_control(const WorldModel& model, std::span<const ToolState> tools,
-                               std::span<const TipState> tips, std::span<const MouthProbe> probes);
+                               std::span<const TipState> tips, std::span<const MouthProbe> probes,
+                               const WoundState& wound);
 
 /// Advances chamber, tips, the place at which the vitreous holds the bag, and the iris. Without a chamber only looks
 /// at the mouths.

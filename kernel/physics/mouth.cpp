@@ -14,7 +14,8 @@ namespace rhexis {
 namespace {
 
 constexpr std::array<double, 4> looks{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
-constexpr double shut = 0.85;  ///< share of the mouth that must be covered to shut it. Proposal
+constexpr double shut = 0.85;       ///< share of the mouth that must be covered to shut it. Proposal
+constexpr double kept_shut = 0.65;  ///< once lens has shut it: suction has drawn it in. Proposal
 
 /// Out along the mouth's normal to the surface of the rounded end.
 Vec3 on_end(const RoundedCone& end, const Vec3& facing, const Vec3& point) {
@@ -89,7 +90,27 @@ MouthProbe mouth_probe(const ToolModel& tool) {
     return probe;
 }
 
-double open_share(double covered) { return std::clamp(1.0 - covered / shut, 0.0, 1.0); }
+std::vector<BeforeMouth> before_mouth(const WorldModel& model, const WorldState& state, int tool, const Mouth& mouth,
+                                      const Pose& pose) {
+    std::vector<BeforeMouth> found;
+    const ToolModel& tip = model.tools[tool];
+    const double wide = tip.bore_radius + seal;
+    for (const FineTissue& fine : tissue_near(model.solids[0], state.solids[0], tip.parts.front(), pose, kept_seal)) {
+        const Vec3 middle = 0.25 * (fine.corners[0] + fine.corners[1] + fine.corners[2] + fine.corners[3]);
+        const Vec3 from_mouth = pose.to_body(middle) - mouth.centre;
+        const double along = mouth.facing.dot(from_mouth);
+        if (along > -seal && from_mouth.squaredNorm() - along * along < wide * wide) {
+            found.push_back({fine.tet, from_mouth.norm()});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const BeforeMouth& a, const BeforeMouth& b) { return a.distance < b.distance; });
+    return found;
+}
+
+double open_share(double covered, bool was_shut) {
+    return std::clamp(1.0 - covered / (was_shut ? kept_shut : shut), 0.0, 1.0);
+}
 
 TipState look_at_mouth(const WorldModel& model, const WorldState& state, int tool, const ToolState& tool_state,
                        const MouthProbe& probe) {
@@ -99,7 +120,7 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
     }
     const Pose& pose = tool_state.pose;
     const bool was_shut = state.tips[tool].lens > 0.5 && state.tips[tool].suction > least_suction;
-    const std::size_t far = was_shut ? looks.size() : 2;
+    const std::size_t far = was_shut ? looks.size() : 3;
     std::vector<FineTissue> tissue;
     if (!state.solids.empty() && !state.solids[0].fraction.empty()) {
         tissue = tissue_near(model.solids[0], state.solids[0], model.tools[tool].parts.front(), pose, looks[far - 1]);
@@ -130,7 +151,7 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
     if (state.capsule && state.capsule->captured && state.capsule->tool == tool) {
         tip.capsule = 1.0 - tip.lens - tip.iris - tip.debris;
     }
-    tip.open = open_share(tip.lens + tip.capsule + tip.iris + tip.debris);
+    tip.open = open_share(tip.lens + tip.capsule + tip.iris + tip.debris, was_shut);
     return tip;
 }
 

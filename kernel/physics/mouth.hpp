@@ -28,8 +28,19 @@ MouthProbe mouth_probe(const ToolModel& tool);
 TipState look_at_mouth(const WorldModel& model, const WorldState& state, int tool, const ToolState& tool_state,
                        const MouthProbe& probe);
 
-/// How open a mouth is of which this share is covered, 1 to 0.
-double open_share(double covered);
+/// A fine tetrahedron right before a mouth.
+struct BeforeMouth {
+    int fine = 0;
+    double distance = 0.0;  ///< of its middle from the mouth's [mm]
+};
+
+/// Tissue of solid 0 that suction can draw at, within the bore and kept_seal before it, nearest first. pose: of the
+/// tool when the solid is where `state` says.
+std::vector<BeforeMouth> before_mouth(const WorldModel& model, const WorldState& state, int tool, const Mouth& mouth,
+                                      const Pose& pose);
+
+/// How open a mouth is of which this share is covered, 1 to 0. was_shut: lens tissue shut it before.
+double open_share(double covered, bool was_shut);
 
 /// 20 mmHg: less than this holds neither capsule nor iris [Pa].
 inline constexpr double least_suction = 2666.0;

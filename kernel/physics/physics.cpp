@@ -112,6 +112,7 @@ void Physics::Solvers::step_solid(const StepTask& task, int solid, StepOutcome& 
     result.solid = task.state.solids[solid];
     result.bags = task.state.bags;
     result.candidates.clear();
+    result.grips.clear();
 }
 
 void Physics::Solvers::keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const {
@@ -122,6 +123,7 @@ void Physics::Solvers::keep(const StepTask& task, int solid, WorldState& next, C
         break_adhesion(result.candidates, surface, next.bags);
     }
     report_contacts(result.candidates, surface, solid, task.dt, contacts);
+    report_grips(result.grips, task.tools, solid, task.dt, contacts);
     remember_contacts(result.candidates, surface, solid, next.memory);
 }
 

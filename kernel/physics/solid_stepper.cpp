@@ -197,10 +197,14 @@ void SolidStepper::look_for_contacts(const StepTask& task) {
     surface_.update(*solid_model_, task.state.solids[solid_]);
     find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, candidates_);
     find_piece_pairs(surface_, task.state.solids[solid_].position, moved_in(task, solid_), pairs_);
+    if (solid_ == 0) {
+        find_grips(task.model, task.state, task.tools, task.probes, grips_);
+    }
 }
 
 void SolidStepper::run(const StepTask& task, bool explicit_way, int divisions, StepTry& result) {
     result.candidates = candidates_;
+    result.grips = grips_;
     result.report = SolidStepReport{};
     result.report.explicit_used = explicit_way;
     result.failure = StepFailure::none;
@@ -237,7 +241,7 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
     place_tools(task.tools, 0.0, after);
     set_bag_poses(result.bags, before);
     before.tools = after.tools;
-    explicit_contact_.begin(task.model, surface_, before, result.candidates, pairs_, *explicit_);
+    explicit_contact_.begin(task.model, surface_, before, result.candidates, pairs_, result.grips, *explicit_);
     for (int i = 1; i <= count; ++i) {
         std::swap(before.tools, after.tools);
         place_tools(task.tools, static_cast<double>(i) / count, after);

@@ -36,6 +36,7 @@ struct StepTry {
     SolidState solid;
     std::vector<BagState> bags;
     ContactCandidates candidates;
+    std::vector<SuctionGrip> grips;
     SolidStepReport report;
     StepFailure failure = StepFailure::none;
 };
@@ -77,9 +78,10 @@ private:
     std::optional<ExplicitSolid> explicit_;
     std::optional<ImplicitSolid> implicit_;
     ExplicitContact explicit_contact_;
-    ContactCandidates candidates_;  ///< scratch of one step
-    std::vector<PiecePair> pairs_;  ///< scratch of one step
-    double rest_step_ = 0.0;        ///< explicit stability limit at rest [s]
+    ContactCandidates candidates_;    ///< scratch of one step
+    std::vector<PiecePair> pairs_;    ///< scratch of one step
+    std::vector<SuctionGrip> grips_;  ///< scratch of one step
+    double rest_step_ = 0.0;          ///< explicit stability limit at rest [s]
 };
 
 }  // namespace rhexis

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/places.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -13,21 +14,12 @@ namespace {
 /// Bounding ball of a coarse tetrahedron against the tip: skips nearly all of the body.
 bool out_of_reach(const RoundedCone& end, const Pose& pose, double reach, const std::vector<Vec3>& x,
                   const std::array<int, 4>& tet) {
-    const Vec3 centre = 0.25 * (x[tet[0]] + x[tet[1]] + x[tet[2]] + x[tet[3]]);
+    const Vec3 centre = centroid(x, tet);
     double radius = 0.0;
     for (int node : tet) {
         radius = std::max(radius, (x[node] - centre).squaredNorm());
     }
     return cone_distance(end, pose.to_body(centre)).distance > reach + std::sqrt(radius);
-}
-
-Vec3 fine_point(const SolidModel& model, const std::vector<Vec3>& x, int fine_node) {
-    const int coarse_nodes = static_cast<int>(x.size());
-    if (fine_node < coarse_nodes) {
-        return x[fine_node];
-    }
-    const std::array<int, 2>& edge = model.fine.edges[fine_node - coarse_nodes];
-    return 0.5 * (x[edge[0]] + x[edge[1]]);
 }
 
 }  // namespace
@@ -47,7 +39,7 @@ std::vector<FineTissue> tissue_near(const SolidModel& model, const SolidState& s
             FineTissue tissue;
             tissue.tet = static_cast<int>(f);
             for (std::size_t k = 0; k < 4; ++k) {
-                tissue.corners[k] = fine_point(model, x, model.fine.tets[f][k]);
+                tissue.corners[k] = fine_point(model.fine, x, model.fine.tets[f][k]);
             }
             near.push_back(tissue);
         }

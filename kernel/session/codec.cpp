@@ -140,6 +140,8 @@ void fluid_fields(auto& io, auto& world) {
         inner(chamber.totals.vented);
         inner(chamber.totals.aspirated);
         inner(chamber.totals.leaked);
+        inner(chamber.wound.temperature);
+        inner(chamber.wound.hot_s);
     });
     auto& flows = world.flows;
     io(flows.infusion);

@@ -284,8 +284,17 @@ void Session::Parts::crumble_pieces(int solid) {
 /// Before the first step.
 void Session::Parts::cut_into_segments() {
     const int segments = static_cast<int>(settings.at("nucleus.segments"));
-    if (segments > 0 && !world->solids.empty() && take_apart(0, segment_faces(world->solids[0], segments))) {
+    if (segments == 0 || world->solids.empty()) {
+        return;
+    }
+    if (take_apart(0, segment_faces(world->solids[0], segments))) {
         follow_model();
+    }
+    const double width = settings.at("nucleus.trench_mm");
+    if (width > 0.0) {
+        const MeshEdit trenches = trench(world->solids[0], state.solids[0], 0, segments, width);
+        state.removed_mass += edit_mass(trenches, world->solids[0], state.solids[0]);
+        apply(trenches, world->solids[0], state.solids[0]);
     }
 }
 

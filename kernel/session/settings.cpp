@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 14> table{{
+constexpr std::array<SettingInfo, 15> table{{
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
      "Strain that the posterior capsule bears, share of that at the age."},
     {"capsulorhexis.diameter_mm", "mm", 3.0, 8.0, 5.25, false, "Diameter of the opening in the anterior capsule."},
@@ -22,6 +22,8 @@ constexpr std::array<SettingInfo, 14> table{{
     {"machine.tubing_mm3_mmhg", "mm^3/mmHg", 0.05, 1.0, 0.15, false, "Volume per pressure of the aspiration tubing."},
     {"machine.vacuum_mmhg", "mmHg", 0.0, 650.0, 80.0, true, "Vacuum at which the pump stops, at full pedal."},
     {"nucleus.segments", "1", 0.0, 8.0, 0.0, false, "Segments into which a laser has cut the lens: 0, 2, 4, 6 or 8."},
+    {"nucleus.trench_mm", "mm", 0.0, 2.0, 0.0, false,
+     "Width of trenches that were sculpted along those cuts, down to the back of the nucleus; 0: none."},
     {"phaco.duty", "1", 0.05, 1.0, 0.5, true, "Share of a pulse's period with ultrasound."},
     {"phaco.power_limit", "1", 0.0, 1.0, 1.0, true,
      "Ultrasound power at full pedal, share of the machine's full power."},

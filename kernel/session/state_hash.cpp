@@ -76,8 +76,9 @@ void add(StateHash& hash, const ToolState& tool) {
 }
 
 void add(StateHash& hash, const ChamberState& chamber) {
-    for (const double value : {chamber.eye_volume, chamber.tube_volume, chamber.totals.infused, chamber.totals.vented,
-                               chamber.totals.aspirated, chamber.totals.leaked}) {
+    for (const double value :
+         {chamber.eye_volume, chamber.tube_volume, chamber.totals.infused, chamber.totals.vented,
+          chamber.totals.aspirated, chamber.totals.leaked, chamber.wound.temperature, chamber.wound.hot_s}) {
         hash.add(value);
     }
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "mesh/adjacency.hpp"
+#include "mesh/places.hpp"
+#include "topology/remove.hpp"
 
 namespace rhexis {
 
@@ -41,6 +43,8 @@ unsigned sides(const TetMesh& mesh, int tet, const std::vector<Vec2>& normals) {
     return bits;
 }
 
+constexpr double trench_reach = 0.75;  ///< of the equator's radius
+
 }  // namespace
 
 std::vector<BrokenFace> segment_faces(const SolidModel& model, int segments) {
@@ -59,6 +63,26 @@ std::vector<BrokenFace> segment_faces(const SolidModel& model, int segments) {
     }
     std::sort(faces.begin(), faces.end());
     return faces;
+}
+
+MeshEdit trench(const SolidModel& model, const SolidState& state, int solid, int segments, double width) {
+    const std::vector<Vec2> normals = cuts(segments);
+    double equator = 0.0;
+    for (const Vec3& node : model.coarse.nodes) {
+        equator = std::max(equator, node.head<2>().norm());
+    }
+    SolidState after = state;
+    for (int t = 0; t < static_cast<int>(model.fine.tets.size()); ++t) {
+        const Vec3 middle = fine_middle(model.fine, model.coarse.nodes, t);
+        const Vec2 across = middle.head<2>();
+        const bool near = std::any_of(normals.begin(), normals.end(),
+                                      [&](const Vec2& normal) { return std::abs(normal.dot(across)) < 0.5 * width; });
+        const bool above = middle.z() > 0.0 || model.coarse.region[t / 8] == 0;
+        if (near && above && across.norm() < trench_reach * equator) {
+            after.fraction[t] = 0.0;
+        }
+    }
+    return spent_elements(state, after, solid);
 }
 
 }  // namespace rhexis

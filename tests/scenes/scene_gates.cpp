@@ -74,7 +74,7 @@ Gates gates_of_input(bool) {
             gates.push_back(
                 {id, "largest shift of the lens in a step over that with an even hand", found.jump / calm.jump, 1.5});
             gates.push_back({id, "distance of the lens from where an even hand leaves it [mm]",
-                             (found.shift - calm.shift).norm(), 0.15});
+                             (found.shift - calm.shift).norm(), 0.1});
         }
     }
     return gates;
