@@ -120,8 +120,10 @@ return exercise {
             evidence = { "groove_1.depth_mm", "reflex.tip" },
         },
         error_event "Groove askew" {
-            -- A shorter one has no clear direction yet.
+            -- A shorter one has no clear direction yet, nor has one that is wider at one end until both strokes of a
+            -- layer are made.
             when = "groove_2.length_mm >= 3 and abs(grooves.angle_deg - goal.angle_deg) > goal.tolerance_deg",
+            hold_s = 3,
             recovered = "abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg",
             deadline_s = 60,
             near_miss_s = 0,

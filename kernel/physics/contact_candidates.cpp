@@ -141,7 +141,8 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
         for (ContactCandidate& candidate : candidates) {
             if (held(candidate)) {
                 candidate.hold = hold / count;
-                candidate.grip = candidate.hold;  // what bulges into the bore is held sideways by its rim
+                // what bulges into the bore is held sideways by its rim; ultrasound shakes it off
+                candidate.grip = tools[i].power > 0.0 ? 0.0 : candidate.hold;
             }
         }
     }

@@ -120,7 +120,8 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
     }
     const Pose& pose = tool_state.pose;
     const bool was_shut = state.tips[tool].lens > 0.5 && state.tips[tool].suction > least_suction;
-    const std::size_t far = was_shut ? looks.size() : 3;
+    // suction draws soft tissue across a gap, and ultrasound throws it back
+    const std::size_t far = was_shut ? looks.size() : (tool_state.power > 0.0 ? 2 : 3);
     std::vector<FineTissue> tissue;
     if (!state.solids.empty() && !state.solids[0].fraction.empty()) {
         tissue = tissue_near(model.solids[0], state.solids[0], model.tools[tool].parts.front(), pose, looks[far - 1]);
