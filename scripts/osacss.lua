@@ -105,6 +105,10 @@ return scoring.rubric {
                 of = "90 - grooves.angle_deg", take = "last", during = "spatula.present or lens.removed_mm3 > 0",
                 if_never = 90, five = 5, three = 15, one = 30, weight = 0.5, source = "proposal",
                 better = "Turn the nucleus until the first groove lies across, and keep it there while you sculpt." },
+            { id = "T9.cde", name = "Ultrasound energy (CDE) over what this nucleus needs", unit = "1", digits = 2,
+                of = "phaco.cde / reference.cde", take = "last", five = 1.2, three = 2, one = 3, weight = 0.5,
+                source = "proposal",
+                better = "Give ultrasound on the forward stroke only, and no more than the nucleus asks for." },
             { id = "T9.posterior", name = "Least distance of the working tip from the posterior capsule", unit = "mm",
                 digits = 2, of = "phaco.tip_posterior_mm", take = "min", during = "phaco.aspirating",
                 five = 1.0, three = 0.6, one = 0.3, weight = 1, source = "proposal",
@@ -139,7 +143,7 @@ return scoring.rubric {
             not_scored = "the nucleus is not divided.", measures = {
             { id = "T11.bridge", name = "Nucleus that still bridges the groove", unit = "%", digits = 0,
                 of = "100 * crack.bridge_share", take = "last", during = parting, five = 0,
-                three = 10, one = 30, weight = 2, source = "proposal",
+                three = 10, one = 30, weight = 4, source = "proposal",
                 better = "Go back with both tips into the lower third, next to where the halves still hang "
                     .. "together." },
             { id = "T11.depth", name = "Parting done with both tips in the lower third of the groove", unit = "%",
@@ -150,7 +154,7 @@ return scoring.rubric {
                 better = "Put both tips on the floor of the groove before you part its walls." },
             { id = "T11.left", name = "Part of the lens that was left", unit = "%", digits = 0,
                 of = "100 * fragments.left_share", take = "last", during = removing, five = 5,
-                three = 25, one = 60, weight = 1.5, source = "proposal",
+                three = 25, one = 60, weight = 4, source = "proposal",
                 better = "Go on until the bag is empty: draw the next piece to the middle as soon as one has "
                     .. "cleared." },
             { id = "T11.surges", name = "Losses of more than 30 % of the chamber's depth within a second", unit = "1",

@@ -45,6 +45,23 @@ function phaco_events.infusion_off(own)
     }, own)
 end
 
+--- The needle that rubs in its sleeve without flow burns the wound. Its shrunken lips do not close again: what can be put
+--- right is that it goes on.
+function phaco_events.wound_burn(own)
+    return with({
+        when = "wound.burn_share > 0",
+        recovered = "not phaco.ultrasound and wound.temperature_c < 45",
+        deadline_s = 3,
+        near_miss_s = 0,
+        harm = "wound.burn_share > 0.5",
+        severity = "critical",
+        cue = "The edge of the wound turns white, milky fluid stands at the tip.",
+        advice = "The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. Look "
+            .. "why nothing flowed before you go on, and close the wound with a suture in the end.",
+        evidence = { "wound.temperature_c", "chamber.infusion_ml_min", "phaco.power", "phaco.occlusion" },
+    }, own)
+end
+
 --- The posterior capsule tears: irrigation only until the chamber is deep, then out. ready: what must hold besides
 --- before the tip leaves, or nil.
 function phaco_events.capsule_torn(ready, own)

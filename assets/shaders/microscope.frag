@@ -96,6 +96,7 @@ uniform float iris_z;
 uniform float pupil_radius;
 uniform vec3 incision;
 uniform float incision_width;
+uniform float wound_burn;
 uniform vec3 side_port;
 uniform float side_port_width;
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
@@ -121,6 +122,14 @@ vec3 iris_colour(vec3 at, float radius) {
     float texel_mm = 6.2831853 * radius / float(textureSize(iris_map, 0).x);
     float level = max(0.0, log2(pixel_mm / texel_mm) - 0.5);
     return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
+}
+
+// Where a burnt main wound is white: its roof and lips, more the nearer to its middle.
+float burnt(vec3 at, float grain) {
+    vec2 outward = incision.xy / max(length(incision.xy), 1e-3);
+    float along = at.y * outward.x - at.x * outward.y;
+    float off = dot(outward, at.xy) - 1.04 * length(incision.xy);
+    return 0.9 * exp(-pow(along / (0.55 * incision_width), 4.0) - pow(off / (0.55 + 0.3 * grain), 2.0));
 }
 
 // A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
@@ -370,6 +379,7 @@ void main() {
         inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
         vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
+        inner = mix(inner, vec3(0.80, 0.79, 0.75) * lamp, wound_burn * burnt(on_cornea, grain.g));
 #endif
         picture = mix(inner, picture, white);
         vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));

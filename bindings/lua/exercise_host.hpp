@@ -21,7 +21,7 @@ namespace rhexis {
 
 struct ExerciseOptions {
     std::string curriculum;        ///< folder, file, or bare name of a folder in curricula/
-    std::string surgeon = "none";  ///< "none", or a script in scripts/surgeons: "expert", "novice", a..d
+    std::string surgeon = "none";  ///< "none", or a group of scripts/surgeons: "expert", "novice", a..d; or "random"
     std::uint64_t seed = 1;
     std::map<std::string, std::string> set;  ///< --set key=value: patient fields, settings of the
                                              ///< exercise, habits of the virtual surgeon (surgeon.recovery)

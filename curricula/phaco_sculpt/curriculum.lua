@@ -43,7 +43,7 @@ return exercise {
         angle_deg = { 90, from = 30, to = 90, meaning = "between the two grooves" },
         tolerance_deg = { 10, from = 1, to = 30, meaning = "how far from that angle they may be" },
     },
-    reference = { time_s = 185, path_mm = 700 },
+    reference = { time_s = 185, path_mm = 700, cde = 10300 },
 
     steps = {
         step "approach" {
@@ -193,6 +193,7 @@ return exercise {
         },
         error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
         error_event "Infusion off" (phaco_events.infusion_off { items = { "T7", "T8" } }),
+        error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "G4" } }),
         error_event "Capsule torn" (phaco_events.capsule_torn("not spatula.present", { items = { "T9", "G4" } })),
     },
 

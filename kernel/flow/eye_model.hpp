@@ -41,6 +41,7 @@ struct EyeAnatomy {
     double anterior_chamber_depth = 3.0;  ///< front of the cornea to front of the lens [mm]
     Vec3 incision = Vec3::Zero();         ///< centre of the main wound at its inner lip [mm]
     double incision_width = 2.4;
+    double wound_burn = 0.0;        ///< of the main wound: 0 none, 1 white and shrunk
     Vec3 side_port = Vec3::Zero();  ///< centre of the second, narrow wound at its inner lip [mm]
     double side_port_width = 0.0;   ///< [mm]; 0: it is not cut, because no instrument needs it
 };

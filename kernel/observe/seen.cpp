@@ -122,6 +122,7 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
     }
     percept.landmarks.push_back({"pupil", iris, Vec3(0.0, 0.0, eye.iris_z), eye.pupil_radius});
     percept.landmarks.push_back({"incision", true, eye.incision, 0.5 * eye.incision_width});
+    percept.landmarks.push_back({"wound_white", eye.wound_burn > 0.0, eye.incision, eye.wound_burn});
     percept.landmarks.push_back({"side_port", eye.side_port_width > 0.0, eye.side_port, 0.5 * eye.side_port_width});
     if (!input.tools.empty()) {
         percept.pedal = input.tools[0].pedal;

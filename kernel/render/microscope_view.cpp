@@ -72,6 +72,7 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("sclera_extent", sclera_extent_mm);
     program.set("incision", eye.incision);
     program.set("incision_width", eye.incision_width);
+    program.set("wound_burn", eye.wound_burn);
     program.set("side_port", eye.side_port);
     program.set("side_port_width", eye.side_port_width);
 }

@@ -103,6 +103,9 @@ EyeAnatomy moved_anatomy(EyeAnatomy anatomy, const WorldState& state) {
         anatomy.iris_z = state.iris->z;
         anatomy.pupil_radius = state.iris->pupil_radius;
     }
+    if (state.chamber) {
+        anatomy.wound_burn = burn_share(state.chamber->wound);
+    }
     return anatomy;
 }
 

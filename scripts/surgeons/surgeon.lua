@@ -3,12 +3,13 @@
 
 local groups = require "surgeons.groups"
 local operator = require "surgeons.operator"
+local random = require "surgeons.random"
 local words = require "engine.words"
 
 local surgeon = {}
 
 local function known_names()
-    local names = { "none" }
+    local names = { "none", "random" }
     for _, name in ipairs(groups.names) do names[#names + 1] = name end
     for _, name in ipairs(words.keys(groups.aliases)) do names[#names + 1] = name end
     return names
@@ -36,7 +37,8 @@ end
 --- name: of a group, or an alias; plan: module of the curriculum's folder; given: habits, texts by name. Returns a
 --- complaint, or nil.
 function surgeon.choose(name, plan, given)
-    local group = groups.aliases[name] or name
+    local anything = name == "random"
+    local group = anything and "a" or groups.aliases[name] or name
     if not groups.meaning[group] then
         return ("there is no surgeon '%s'%s"):format(name, words.hint(name, known_names()))
     end
@@ -44,11 +46,11 @@ function surgeon.choose(name, plan, given)
     surgeon.habits, complaint = read_habits(given)
     if complaint then return complaint end
     surgeon.group = group
-    surgeon.plan = require(plan)
+    surgeon.seed = math.random(math.mininteger, math.maxinteger)
+    surgeon.plan = anything and random(surgeon.seed) or require(plan)
     if type(surgeon.plan) ~= "function" then
         return ("the plan %s.lua must return a function(me)"):format(plan)
     end
-    surgeon.seed = math.random(math.mininteger, math.maxinteger)
     return nil
 end
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The infusion is shut: the chamber empties, and ultrasound goes on without flow.
+-- The infusion is shut: the chamber empties, and ultrasound that goes on without flow burns the wound.
 
 local coarse = { patient = { tetrahedra = 1000 } }  -- the fluid does not see the mesh
 local no_infusion = { ["machine.infusion"] = 0 }
@@ -102,5 +102,35 @@ return scenarios {
             t.phaco:pedal(3)
             t:wait(1)
             t:expect("chamber.infusion_ml_min > 15 and phaco.ultrasound")
+        end },
+
+    scenario "wound burnt for want of flow; ultrasound off, infusion opened" {
+        set = coarse,
+        function(t)
+            run_dry(t)
+            t:expect_event("Wound burn", { within = 5 })
+            t.phaco:pedal(1)
+            t:set(infusion)
+            t:expect_event("Wound burn", { recovered = true, within = 2.5 })
+            t:expect("wound.temperature_c < 45")
+        end },
+
+    scenario "wound burnt, and ultrasound goes on" {
+        set = coarse,
+        function(t)
+            run_dry(t)
+            t:expect_event("Wound burn", { within = 5 })
+            t:expect_event("Wound burn", { recovered = false, within = 4 })
+            t:expect("wound.burn_share > 0.9")
+        end },
+
+    scenario "as much ultrasound with flow" {
+        set = coarse,
+        silent_twin_of = "Wound burn",
+        function(t)
+            come_in(t)
+            t.phaco:pedal(3)
+            t:wait(8)
+            t:expect("wound.temperature_c < 40 and phaco.ultrasound_s > 7")
         end },
 }
