@@ -58,7 +58,7 @@ return scenarios {
         silent_twin_of = { "Incomplete split", "Tips too shallow" },
         function(t)
             enter(t)
-            split(t, 1.5, -1.55, 1.5)
+            split(t, 1.6, -1.55, 1.5)
             split(t, -1.5, -1.55, 1.5)
             split(t, 1.8, -1.45, 1.5)
             t:wait(4)

@@ -70,7 +70,7 @@ return scenarios {
         end },
 
     scenario "no flow through a buried tip; ultrasound off" {
-        set = coarse,
+        set = { patient = { tetrahedra = 1000, cataract = "NO5" } },
         function(t)
             come_in(t)
             t.phaco:pedal(3)

@@ -83,7 +83,7 @@ return scenarios {
             come_in(t)
             layers(t, 0, 0.9, 0.4)
             layers(t, 45, 0.9)
-            t:expect_event("Groove askew")
+            t:expect_event("Groove askew", { within = 3 })
             layers(t, 90, 0.9, 0.4)
             t:expect_event("Groove askew", { recovered = true })
         end },
@@ -94,7 +94,7 @@ return scenarios {
             come_in(t)
             layers(t, 0, 0.9, 0.4)
             layers(t, 45, 0.9)
-            t:expect_event("Groove askew")
+            t:expect_event("Groove askew", { within = 3 })
             leave(t)
             t:expect_event("Groove askew", { recovered = false })
         end },

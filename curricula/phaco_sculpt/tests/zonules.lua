@@ -2,7 +2,7 @@
 -- Weak zonules carry what the tip presses on the lens.
 
 local over_lens = { 0, 0, 3 }
-local weak = { patient = { tetrahedra = 1000 }, ["zonules.strength"] = 0.3 }  -- the load counts, not the mesh
+local weak = { patient = { tetrahedra = 1000 }, ["zonules.strength"] = 0.2 }  -- the load counts, not the mesh
 
 local function come_in(t)
     t.phaco:enter()
