@@ -26,15 +26,17 @@ function phaco_events.chamber_collapse(own)
     }, own)
 end
 
+--- Ultrasound is off, and something flows. Into a full chamber flows no more than what leaks at the wound.
+phaco_events.flows_again = "not phaco.ultrasound and (chamber.infusion_ml_min > 5 "
+    .. "or (chamber.infusion_ml_min > 1 and chamber.depth_share > 1))"
+
 --- Ultrasound without the flow that cools the tip. For hold_s the flow may be low: so long it takes to follow the pedal
 --- and to come back after tissue has shut the mouth for a moment.
 function phaco_events.infusion_off(own)
     return with({
         when = "phaco.ultrasound and chamber.infusion_ml_min < 5",
         hold_s = 0.3,
-        -- Into a full chamber flows no more than what leaks at the wound.
-        recovered = "not phaco.ultrasound and (chamber.infusion_ml_min > 5 "
-            .. "or (chamber.infusion_ml_min > 1 and chamber.depth_share > 1))",
+        recovered = phaco_events.flows_again,
         deadline_s = 3,
         near_miss_s = 0,
         severity = "critical",

@@ -124,7 +124,7 @@ return exercise {
             -- layer are made.
             when = "groove_2.length_mm >= 3 and abs(grooves.angle_deg - goal.angle_deg) > goal.tolerance_deg",
             hold_s = 3,
-            recovered = "abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg",
+            recovered = { tip_clear, "abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg" },
             deadline_s = 60,
             near_miss_s = 0,
             severity = "critical",
@@ -192,8 +192,17 @@ return exercise {
             evidence = { "iris.gap_mm", "phaco.pedal" },
         },
         error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
-        error_event "Infusion off" (phaco_events.infusion_off { items = { "T7", "T8" } }),
-        error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "G4" } }),
+        -- A stroke that ends is no answer to it: the tip must come out, for long enough to see that it flows.
+        error_event "Infusion off" (phaco_events.infusion_off {
+            recovered = ("%s and %s"):format(phaco_events.flows_again, tip_clear),
+            recovered_hold_s = look_s,
+            items = { "T7", "T8" },
+        }),
+        error_event "Wound burn" (phaco_events.wound_burn {
+            recovered = "wound.temperature_c < 45 and " .. tip_clear,
+            recovered_hold_s = look_s,
+            items = { "T8", "G4" },
+        }),
         error_event "Capsule torn" (phaco_events.capsule_torn("not spatula.present", { items = { "T9", "G4" } })),
     },
 

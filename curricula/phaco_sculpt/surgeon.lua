@@ -13,7 +13,7 @@ local goal_turn = 90          -- between the grooves [deg]
 local near_enough = 5         -- of it that a surgeon is content with [deg]
 local arm = 2.0               -- of the push about the middle of the lens
 local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
-local far_off = 25            -- of the first groove from lying across, at which it is turned back there [deg]
+local far_off = 15            -- of the first groove from lying across, at which it is turned back there [deg]
 local led = 0.4               -- share of the thickness from which on the second groove leads the tip
 local most_corrections = 6
 local held = 0.48              -- depth of its end then
@@ -31,6 +31,8 @@ local look_s = 0.8            -- before going on after that
 local sound_share = 0.68      -- of the thickness that the groove must seem to have when looked at in the end
 local iris_margin = 0.15      -- of the tip's edge from the pupil's at which to stop
 local tip_radius = 0.45
+local least_flow = 5.0        -- on the panel [ml/min]
+local blocked_s = 0.3         -- so long it may stand still
 
 -- The grooves that can be told apart in the picture, each with its direction: clockwise from away-from-the-surgeon
 -- [deg], by the ends that began as its near and its far one.
@@ -83,6 +85,16 @@ local function near_rim(eye)
         local far = vector.norm(vector.sub(eye.port, tip))
         local passes = tip[3] + bend + (eye.port[3] - tip[3]) * (rim.size - off) / far
         return passes - shaft_radius < rim.position[3] - surely_below and "rim" or nil
+    end
+end
+
+-- Ultrasound goes on while the panel shows vacuum and no flow: the mouth is shut, or nothing comes in.
+local function blocked()
+    local since
+    return function(seen)
+        local stuck = seen.power > 0.1 and seen.flow_ml_min < least_flow
+        since = stuck and (since or seen.time_s) or nil
+        return since and seen.time_s - since > blocked_s and "blocked" or nil
     end
 end
 
@@ -222,10 +234,13 @@ local function keep_across(groove)
         local seen = me.see()
         local first = first_groove(seen, true)
         local shallow = sculpting.seen_share(eye, floor_ahead(seen)) < led
-        local astray = first and shallow and math.abs(first.direction % 180 - goal_turn) > far_off
+        local astray = first and shallow and me.notices(function()
+            return math.abs(first.direction % 180 - goal_turn) > far_off
+        end)
         if state.times >= most_corrections or not (astray or (state.lifted and shallow)) then return end
         state.lifted, state.times = false, state.times + 1
         if astray then
+            get_clear(me, eye)
             rest_phaco(me, eye, groove)
             lift_spatula(me, eye, clear_of_lens, sculpting.free_speed)
             rotate(me, eye, true)
@@ -243,10 +258,10 @@ local function keep_across(groove)
 end
 
 local function sculpt(me, eye, groove, until_s, before, recover, depth)
-    local iris, rim = near_iris(eye), near_rim(eye)
+    local iris, rim, stuck = near_iris(eye), near_rim(eye), blocked()
     sculpting.sculpt(me, eye, groove, { depth = depth, until_s = until_s, deep_enough = 0.80, surely_deep = 0.69,
         thin = 0.08, floor = floor_ahead, recover = recover or get_clear, pushed = 0.3, before = before,
-        also = function(seen) return iris(seen) or rim(seen) end, return_height = 0.35, entry_speed = 4.0,
+        also = function(seen) return iris(seen) or rim(seen) or stuck(seen) end, return_height = 0.35, entry_speed = 4.0,
         half_width = 0.3 })
 end
 

@@ -66,6 +66,7 @@ return scenarios {
             run_dry(t)
             t.phaco:pedal(1)
             t:set(infusion)
+            t.phaco:move_by({ 0, 0, 0.6 }, { speed = 4 })
             t:expect_event("Infusion off", { recovered = true, within = 2 })
         end },
 
@@ -77,6 +78,7 @@ return scenarios {
             t.phaco:move_to({ 0, -1, -1.2 }, { speed = 1.2, motion = "even" })
             t:expect_event("Infusion off")
             t.phaco:pedal(1)
+            t.phaco:move_to({ 0, -1, 3.6 }, { speed = 6 })
             t:expect_event("Infusion off", { recovered = true, within = 1 })
         end },
 
@@ -111,6 +113,7 @@ return scenarios {
             t:expect_event("Wound burn", { within = 5 })
             t.phaco:pedal(1)
             t:set(infusion)
+            t.phaco:move_by({ 0, 0, 0.6 }, { speed = 4 })
             t:expect_event("Wound burn", { recovered = true, within = 2.5 })
             t:expect("wound.temperature_c < 45")
         end },
