@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "../attempt.hpp"
-#include "base/rng.hpp"
 
 using namespace rhexis;
 using rhexis::test::Attempt;
@@ -47,21 +46,4 @@ TEST_CASE("experts score above novices, seed by seed in the mean and mostly each
 
 TEST_CASE("the same seed gives the same attempt to the last bit") {
     CHECK(whole("novice", 7).hash == whole("novice", 7).hash);
-}
-
-TEST_CASE("ten minutes of a random operator end with finite numbers and no mass lost") {
-    Attempt attempt("none", 11, {{"time_limit_s", "7200"}});
-    Rng rng(11, "random operator");
-    attempt.appear(Vec3(0.0, 0.0, 3.0));
-    while (attempt.session().time_s() < 600.0) {
-        const Vec3 place(6.0 * rng.uniform() - 3.0, 6.0 * rng.uniform() - 3.0, 6.0 * rng.uniform() - 3.0);
-        attempt.move(place, 1.0 + 15.0 * rng.uniform(), 3.0 * rng.uniform());
-    }
-    CHECK(attempt.session().state().solids[0].position.size() > 0);
-    for (const Vec3& node : attempt.session().state().solids[0].position) {
-        REQUIRE(node.allFinite());
-    }
-    const double removed = attempt.measure("lens.removed_mg");
-    CHECK(std::isfinite(removed));
-    CHECK(removed > 0.0);
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both hands anywhere, any pedal, in every exercise. Ten minutes each: scripts/dev/random_operator.py.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "../attempt.hpp"
+
+using namespace rhexis;
+using rhexis::test::Attempt;
+
+namespace {
+
+double lens_mass(Session& session) {
+    double sum = session.state().removed_mass + remaining_mass(session.world().solids[0], session.state().solids[0]);
+    for (const Debris& crumb : session.state().debris) {
+        sum += crumb.volume * crumb.density;
+    }
+    return sum;
+}
+
+std::uint64_t survive(const std::string& exercise, const std::map<std::string, std::string>& patient) {
+    std::map<std::string, std::string> set = patient;
+    set["time_limit_s"] = "7200";
+    set["patient.tetrahedra"] = "800";
+    Attempt attempt("random", 11, set, exercise);
+    const double mass = lens_mass(attempt.session());
+    attempt.run(40.0);
+    CHECK(attempt.session().time_s() > 39.0);
+    CHECK(lens_mass(attempt.session()) == doctest::Approx(mass).epsilon(1e-12));
+    for (const Vec3& node : attempt.session().state().solids[0].position) {
+        REQUIRE(node.allFinite());
+    }
+    MESSAGE(exercise << ": " << attempt.rollbacks() << " steps redone, " << attempt.result().at("events").size()
+                     << " errors");
+    CHECK(attempt.result().at("events").size() > 0);
+    return attempt.session().state_hash();
+}
+
+}  // namespace
+
+TEST_CASE("a random operator: finite numbers, no mass lost, the same end twice") {
+    for (const char* exercise : {"groove", "phaco_sculpt", "phaco_crack", "phaco_quadrants"}) {
+        CAPTURE(exercise);
+        CHECK(survive(exercise, {}) == survive(exercise, {}));
+    }
+}
+
+TEST_CASE("a random operator in a white cataract, a brunescent and a soft lens") {
+    survive("phaco_sculpt", {{"patient.cortical_opacity", "1"}});
+    survive("phaco_sculpt", {{"patient.cataract", "NO6"}, {"patient.age", "82"}});
+    survive("phaco_sculpt", {{"patient.cataract", "NO1"}, {"patient.age", "55"}});
+}
