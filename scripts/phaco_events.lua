@@ -47,8 +47,8 @@ function phaco_events.infusion_off(own)
     }, own)
 end
 
---- The needle that rubs in its sleeve without flow burns the wound. Its shrunken lips do not close again: what can be put
---- right is that it goes on.
+--- The needle that rubs in its sleeve without flow burns the wound. Its shrunken lips do not close again: what can be
+--- put right is that it goes on.
 function phaco_events.wound_burn(own)
     return with({
         when = "wound.burn_share > 0",

@@ -129,7 +129,7 @@ float burnt(vec3 at, float grain) {
     vec2 outward = incision.xy / max(length(incision.xy), 1e-3);
     float along = at.y * outward.x - at.x * outward.y;
     float off = dot(outward, at.xy) - 1.04 * length(incision.xy);
-    return 0.9 * exp(-pow(along / (0.55 * incision_width), 4.0) - pow(off / (0.55 + 0.3 * grain), 2.0));
+    return min(0.95, 1.5 * exp(-pow(along / (0.65 * incision_width), 4.0) - pow(off / (0.60 + 0.3 * grain), 2.0)));
 }
 
 // A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
@@ -379,7 +379,7 @@ void main() {
         inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
         vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
-        inner = mix(inner, vec3(0.80, 0.79, 0.75) * lamp, wound_burn * burnt(on_cornea, grain.g));
+        inner = mix(inner, vec3(0.80, 0.79, 0.75) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
 #endif
         picture = mix(inner, picture, white);
         vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
