@@ -215,6 +215,7 @@ Result<AttemptResult> Attempt::write_results() {
     ReportInput input;
     input.identity = host_.identity();
     input.surgeon = options_.exercise.surgeon;
+    input.set = options_.exercise.set;
     input.seed = options_.exercise.seed;
     input.start = options_.start;
     input.patient = session_.scene().patient;

@@ -73,6 +73,7 @@ json make_report(const ReportInput& input) {
     report["schema"] = report_schema;
     report["curriculum"] = curriculum_json(input.identity);
     report["surgeon"] = input.surgeon;
+    report["set"] = json(input.set);
     report["seed"] = input.seed;
     report["start"] = input.start.empty() ? json(nullptr) : json(input.start);
     report["patient"] = patient_json(input.patient);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ inline constexpr int report_schema = 1;
 struct ReportInput {
     nlohmann::json identity;  ///< of the curriculum
     std::string surgeon;
+    std::map<std::string, std::string> set;  ///< what --set changed, habits of the surgeon included
     std::uint64_t seed = 0;
     std::string start;  ///< state file that the run began from; empty: the eye at rest
     Patient patient;

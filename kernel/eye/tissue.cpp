@@ -28,7 +28,7 @@ constexpr double cortex_extinction = 0.25;
 constexpr double white_extinction = 3.0;  ///< of the cortex of a white cataract, all colours alike [1/mm]: proposal
 
 /// Of all lens tissue: nearly incompressible, but far enough from 0.5 for linear tetrahedra not to lock and for an
-/// explicit step of 120 us at grade 3.
+/// explicit step that is not much shorter than the one that is sought.
 constexpr double poisson_ratio = 0.47;
 constexpr double density = 1.05e-3;  ///< [g/mm^3]
 

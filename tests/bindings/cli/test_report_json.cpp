@@ -37,8 +37,9 @@ TEST_SUITE("report") {
         const json report = make_report(example());
         CHECK(report["schema"] == 1);
         CHECK(report["curriculum"] == json{{"id", "groove"}, {"version", 1}, {"sha256", "00"}});
-        for (const char* key : {"surgeon", "seed", "patient", "completed", "duration_s", "steps", "events", "osacss",
-                                "measures", "simulated", "performance", "pictures", "video", "log", "state_hash"}) {
+        for (const char* key :
+             {"surgeon", "set", "seed", "patient", "completed", "duration_s", "steps", "events", "osacss", "measures",
+              "simulated", "performance", "pictures", "video", "log", "state_hash"}) {
             CAPTURE(key);
             CHECK(report.contains(key));
         }
