@@ -20,7 +20,7 @@ return exercise {
     instruments = { "phaco" },
     settings = {
         ["nucleus.segments"] = 4,
-        ["nucleus.trench_mm"] = 1.2,
+        ["nucleus.trench_mm"] = 1.5,
         ["machine.bottle_cm"] = 95,
         ["machine.flow_ml_min"] = 32,
         ["machine.vacuum_mmhg"] = 350,
@@ -47,7 +47,7 @@ return exercise {
             hint = "Bury the tip with a touch of ultrasound, go back to pedal 2 and wait for the vacuum. Draw the "
                 .. "piece to the middle and up, then pulse. When it clears, be at pedal 1 before the capsule comes.",
             done = "100 * fragments.left_share < goal.left_percent",
-            time_limit_s = 420,
+            time_limit_s = 600,
         },
         step "withdraw" {
             title = "Leave the eye",
