@@ -95,6 +95,32 @@ return exercise {
             items = { "G5", "G4" },
             evidence = { "iris.strain", "phaco.suction_mmhg", "phaco.pedal" },
         },
+        error_event "Dropped piece" {
+            when = "fragments.sunk_mm > 2",
+            -- Not chased: no aspiration, the tip away from the depth.
+            recovered = "phaco.pedal < 1.5 and phaco.tip_posterior_mm > 1",
+            deadline_s = 5,
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "A piece grows dim and small, and tumbles away behind the capsule.",
+            advice = "The piece is in the vitreous: do not chase it. Irrigation only, tip up and out of the depth; it is "
+                .. "taken out from behind, later.",
+            items = { "T11", "G4" },
+            evidence = { "fragments.sunk_mm", "capsule.hole_mm2", "phaco.pedal", "phaco.tip_posterior_mm" },
+        },
+        error_event "Wound burn" {
+            when = "wound.burn_share > 0",
+            recovered = "not phaco.ultrasound and wound.temperature_c < 45",
+            deadline_s = 2,
+            near_miss_s = 0,
+            harm = "wound.burn_share > 0.5",
+            severity = "critical",
+            cue = "The edge of the wound turns white, milky fluid stands at the tip.",
+            advice = "The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. Look "
+                .. "why nothing flowed before you go on.",
+            items = { "T8", "G4" },
+            evidence = { "wound.temperature_c", "chamber.infusion_ml_min", "phaco.power", "phaco.occlusion" },
+        },
     },
 
     over = { "phaco.tip_depth_mm > -0.5", "not phaco.present" },

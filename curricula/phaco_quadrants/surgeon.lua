@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- How a virtual surgeon takes out the quarters of a nucleus. First strokes with ultrasound, mouth first along the shaft
--- and through what lies on the far side, where the bag holds it against the tip. When they take no more, piece after piece
--- is grasped with as much vacuum as it bears without being sucked in, carried to the middle and to the far side, and
--- stroked there. What a stroke took shows by how much smaller the pieces are.
+-- and through what lies on the far side, where the bag holds it against the tip. When they take no more, piece after
+-- piece is grasped with as much vacuum as it bears without being sucked in, carried to the middle and to the far side,
+-- and stroked there. What a stroke took shows by how much smaller the pieces are.
 -- All groups follow this plan; what they make of it depends on their hands, eyes and attention
 -- (scripts/surgeons/groups.lua). It sees the picture and the machine's panel only: no measure, no event, no score. [mm]
 
