@@ -22,7 +22,7 @@ return exercise {
         ["nucleus.segments"] = 4,
         ["nucleus.trench_mm"] = 1.5,
         ["machine.bottle_cm"] = 95,
-        ["machine.flow_ml_min"] = 32,
+        ["machine.flow_ml_min"] = 45,
         ["machine.vacuum_mmhg"] = 350,
         ["machine.tubing_mm3_mmhg"] = 0.3,
         ["phaco.pulse_hz"] = 20,
@@ -103,8 +103,8 @@ return exercise {
             near_miss_s = 0,
             severity = "critical",
             cue = "A piece grows dim and small, and tumbles away behind the capsule.",
-            advice = "The piece is in the vitreous: do not chase it. Irrigation only, tip up and out of the depth; it is "
-                .. "taken out from behind, later.",
+            advice = "The piece is in the vitreous: do not chase it. Irrigation only, tip up and out of the depth; "
+                .. "it is taken out from behind, later.",
             items = { "T11", "G4" },
             evidence = { "fragments.sunk_mm", "capsule.hole_mm2", "phaco.pedal", "phaco.tip_posterior_mm" },
         },
@@ -116,8 +116,8 @@ return exercise {
             harm = "wound.burn_share > 0.5",
             severity = "critical",
             cue = "The edge of the wound turns white, milky fluid stands at the tip.",
-            advice = "The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. Look "
-                .. "why nothing flowed before you go on.",
+            advice = "The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. "
+                .. "Look why nothing flowed before you go on.",
             items = { "T8", "G4" },
             evidence = { "wound.temperature_c", "chamber.infusion_ml_min", "phaco.power", "phaco.occlusion" },
         },

@@ -18,10 +18,11 @@ local draw_speed = 2.0          -- with a piece on the tip
 local grips = { 1.75, 1.45 }    -- pedal that holds nucleus without drawing it in; the same for what is softer
 local panel_vacuum = 350        -- at pedal 2 [mmHg]
 local full = 0.75               -- of the vacuum that the pedal asks for: the mouth is shut
-local most_strokes = 40         -- before anything is grasped
+local most_strokes = 40         -- at a time, without grasping
 local strokes_per_piece = 12
 local worth = 0.2               -- what a good stroke takes [mm^3]
 local pieces_in_turn = 5        -- the largest ones
+local enough = 12               -- that is left of all pieces, as it looks [mm^3]
 local small = 0.3               -- radius of a piece that is left
 local edge = 3.9                -- of where the tip may go, from the middle of the pupil
 local plate = 1.0               -- that the tip keeps from where the posterior capsule must be
@@ -206,7 +207,7 @@ return function(me)
     me.wait(1.5)  -- the chamber deepens
     local reason, number = strokes(me, eye, far_one, most_strokes, 4, 0)
     local last, turn, tries, grip = nil, 0, 0, 1
-    while me.time_s() < until_s do
+    while me.time_s() < until_s and volume(me.see()) > enough do
         if reason then
             let_go(me, eye)
             if reason == "hole" then break end
@@ -215,12 +216,15 @@ return function(me)
         if #list == 0 then break end
         local piece = last and tries < 2 and nearest_to(me.see(), last)
         if not piece then
-            piece = list[turn % math.min(pieces_in_turn, #list) + 1]
             turn, tries = turn + 1, 0
+            piece = list[turn % math.min(pieces_in_turn, #list) + 1]
         end
         local held
         last, tries = piece.position, tries + 1
-        reason, held = grasp(me, eye, piece, grips[grip])
+        if turn % pieces_in_turn == 0 and tries == 1 then
+            reason, number = strokes(me, eye, far_one, most_strokes, 4, number)
+        end
+        if not reason then reason, held = grasp(me, eye, piece, grips[grip]) end
         if held and not reason then
             reason = carry(me, eye, grips[grip])
             local here = nearest_to(me.see(), me.tip())
