@@ -22,7 +22,7 @@ return exercise {
         ["nucleus.segments"] = 4,
         ["nucleus.trench_mm"] = 1.5,
         ["machine.bottle_cm"] = 95,
-        ["machine.flow_ml_min"] = 45,
+        ["machine.flow_ml_min"] = 32,
         ["machine.vacuum_mmhg"] = 350,
         ["machine.tubing_mm3_mmhg"] = 0.3,
         ["phaco.pulse_hz"] = 20,
