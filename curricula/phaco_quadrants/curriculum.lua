@@ -30,7 +30,7 @@ return exercise {
     },
 
     goals = {
-        left_percent = { 10, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
+        left_percent = { 25, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
     },
     reference = { time_s = 240, path_mm = 900 },
 
