@@ -20,7 +20,7 @@ return exercise {
     instruments = { "phaco" },
     settings = {
         ["nucleus.segments"] = 4,
-        ["nucleus.trench_mm"] = 1.2,
+        ["nucleus.trench_mm"] = 1.5,
         ["machine.bottle_cm"] = 95,
         ["machine.flow_ml_min"] = 32,
         ["machine.vacuum_mmhg"] = 350,
@@ -30,7 +30,7 @@ return exercise {
     },
 
     goals = {
-        left_percent = { 10, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
+        left_percent = { 25, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
     },
     reference = { time_s = 240, path_mm = 900 },
 
@@ -47,7 +47,7 @@ return exercise {
             hint = "Bury the tip with a touch of ultrasound, go back to pedal 2 and wait for the vacuum. Draw the "
                 .. "piece to the middle and up, then pulse. When it clears, be at pedal 1 before the capsule comes.",
             done = "100 * fragments.left_share < goal.left_percent",
-            time_limit_s = 420,
+            time_limit_s = 600,
         },
         step "withdraw" {
             title = "Leave the eye",
@@ -94,6 +94,32 @@ return exercise {
             advice = "Iris in the tip: let go of the pedal and wait until it slips off; do not pull.",
             items = { "G5", "G4" },
             evidence = { "iris.strain", "phaco.suction_mmhg", "phaco.pedal" },
+        },
+        error_event "Dropped piece" {
+            when = "fragments.sunk_mm > 2",
+            -- Not chased: no aspiration, the tip away from the depth.
+            recovered = "phaco.pedal < 1.5 and phaco.tip_posterior_mm > 1",
+            deadline_s = 5,
+            near_miss_s = 0,
+            severity = "critical",
+            cue = "A piece grows dim and small, and tumbles away behind the capsule.",
+            advice = "The piece is in the vitreous: do not chase it. Irrigation only, tip up and out of the depth; "
+                .. "it is taken out from behind, later.",
+            items = { "T11", "G4" },
+            evidence = { "fragments.sunk_mm", "capsule.hole_mm2", "phaco.pedal", "phaco.tip_posterior_mm" },
+        },
+        error_event "Wound burn" {
+            when = "wound.burn_share > 0",
+            recovered = "not phaco.ultrasound and wound.temperature_c < 45",
+            deadline_s = 2,
+            near_miss_s = 0,
+            harm = "wound.burn_share > 0.5",
+            severity = "critical",
+            cue = "The edge of the wound turns white, milky fluid stands at the tip.",
+            advice = "The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. "
+                .. "Look why nothing flowed before you go on.",
+            items = { "T8", "G4" },
+            evidence = { "wound.temperature_c", "chamber.infusion_ml_min", "phaco.power", "phaco.occlusion" },
         },
     },
 

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- How a virtual surgeon takes out the quarters of a nucleus: ultrasound buries the tip in a quarter, the pedal goes back
--- to 2 while the tip presses on until vacuum holds, what is held is drawn to the middle of the pupil and emulsified
--- there. What is too small to be held is followed and eaten where it lies.
+-- How a virtual surgeon takes out the quarters of a nucleus. First strokes with ultrasound, mouth first along the shaft
+-- and through what lies on the far side, where the bag holds it against the tip. When they take no more, piece after
+-- piece is grasped with as much vacuum as it bears without being sucked in, carried to the middle and to the far side,
+-- and stroked there. What a stroke took shows by how much smaller the pieces are.
 -- All groups follow this plan; what they make of it depends on their hands, eyes and attention
 -- (scripts/surgeons/groups.lua). It sees the picture and the machine's panel only: no measure, no event, no score. [mm]
 
@@ -9,22 +10,32 @@ local sculpting = require "surgeons.sculpting"
 local vector = require "surgeons.vector"
 
 local approach_speed = 6.0
-local sweep_speed = 4.0
-local press_speed = 1.0         -- with vacuum, until it holds
+local stroke_speed = 5.0        -- with ultrasound; slower, the tip waits for tissue
+local grasp_speed = 3.0         -- with vacuum, until it holds
+local bury_speed = 2.0          -- with a touch of ultrasound, where vacuum alone finds no hold
+local press_speed = 1.5         -- with vacuum after that
 local draw_speed = 2.0          -- with a piece on the tip
-local radii = { 1.2, 2.0, 2.8 }
-local depths = { 0.6, 1.1, 1.6, 2.1, 2.6, 3.1 }
-local held_vacuum = 200         -- on the panel [mmHg]
+local grips = { 1.75, 1.45 }    -- pedal that holds nucleus without drawing it in; the same for what is softer
+local panel_vacuum = 350        -- at pedal 2 [mmHg]
+local full = 0.75               -- of the vacuum that the pedal asks for: the mouth is shut
+local most_strokes = 40         -- at a time, without grasping
+local strokes_per_piece = 12
+local worth = 0.2               -- what a good stroke takes [mm^3]
+local pieces_in_turn = 5        -- the largest ones
+local enough = 45               -- that is left of all pieces, as it looks: about a fifth of a lens [mm^3]
 local small = 0.3               -- radius of a piece that is left
 local edge = 3.9                -- of where the tip may go, from the middle of the pupil
-local plate = 1.0               -- that the tip keeps from where the posterior capsule must be
+local plate = 0.4               -- kept from where the posterior capsule was before irrigation sank it by another 0.4
 local back_radius = 6.0         -- of the posterior capsule
 local sleeve_room = 0.75        -- that the middle of the shaft keeps from the edge of the pupil
-local until_s = 430
+local until_s = 580
 
 local function across(eye, place)
     return math.sqrt((place[1] - eye.pupil[1]) ^ 2 + (place[2] - eye.pupil[2]) ^ 2)
 end
+
+-- A place over the middle of the pupil, or off it away from the surgeon, at a depth in the lens.
+local function middle(eye, depth, off) return { eye.pupil[1], eye.pupil[2] + (off or 0), eye.front[3] - depth } end
 
 -- Where the tip may work: clear of capsule and cornea, with the shaft clear of the iris.
 local function allowed(eye, place)
@@ -39,21 +50,22 @@ end
 
 -- The same place, or the first one on the way from it to the middle of the lens where the tip may work.
 local function within(eye, place)
-    local middle = { eye.pupil[1], eye.pupil[2] + 0.5, eye.front[3] - 1.8 }
+    local inside = middle(eye, 1.8, 0.5)
     for i = 0, 19 do
-        local nearer = vector.mix(place, middle, i / 20)
+        local nearer = vector.mix(place, inside, i / 20)
         if allowed(eye, nearer) then return nearer end
     end
-    return middle
+    return inside
 end
 
+-- Largest first, with a size of 0 where it cannot be judged.
 local function pieces(seen)
     local list = {}
     for i = 1, 8 do
         local name = "fragment_" .. i
         local mark, near = seen.landmarks[name], seen.landmarks[name .. "_near"]
         if near and not (mark and mark.size < small) then
-            list[#list + 1] = { position = (mark or near).position, near = near.position, size = mark and mark.size }
+            list[#list + 1] = { position = (mark or near).position, size = mark and mark.size or 0 }
         end
     end
     return list
@@ -63,22 +75,20 @@ local function best(list, cost)
     local found, least
     for _, piece in ipairs(list) do
         local value = cost(piece)
-        if value and (not least or value < least) then found, least = piece, value end
+        if not least or value < least then found, least = piece, value end
     end
-    return found, least
+    return found
 end
 
--- Where a piece is emulsified best: in the middle, in the plane of the iris.
-local function safe_place(eye) return { eye.pupil[1], eye.pupil[2], eye.front[3] - 1.5 } end
+local function nearest_to(seen, place)
+    return best(pieces(seen), function(piece) return vector.distance(piece.position, place) end)
+end
 
--- The piece that was worked at last, else the nearest to the middle, rather the far ones: the mouth looks away from the
--- wound.
-local function choose(eye, seen, last)
-    local list = pieces(seen)
-    local same, shift = best(list, function(piece) return last and vector.distance(piece.position, last) end)
-    if same and shift < 1.5 then return same end
-    local safe = safe_place(eye)
-    return best(list, function(piece) return vector.distance(piece.near, safe) - 0.2 * piece.position[2] end)
+-- Of all pieces, as it looks [mm^3].
+local function volume(seen)
+    local sum = 0
+    for _, piece in ipairs(pieces(seen)) do sum = sum + 4 / 3 * math.pi * piece.size ^ 3 end
+    return sum
 end
 
 -- What makes a surgeon let go: the capsule or the iris in the tip, or a hole.
@@ -89,9 +99,8 @@ local function alarm(seen)
     return marks.iris_caught and "iris" or nil
 end
 
-local function held(seen) return seen.vacuum_mmhg > held_vacuum end
-local function lost(seen) return not held(seen) end
 local function into(eye, place) return vector.unit(vector.sub(place, eye.wound)) end
+local function beyond(place, way, distance) return vector.add(place, vector.scale(way, distance)) end
 
 -- A movement that danger ends; what it was meant to end with is no danger.
 local function go(me, place, speed, reached)
@@ -108,74 +117,126 @@ local function let_go(me, eye)
     me.wait(0.5)
 end
 
--- What is on the tip comes to the middle, and is emulsified there as long as it is held.
-local function draw(me, eye)
+-- Whether the panel says that tissue shuts the mouth at this pedal.
+local function holding(grip)
+    local least = full * (grip - 1) * panel_vacuum
+    return function(seen) return seen.vacuum_mmhg > least end
+end
+
+-- Waits until the vacuum has stayed up for a moment: it also rises where tissue only passes the mouth.
+local function firm(me, holds, longest)
+    local since
+    me.wait_until(function(seen)
+        since = holds(seen) and (since or me.time_s()) or nil
+        return alarm(seen) or (since and me.time_s() - since >= 0.3)
+    end, longest)
+    return holds(me.see())
+end
+
+-- Takes a piece onto the tip: along the shaft where the mouth can look at it, else outwards from the middle. Returns
+-- what went wrong, and whether it is held.
+local function grasp(me, eye, piece, grip)
+    local holds, place = holding(grip), piece.position
+    local mouth_first = place[2] > eye.pupil[2] - 0.5 or place[3] > eye.front[3] - 1.2
+    local start = mouth_first and within(eye, beyond(place, into(eye, place), -piece.size - 0.3)) or middle(eye, 1.7)
+    me.pedal(1.2)
+    local reason = go(me, start, approach_speed)
+    piece = nearest_to(me.see(), place)
+    if reason or not piece then return reason, false end
+    place = piece.position
+    local target = { place[1], place[2], math.max(place[3], eye.front[3] - 2.3) }
+    local way = vector.unit(vector.sub(target, me.tip()))
+    me.pedal(grip)
+    reason = go(me, within(eye, beyond(place, way, 0.3 * piece.size)), grasp_speed, holds)
+    if reason then return reason, false end
+    if firm(me, holds, 0.5) then return alarm(me.see()), true end
+    me.pedal(3)
+    reason = go(me, within(eye, beyond(me.tip(), way, 0.6)), bury_speed)
+    if reason then return reason, false end
+    me.pedal(grip)
+    reason = go(me, within(eye, beyond(me.tip(), way, 0.8)), press_speed, holds)
+    if reason then return reason, false end
+    local held = firm(me, holds, 0.6)
+    return alarm(me.see()), held
+end
+
+-- What is held comes to the middle, then to the far side, as far as it follows.
+local function carry(me, eye, grip)
+    local holds = holding(grip)
+    local function lost(seen) return not holds(seen) end
+    return go(me, middle(eye, 1.6, -0.2), draw_speed, lost)
+        or (holds(me.see()) and go(me, middle(eye, 1.6, 1.2), draw_speed, lost)) or nil
+end
+
+-- One stroke through a piece, beside the last one: they spread over it as seeds do in a sunflower.
+local function stroke(me, eye, piece, number)
+    local off = 0.8 * piece.size * math.sqrt(number * 0.618 % 1)
+    local angle = 2.4 * number
+    local target = vector.add(piece.position, { off * math.cos(angle), 0, 0.7 * off * math.sin(angle) })
+    local way = into(eye, target)
+    local from = within(eye, beyond(target, way, -piece.size))
     me.pedal(2)
-    local reason = go(me, safe_place(eye), draw_speed, lost)
+    local reason = go(me, from, approach_speed)
     if reason then return reason end
     me.pedal(3)
-    me.wait_until(function(seen) return alarm(seen) or lost(seen) end, 4)
-    return alarm(me.see())
+    return go(me, within(eye, beyond(target, way, piece.size)), stroke_speed)
 end
 
--- Once round at a height, with ultrasound: what the tip meets is emulsified, and pieces turn past it.
-local function circle(me, eye, radius, z)
-    local function path(share)
-        local angle = 2 * math.pi * (share + 0.25)
-        return within(eye, { eye.pupil[1] + radius * math.cos(angle), eye.pupil[2] + radius * math.sin(angle), z })
+-- Strokes until `patience` of them in a row took nothing worth while. choose: the piece, of what is seen.
+local function strokes(me, eye, choose, most, patience, number)
+    local idle = 0
+    for i = 1, most do
+        local piece = choose(me.see())
+        if not piece or idle >= patience then return nil, number + i end
+        local before = volume(me.see())
+        local reason = stroke(me, eye, piece, number + i)
+        if reason then return reason, number + i end
+        idle = volume(me.see()) < before - worth and 0 or idle + 1
     end
-    me.pedal(2)
-    local reason = go(me, path(0), approach_speed)
-    if reason then return reason end
-    me.pedal(3)
-    return me.follow(path, me.about(sweep_speed), alarm)
+    return nil, number + most
 end
 
-local function nearest_of(seen, position)
-    return best(pieces(seen), function(piece) return vector.distance(piece.position, position) end)
-end
-
--- From the middle to a piece with vacuum, pressed on until it is held, and back to the middle with it. A touch of
--- ultrasound where vacuum alone finds no hold.
-local function fetch(me, eye, position)
-    me.pedal(2)
-    local reason = go(me, safe_place(eye), approach_speed)
-    if reason then return reason end
-    me.wait(0.3)
-    local piece = nearest_of(me.see(), position)
-    if not piece then return nil end
-    for _, extra in ipairs { 0.4, 1.0 } do
-        local way = vector.unit(vector.sub(piece.near, me.tip()))
-        local function at(distance) return within(eye, vector.add(piece.near, vector.scale(way, distance))) end
-        reason = go(me, at(-0.3), approach_speed) or go(me, at(extra), press_speed, held)
-        if reason then return reason end
-        if me.wait_until(held, 0.4) then return draw(me, eye) end
-        me.pedal(3)
-        me.wait(0.15)
-        me.pedal(2)
-    end
-    return nil
+-- Large pieces first, rather those on the far side.
+local function far_one(seen)
+    return best(pieces(seen), function(piece) return -piece.size - 0.4 * piece.position[2] end)
 end
 
 return function(me)
     local eye = sculpting.look_around(me)
     sculpting.enter(me, eye, sculpting.plan_groove(eye))
     me.wait(1.5)  -- the chamber deepens
-    local turn = 0
-    while me.time_s() < until_s and #pieces(me.see()) > 0 do
-        local reason
-        if turn < #radii * #depths then
-            local radius = radii[turn % #radii + 1]
-            local depth = depths[turn // #radii % #depths + 1]
-            reason = circle(me, eye, radius, eye.front[3] - depth)
-        else
-            local list = pieces(me.see())
-            reason = fetch(me, eye, list[turn % #list + 1].position)
-        end
-        turn = turn + 1
+    local reason, number = strokes(me, eye, far_one, most_strokes, 4, 0)
+    local last, turn, tries, grip = nil, 0, 0, 1
+    while me.time_s() < until_s and volume(me.see()) > enough do
         if reason then
             let_go(me, eye)
             if reason == "hole" then break end
+        end
+        local list = pieces(me.see())
+        if #list == 0 then break end
+        local piece = last and tries < 2 and nearest_to(me.see(), last)
+        if not piece then
+            turn, tries = turn + 1, 0
+            piece = list[turn % math.min(pieces_in_turn, #list) + 1]
+        end
+        local held
+        last, tries = piece.position, tries + 1
+        if turn % pieces_in_turn == 0 and tries == 1 then
+            reason, number = strokes(me, eye, far_one, most_strokes, 4, number)
+        end
+        if not reason then reason, held = grasp(me, eye, piece, grips[grip]) end
+        if held and not reason then
+            reason = carry(me, eye, grips[grip])
+            local here = nearest_to(me.see(), me.tip())
+            last = here and here.position or last
+            local function same(seen)
+                local found = nearest_to(seen, last)
+                last = found and found.position or last
+                return found
+            end
+            if not reason then reason, number = strokes(me, eye, same, strokes_per_piece, 2, number) end
+        else
+            last, grip = nil, 3 - grip
         end
     end
     sculpting.leave(me, eye)

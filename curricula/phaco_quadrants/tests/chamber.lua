@@ -8,15 +8,17 @@ local risky = { patient = { tetrahedra = 1000 },
 local careful = { patient = { tetrahedra = 1000 },
     machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 200, bottle_cm = 95 } }
 
--- The tip buried in the far right quarter, which shuts it.
+-- From the trench into the far right quarter with ultrasound, and pressed on until it shuts the tip.
 local function occlude(t)
     t.phaco:enter()
     t.phaco:pedal(1)
-    t.phaco:move_to({ 1.2, -0.6, 2.6 }, { speed = 6 })
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 6 })
     t:wait(1.5)
-    t.phaco:pedal(2.6)
-    t.phaco:move_to({ 1.2, 1.0, 0.6 }, { speed = 2, motion = "even" })
+    t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ 1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
     t.phaco:pedal(2)
+    t.phaco:move_to({ 1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
     t:wait_until("phaco.occlusion > 0.9 and panel.vacuum_mmhg > 180", 6)
 end
 

@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A piece that goes through a hole in the posterior capsule.
+
+local coarse = { patient = { tetrahedra = 1000 } }
+
+-- A hole in the capsule, made with the tip straight down the middle; pedal at 1, tip in the middle of the lens.
+local function tear(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.1" })
+    t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
+    t:expect_event("Capsule torn")
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 0.2 }, { speed = 4 })
+end
+
+-- The far left quarter on the tip.
+local function hold(t)
+    t.phaco:pedal(2)
+    t.phaco:move_to({ -0.85, 0.85, 0.2 }, { speed = 2 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ -1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
+    t.phaco:pedal(1.75)
+    t.phaco:move_to({ -1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
+    t:wait(0.8)
+    t:expect("phaco.hold_mN > 10")
+end
+
+-- It is pushed through the hole while nothing keeps the chamber up.
+local function drop(t)
+    tear(t)
+    hold(t)
+    t:set { ["machine.bottle_cm"] = 0 }
+    t.phaco:move_to({ 0, 0, 0 }, { speed = 2 })
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "fragments.sunk_mm > 2" })
+    t:wait(0.1)
+    t:expect_event("Dropped piece")
+end
+
+return scenarios {
+    scenario "piece dropped, not chased" {
+        set = coarse,
+        function(t)
+            drop(t)
+            t:set { ["machine.bottle_cm"] = 95 }
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0, 0, 2.5 }, { speed = 6 })
+            t:expect_event("Dropped piece", { recovered = true, within = 3 })
+        end },
+
+    scenario "piece dropped, and chased" {
+        set = coarse,
+        function(t)
+            drop(t)
+            t.phaco:pedal(2)
+            t:expect_event("Dropped piece", { recovered = false, within = 6 })
+        end },
+
+    scenario "capsule torn, piece drawn up and away from the hole" {
+        set = coarse,
+        silent_twin_of = "Dropped piece",
+        function(t)
+            tear(t)
+            hold(t)
+            t.phaco:move_to({ 0, 0, 1 }, { speed = 2 })
+            t:wait(1)
+            t:expect("fragments.sunk_mm < 2")
+        end },
+}

@@ -1,0 +1,49 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Ultrasound without flow burns the wound.
+
+local coarse = { patient = { tetrahedra = 1000 } }
+
+local function come_in(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t:wait(1.5)
+end
+
+-- Ultrasound over the lens while the infusion is shut.
+local function burn(t)
+    come_in(t)
+    t:set { ["machine.infusion"] = 0 }
+    t.phaco:pedal(3)
+    t:expect_event("Wound burn", { within = 8 })
+end
+
+return scenarios {
+    scenario "wound burnt for want of flow; ultrasound off, infusion opened" {
+        set = coarse,
+        function(t)
+            burn(t)
+            t.phaco:pedal(1)
+            t:set { ["machine.infusion"] = 1 }
+            t:expect_event("Wound burn", { recovered = true, within = 2 })
+            t:expect("wound.temperature_c < 45")
+        end },
+
+    scenario "wound burnt, and ultrasound goes on" {
+        set = coarse,
+        function(t)
+            burn(t)
+            t:expect_event("Wound burn", { recovered = false, within = 3 })
+            t:expect("wound.temperature_c > 60")
+        end },
+
+    scenario "as much ultrasound with flow" {
+        set = coarse,
+        silent_twin_of = "Wound burn",
+        function(t)
+            come_in(t)
+            t.phaco:pedal(3)
+            t:wait(8)
+            t:expect("wound.temperature_c < 45 and phaco.ultrasound_s > 4")
+        end },
+}
