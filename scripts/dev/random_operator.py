@@ -17,13 +17,13 @@ import tempfile
 import attempts
 
 RUNS = [
-    ("groove", None),
     ("phaco_sculpt", None),
-    ("phaco_crack", None),
     ("phaco_quadrants", None),
+    ("phaco_crack", None),
     ("phaco_sculpt", "white"),
-    ("phaco_sculpt", "brunescent"),
     ("phaco_quadrants", "soft"),
+    ("groove", None),
+    ("phaco_sculpt", "brunescent"),
 ]
 
 
