@@ -22,7 +22,7 @@ local most_strokes = 40         -- at a time, without grasping
 local strokes_per_piece = 12
 local worth = 0.2               -- what a good stroke takes [mm^3]
 local pieces_in_turn = 5        -- the largest ones
-local enough = 45               -- that is left of all pieces, as it looks: about a fifth of a lens [mm^3]
+local enough = 40               -- that is left of all pieces, as it looks, less than a fifth of a lens [mm^3]
 local small = 0.3               -- radius of a piece that is left
 local edge = 3.9                -- of where the tip may go, from the middle of the pupil
 local plate = 0.4               -- kept from where the posterior capsule was before irrigation sank it by another 0.4
@@ -89,6 +89,14 @@ local function volume(seen)
     local sum = 0
     for _, piece in ipairs(pieces(seen)) do sum = sum + 4 / 3 * math.pi * piece.size ^ 3 end
     return sum
+end
+
+-- Little is left, and nothing lies half under the iris, where it cannot be judged.
+local function finished(seen)
+    for _, piece in ipairs(pieces(seen)) do
+        if piece.size == 0 then return false end
+    end
+    return volume(seen) < enough
 end
 
 -- What makes a surgeon let go: the capsule or the iris in the tip, or a hole.
@@ -207,7 +215,7 @@ return function(me)
     me.wait(1.5)  -- the chamber deepens
     local reason, number = strokes(me, eye, far_one, most_strokes, 4, 0)
     local last, turn, tries, grip = nil, 0, 0, 1
-    while me.time_s() < until_s and volume(me.see()) > enough do
+    while me.time_s() < until_s and not finished(me.see()) do
         if reason then
             let_go(me, eye)
             if reason == "hole" then break end
