@@ -153,7 +153,7 @@ return scoring.rubric {
                 three = 60, one = 30, weight = 1, source = "proposal",
                 better = "Put both tips on the floor of the groove before you part its walls." },
             { id = "T11.left", name = "Part of the lens that was left", unit = "%", digits = 0,
-                of = "100 * fragments.left_share", take = "last", during = removing, five = 5,
+                of = "100 * fragments.left_share", take = "last", during = removing, five = 10,
                 three = 25, one = 60, weight = 4, source = "proposal",
                 better = "Go on until the bag is empty: draw the next piece to the middle as soon as one has "
                     .. "cleared." },

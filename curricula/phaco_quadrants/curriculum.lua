@@ -32,7 +32,7 @@ return exercise {
     goals = {
         left_percent = { 25, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
     },
-    reference = { time_s = 240, path_mm = 900 },
+    reference = { time_s = 420, path_mm = 1800 },
 
     steps = {
         step "approach" {
@@ -108,19 +108,7 @@ return exercise {
             items = { "T11", "G4" },
             evidence = { "fragments.sunk_mm", "capsule.hole_mm2", "phaco.pedal", "phaco.tip_posterior_mm" },
         },
-        error_event "Wound burn" {
-            when = "wound.burn_share > 0",
-            recovered = "not phaco.ultrasound and wound.temperature_c < 45",
-            deadline_s = 2,
-            near_miss_s = 0,
-            harm = "wound.burn_share > 0.5",
-            severity = "critical",
-            cue = "The edge of the wound turns white, milky fluid stands at the tip.",
-            advice = "The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. "
-                .. "Look why nothing flowed before you go on.",
-            items = { "T8", "G4" },
-            evidence = { "wound.temperature_c", "chamber.infusion_ml_min", "phaco.power", "phaco.occlusion" },
-        },
+        error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "G4" } }),
     },
 
     over = { "phaco.tip_depth_mm > -0.5", "not phaco.present" },

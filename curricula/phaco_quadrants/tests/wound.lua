@@ -33,7 +33,7 @@ return scenarios {
         set = coarse,
         function(t)
             burn(t)
-            t:expect_event("Wound burn", { recovered = false, within = 3 })
+            t:expect_event("Wound burn", { recovered = false, within = 5 })
             t:expect("wound.temperature_c > 60")
         end },
 
