@@ -12,6 +12,7 @@
 #include "session/codec.hpp"
 #include "session/settings.hpp"
 #include "topology/come_apart.hpp"
+#include "topology/remove.hpp"
 
 using namespace rhexis;
 using namespace rhexis::test;
@@ -255,6 +256,20 @@ TEST_SUITE("session with fluid") {
         MESSAGE("follows by " << with << " mm, without vacuum by " << without);
         CHECK(with > 0.3);
         CHECK(without < 0.7 * with);  // a tip that is buried drags it a little
+    }
+
+    TEST_CASE("a lens in pieces stays in pieces when implicit steps advance it") {
+        SceneDescription scene = small_scene();
+        scene.advance = Advance::implicit;
+        scene.settings["nucleus.segments"] = 4.0;
+        scene.settings["nucleus.trench_mm"] = 1.2;
+        Session session = make_session(scene);
+        const std::size_t splits = session.state().solids[0].splits.size();
+        CHECK(splits > 0);
+        operate(session, 30);
+        CHECK(session.state().solids[0].splits.size() >= splits);
+        CHECK(session.state().solids[0].position.size() == session.world().solids[0].coarse.nodes.size());
+        CHECK(validate(session.world().solids[0], session.state().solids[0]).ok());
     }
 
     TEST_CASE("segments that there are not") {
