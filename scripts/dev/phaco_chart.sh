@@ -64,13 +64,16 @@ set output "$picture"
 set multiplot layout 3,1
 set logscale xy
 set grid xtics ytics lc rgb "#dddddd"
-set xrange [0.03:20]
-set key outside right top
+set xrange [0.07:7]
+set key above maxrows 2
+set lmargin 11
+set rmargin 4
 set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb "#c03030" lw 1.5
 set title "two strokes with ultrasound, against 24,000 tetrahedra in steps of 1 ms; red: real time on one core"
 set ylabel "volume removed at the end, % off"
 plot $(plots_of 2)
 unset title
+unset key
 set ylabel "force of the tip, rms % off"
 plot $(plots_of 3)
 set xlabel "CPU seconds per simulated second (one thread); labels: thousands of tetrahedra"
