@@ -16,6 +16,7 @@ import tempfile
 
 import attempts
 
+DENSITY = 1.05  # of the lens [mg/mm^3]
 RUNS = [
     ("phaco_sculpt", None),
     ("phaco_quadrants", None),
@@ -28,8 +29,9 @@ RUNS = [
 
 
 def volume(series, index):
+    """Of the whole lens: what went and what is left, crumbs included [mm^3]."""
     left = series.get("fragments.left_mm3")
-    return None if left is None else series["lens.removed_mm3"][index] + left[index]
+    return None if left is None else series["lens.removed_mg"][index] / DENSITY + left[index]
 
 
 def one(options, exercise, patient, folder):
