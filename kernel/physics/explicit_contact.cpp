@@ -325,10 +325,7 @@ void ExplicitContact::sweep_grips(double dt, const PartnerPoses& before, const P
         }
         const Vec3 led =
             (after.tools[grip.tool].to_world(grip.mouth) - before.tools[grip.tool].to_world(grip.mouth)) / dt;
-        const Vec3 wanted = grip.last + (led - velocity) / response;
-        const double largest = dt * grip.limit;
-        const double size = wanted.norm();
-        const Vec3 impulse = size > largest ? Vec3(largest / size * wanted) : wanted;
+        const Vec3 impulse = project_on_disc(grip.last + (led - velocity) / response, dt * grip.limit);
         for (std::size_t k = 0; k < grip.nodes.size(); ++k) {
             row(rows_.velocity, grip.nodes[k]) +=
                 grip.weights[k] * rows_.inverse_mass[grip.nodes[k]] * (impulse - grip.last);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "mesh/places.hpp"
 #include "physics/chamber_flow.hpp"
 #include "physics/iris_motion.hpp"
 #include "physics/wound_heat.hpp"
@@ -64,15 +65,15 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
     }
     if (model.chamber) {
         const ChamberModel& chamber = *model.chamber;
+        const int hand = handpiece(tools, probes);
         state.flows = advance_chamber(chamber, chamber_control(model, tools, state.tips, probes, state.chamber->wound),
                                       dt, *state.chamber);
-        const int hot = handpiece(tools, probes);
-        heat_wound(hot >= 0 ? tools[hot].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
+        heat_wound(hand >= 0 ? tools[hand].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
         const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;
         }
-        if (const int hand = handpiece(tools, probes); hand >= 0 && tools[hand].aspiration > 0.0) {
+        if (hand >= 0 && tools[hand].aspiration > 0.0) {
             TipState& tip = state.tips[hand];
             tip.flow = std::max(0.0, state.flows.tip);
             const double before =
@@ -100,8 +101,7 @@ void add_drag(const WorldModel& model, const WorldState& state, int solid, std::
         const Vec3 mouth = tools[i].pose.to_world(probes[i].mouth.centre);
         for (std::size_t t = 0; t < body.coarse.tets.size(); ++t) {
             const std::array<int, 4>& tet = body.coarse.tets[t];
-            const Vec3 place =
-                0.25 * (now.position[tet[0]] + now.position[tet[1]] + now.position[tet[2]] + now.position[tet[3]]);
+            const Vec3 place = centroid(now.position, tet);
             if (now.present[t] == 0 || (place - mouth).squaredNorm() > drawn * drawn) {
                 continue;
             }

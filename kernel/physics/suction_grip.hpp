@@ -24,7 +24,7 @@ struct SuctionGrip {
     std::vector<int> nodes;       ///< coarse nodes, ascending
     std::vector<double> weights;  ///< theirs, of sum 1
     Vec3 mouth = Vec3::Zero();    ///< in the tool's frame [mm]
-    Vec3 last = Vec3::Zero();     ///< impulse of the last substep on the solid [uN s]
+    Vec3 last = Vec3::Zero();     ///< impulse on the solid, so far in this substep [uN s]
     Vec3 impulse = Vec3::Zero();  ///< summed over the step [uN s]
 };
 

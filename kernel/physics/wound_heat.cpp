@@ -7,7 +7,7 @@ namespace {
 
 constexpr double heating = 20.0;                        ///< by full power [K/s]
 constexpr double tissue_cooling = 0.1;                  ///< [1/s]
-constexpr double fluid_cooling = 4.0 / (1000.0 / 3.0);  ///< per flow: 4 / s at 20 ml/min [1/mm^3]
+constexpr double fluid_cooling = 4.0 / (1000.0 / 3.0);  ///< per flow: 4 / s at 20 ml/min = 1000 / 3 mm^3/s [1/mm^3]
 constexpr double tissue_temperature = 34.0;             ///< [degrees C]
 constexpr double fluid_temperature = 24.0;              ///< of a bottle in the theatre [degrees C]
 constexpr double shrinking_temperature = 60.0;          ///< of collagen [degrees C]

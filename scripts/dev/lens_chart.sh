@@ -10,15 +10,9 @@ cd "$repository"
 data=docs/data/lens_chart.csv
 picture=docs/pictures/lens_chart.svg
 
-if ! command -v gnuplot >/dev/null; then
-    say "rhexis: the chart needs gnuplot (apt-get install gnuplot-nox)" >&2
-    exit 2
-fi
+need_gnuplot
 if [ "${1:-}" != --draw ]; then
-    say "measuring (some minutes)"
-    build/release/bindings/cli/rhexis bench lens_chart --json >"$data.json"
-    python3 scripts/dev/bench_to_csv.py "$data.json" name point elements cpu_s_per_s error failure >"$data"
-    rm "$data.json"
+    bench_to_csv lens_chart "$data" name point elements cpu_s_per_s error failure
 fi
 
 series=(

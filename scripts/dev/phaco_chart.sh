@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Measures two strokes with ultrasound over mesh, step and method, and draws what they cost against how far they are from
 # the finest: docs/data/phaco_chart.csv and docs/pictures/phaco_chart.svg. Needs a Release build (./demo.sh makes one) and
-# the Debian package gnuplot-nox. It takes some ten minutes.
+# the Debian package gnuplot-nox. It takes some minutes.
 #   usage: scripts/dev/phaco_chart.sh [--draw]     --draw: only draw again what was measured before
 set -euo pipefail
 . "$(dirname "$0")/steps.sh"
@@ -10,15 +10,9 @@ cd "$repository"
 data=docs/data/phaco_chart.csv
 picture=docs/pictures/phaco_chart.svg
 
-if ! command -v gnuplot >/dev/null; then
-    say "rhexis: the chart needs gnuplot (apt-get install gnuplot-nox)" >&2
-    exit 2
-fi
+need_gnuplot
 if [ "${1:-}" != --draw ]; then
-    say "measuring (some ten minutes)"
-    build/release/bindings/cli/rhexis bench phaco --json >"$data.json"
-    python3 scripts/dev/bench_to_csv.py "$data.json" name point elements cpu_s_per_s removed_error force_error depth_error failure >"$data"
-    rm "$data.json"
+    bench_to_csv phaco "$data" name point elements cpu_s_per_s removed_error force_error depth_error failure
 fi
 
 series=(

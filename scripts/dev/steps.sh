@@ -91,3 +91,20 @@ build() {
         exit 1
     fi
 }
+
+need_gnuplot() {
+    if ! command -v gnuplot >/dev/null; then
+        say "rhexis: the chart needs gnuplot (apt-get install gnuplot-nox)" >&2
+        exit 2
+    fi
+}
+
+# bench_to_csv CASE FILE FIELD...: measures, and keeps these fields of the rows.
+bench_to_csv() {
+    local case=$1 file=$2
+    shift 2
+    say "measuring (some minutes)"
+    "$repository/build/release/bindings/cli/rhexis" bench "$case" --json >"$file.json"
+    python3 "$repository/scripts/dev/bench_to_csv.py" "$file.json" "$@" >"$file"
+    rm "$file.json"
+}

@@ -109,13 +109,13 @@ local function make_me(self)
 
     function me.time_s() return self.time_s end
 
-    --- A quantity as this person really chooses it: about the value that the plan asks for.
     --- What condition(seen) says of the picture now; nothing for a person who sees what goes wrong and leaves it so.
     function me.notices(condition)
         local seen = me.see()
         return self.recovers and seen and condition(seen) or nil
     end
 
+    --- A quantity as this person really chooses it: about the value that the plan asks for.
     function me.about(value) return value * math.exp(self.person.planning_error * self.planning:normal()) end
 
     --- Waits until a test of what is seen is true; false when `longest` seconds passed first.

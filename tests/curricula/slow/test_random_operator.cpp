@@ -5,29 +5,23 @@
 #include <cmath>
 
 #include "../attempt.hpp"
+#include "kernel/session/operate.hpp"
 
 using namespace rhexis;
 using rhexis::test::Attempt;
+using rhexis::test::tissue_mass;
 
 namespace {
-
-double lens_mass(Session& session) {
-    double sum = session.state().removed_mass + remaining_mass(session.world().solids[0], session.state().solids[0]);
-    for (const Debris& crumb : session.state().debris) {
-        sum += crumb.volume * crumb.density;
-    }
-    return sum;
-}
 
 std::uint64_t survive(const std::string& exercise, const std::map<std::string, std::string>& patient) {
     std::map<std::string, std::string> set = patient;
     set["time_limit_s"] = "7200";
     set["patient.tetrahedra"] = "800";
     Attempt attempt("random", 11, set, exercise);
-    const double mass = lens_mass(attempt.session());
+    const double mass = tissue_mass(attempt.session());
     attempt.run(40.0);
     CHECK(attempt.session().time_s() > 39.0);
-    CHECK(lens_mass(attempt.session()) == doctest::Approx(mass).epsilon(1e-12));
+    CHECK(tissue_mass(attempt.session()) == doctest::Approx(mass).epsilon(1e-12));
     for (const Vec3& node : attempt.session().state().solids[0].position) {
         REQUIRE(node.allFinite());
     }

@@ -30,6 +30,15 @@ inline DeviceSample hand_at(const Session& session, double time_s) {
     return sample;
 }
 
+/// Of the lens, emulsified or in crumbs or not [g].
+inline double tissue_mass(const Session& session) {
+    double sum = session.state().removed_mass + remaining_mass(session.world().solids[0], session.state().solids[0]);
+    for (const Debris& crumb : session.state().debris) {
+        sum += crumb.volume * crumb.density;
+    }
+    return sum;
+}
+
 inline void operate(Session& session, int steps) {
     for (int i = 0; i < steps; ++i) {
         const DeviceSample sample = hand_at(session, session.time_s() + session.scene().step_s);

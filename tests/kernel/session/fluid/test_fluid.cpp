@@ -36,14 +36,6 @@ double value(const Session& session, const std::string& name) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-double tissue_mass(const Session& session) {
-    double sum = session.state().removed_mass + remaining_mass(session.world().solids[0], session.state().solids[0]);
-    for (const Debris& crumb : session.state().debris) {
-        sum += crumb.volume * crumb.density;
-    }
-    return sum;
-}
-
 /// Where the middles of the lens's pieces are.
 class LensPieceCentres {
 public:
