@@ -74,6 +74,12 @@ Status check_combination(const SceneDescription& scene) {
     if (segments != scene.settings.end() && std::fmod(segments->second, 2.0) != 0.0) {
         return Error{"settings.nucleus.segments is " + short_number(segments->second), "", "0, 2, 4, 6 or 8"};
     }
+    const auto trench = scene.settings.find("nucleus.trench_mm");
+    if (trench != scene.settings.end() && trench->second > 0.0 &&
+        (segments == scene.settings.end() || segments->second == 0.0)) {
+        return Error{"settings.nucleus.trench_mm is " + short_number(trench->second) + " without cuts to follow", "",
+                     "nucleus.segments of 2, 4, 6 or 8 with it"};
+    }
     if (named("chamber") && scene.advance == Advance::implicit) {
         return Error{"advance is implicit with a chamber", "",
                      "automatic or explicit: suction holds tissue in substeps"};

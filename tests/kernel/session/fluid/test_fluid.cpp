@@ -268,6 +268,9 @@ TEST_SUITE("session with fluid") {
         SceneDescription scene = fluid_scene();
         scene.settings["nucleus.segments"] = 3.0;
         CHECK(Session::create(scene, 1).error().text().find("settings.nucleus.segments is 3") == 0);
+        scene.settings["nucleus.segments"] = 0.0;
+        scene.settings["nucleus.trench_mm"] = 1.0;
+        CHECK(Session::create(scene, 1).error().text().find("settings.nucleus.trench_mm is 1 without cuts") == 0);
     }
 
     TEST_CASE("an operator who does anything leaves numbers finite, mass whole, and the same hash twice") {
