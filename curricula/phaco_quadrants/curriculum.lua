@@ -32,6 +32,7 @@ return exercise {
     goals = {
         left_percent = { 25, from = 1, to = 95, meaning = "how much of the lens may stay, of its volume" },
     },
+    -- proposal: what group d comes near to on seeds 101 to 104 (370 to 590 s)
     reference = { time_s = 420, path_mm = 1800 },
 
     steps = {

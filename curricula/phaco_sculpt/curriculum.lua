@@ -43,6 +43,7 @@ return exercise {
         angle_deg = { 90, from = 30, to = 90, meaning = "between the two grooves" },
         tolerance_deg = { 10, from = 1, to = 30, meaning = "how far from that angle they may be" },
     },
+    -- cde [% s]: mean of group d on seeds 101 to 103
     reference = { time_s = 185, path_mm = 700, cde = 10300 },
 
     steps = {
