@@ -4,10 +4,10 @@
 
 local phaco_events = require "phaco_events"
 
--- Where a tip must be, for long enough to look, after something went wrong: pedal let go, tip out of the lens and well
--- over it, still in the eye.
-local tip_clear = "phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.1 and phaco.tip_y_mm > -2.5"
-local spatula_clear = "spatula.tip_depth_mm < -1.1 and spatula.tip_x_mm > -2.5"
+-- Where a tip must be, for long enough to look, after something went wrong: pedal let go, tip out of the lens and
+-- higher over it than any tip comes between strokes, still in the eye.
+local tip_clear = "phaco.pedal < 1.5 and phaco.tip_depth_mm < -1.7 and phaco.tip_y_mm > -2.5"
+local spatula_clear = "spatula.tip_depth_mm < -1.7 and spatula.tip_x_mm > -2.5"
 local either_clear = ("not phaco.in_contact and not spatula.in_contact and ((%s) or (%s))"):format(tip_clear,
     spatula_clear)
 local look_s = 0.5

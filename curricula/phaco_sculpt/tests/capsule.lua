@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The posterior capsule, torn by ultrasound at the bottom of a hole that is too deep.
 
-local over_lens = { 0, 0, 3 }
+local over_lens = { 0, 0, 3.8 }
 local coarse = { patient = { tetrahedra = 1000 } }  -- the way down to the capsule needs no finer mesh
 
 -- A hole straight down the middle, until the tip is about to touch the capsule; pedal at 1.

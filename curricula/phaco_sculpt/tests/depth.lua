@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Too deep: ultrasound or aspiration close to the posterior capsule.
 
-local over_lens = { 0, 0, 3 }
+local over_lens = { 0, 0, 3.8 }
 local coarse = { patient = { tetrahedra = 1000 } }  -- a hole comes too deep in any mesh
 
 -- A hole straight down the middle, until the tip is `rest` mm from the posterior capsule.
@@ -37,7 +37,7 @@ return scenarios {
         set = coarse,
         silent_twin_of = "Groove too deep",
         function(t)
-            drill(t, 0.6)
+            drill(t, 0.55)
             t.phaco:pedal(2)
             t:wait(2)
             t:expect("phaco.tip_posterior_mm < 0.7 and phaco.aspirating")

@@ -31,6 +31,12 @@ local function come_in(t)
     t.phaco:move_to({ 0, -half_length, over }, { speed = 8 })
 end
 
+-- Well over the lens, to look.
+local function lift(t)
+    t.phaco:move_to({ 0, 0, 3.8 }, { speed = 8 })
+    t:wait(0.5)
+end
+
 local function leave(t)
     t:together(function() t.phaco:withdraw() end,
         function() if t:value("spatula.present") then t.spatula:withdraw() end end)
@@ -84,6 +90,7 @@ return scenarios {
             layers(t, 0, 0.9, 0.4)
             layers(t, 45, 0.9)
             t:expect_event("Groove askew", { within = 3 })
+            lift(t)
             layers(t, 90, 0.9, 0.4)
             t:expect_event("Groove askew", { recovered = true })
         end },

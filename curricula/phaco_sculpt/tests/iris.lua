@@ -8,7 +8,7 @@ local beyond_pupil = { 4.2, 0.5, 0.9 }
 local function come_to_lens(t)
     t.phaco:enter()
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t.phaco:move_to({ 0, 0, 3.8 }, { speed = 8 })
     t:wait(1)  -- the chamber deepens
     t.phaco:move_to(middle, { speed = 6 })
 end
@@ -25,7 +25,7 @@ return scenarios {
         set = coarse,
         function(t)
             touch(t)
-            t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+            t.phaco:move_to({ 0, 0, 3.8 }, { speed = 8 })
             t:expect_event("Iris touched", { recovered = true, within = 1 })
             t:expect_near("iris.touches", 1, 0)
         end },

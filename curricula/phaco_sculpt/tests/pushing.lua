@@ -2,7 +2,7 @@
 -- Pushing the nucleus: a tip that is deep in a hard one goes on without ultrasound.
 
 local hole = { 0, -0.8, -0.2 }
-local over_hole = { 0, -0.8, 3 }
+local over_hole = { 0, -0.8, 3.8 }
 local hard = { patient = { tetrahedra = 1000, cataract = "NO5" } }  -- it moves as a whole, in any mesh
 
 -- Deep into the lens with ultrasound, then away from the surgeon without, until it is shifted by `shift` mm.

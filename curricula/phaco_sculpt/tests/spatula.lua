@@ -2,7 +2,7 @@
 -- The spatula presses the far edge of the capsule's opening in.
 
 local coarse = { patient = { tetrahedra = 1000 } }  -- the capsule does not see the mesh
-local over_lens = { 0, 0, 3 }
+local over_lens = { 0, 0, 3.8 }
 
 -- Phaco tip over the lens with irrigation, the spatula's end over the edge of the opening, far from the surgeon.
 local function come_in(t)
@@ -26,7 +26,7 @@ return scenarios {
             come_in(t)
             press(t, 0.25)
             t:expect_event("Spatula on the capsule")
-            t.spatula:move_to({ 0, 3, 3 }, { speed = 6 })
+            t.spatula:move_to({ 0, 3, 3.6 }, { speed = 6 })
             t:expect_event("Spatula on the capsule", { recovered = true, within = 1 })
         end },
 

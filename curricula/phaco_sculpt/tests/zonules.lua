@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Weak zonules carry what the tip presses on the lens.
 
-local over_lens = { 0, 0, 3 }
+local over_lens = { 0, 0, 3.8 }
 local weak = { patient = { tetrahedra = 1000 }, ["zonules.strength"] = 0.2 }  -- the load counts, not the mesh
 
 local function come_in(t)
