@@ -129,7 +129,7 @@ float burnt(vec3 at, float grain) {
     vec2 outward = incision.xy / max(length(incision.xy), 1e-3);
     float along = at.y * outward.x - at.x * outward.y;
     float off = dot(outward, at.xy) - 1.04 * length(incision.xy);
-    return min(0.95, 1.5 * exp(-pow(along / (0.65 * incision_width), 4.0) - pow(off / (0.60 + 0.3 * grain), 2.0)));
+    return min(0.95, 1.5 * exp(-pow(along / (0.65 * incision_width), 4.0) - pow(off / (0.34 + 0.2 * grain), 2.0)));
 }
 
 // A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
