@@ -18,6 +18,8 @@ bool ends_with(const std::string& path, std::string_view ending) {
            same_word(std::string_view(path).substr(path.size() - ending.size()), ending);
 }
 
+bool is_vtk(const std::string& path) { return ends_with(path, ".vtk"); }
+
 Error unknown_ending(const std::string& path) { return {"is no known kind of mesh file", path, ".vtk or .msh"}; }
 
 void add(std::string& text, double value) {
@@ -79,18 +81,27 @@ std::string msh_text(const TetMesh& mesh) {
     return text + "$EndElements\n";
 }
 
-}  // namespace
-
-Result<MeshFile> read_tet_mesh(const std::string& path) {
-    const bool vtk = ends_with(path, ".vtk");
-    if (!vtk && !ends_with(path, ".msh")) {
+Result<RawMesh> read_raw(const std::string& path) {
+    if (!is_vtk(path) && !ends_with(path, ".msh")) {
         return unknown_ending(path);
     }
     const Result<std::string> text = read_text_file(path, longest_file);
     if (!text.ok()) {
         return text.error();
     }
-    return vtk ? read_vtk(text.value(), path) : read_msh(text.value(), path);
+    return is_vtk(path) ? read_vtk(text.value(), path) : read_msh(text.value(), path);
+}
+
+}  // namespace
+
+Result<MeshFile> read_tet_mesh(const std::string& path) {
+    Result<RawMesh> raw = read_raw(path);
+    return raw.ok() ? finish_mesh(std::move(raw).value(), !is_vtk(path), path) : raw.error();
+}
+
+Result<TriMesh> read_tri_mesh(const std::string& path) {
+    Result<RawMesh> raw = read_raw(path);
+    return raw.ok() ? finish_sheet(std::move(raw).value(), path) : raw.error();
 }
 
 Status write_tet_mesh(const TetMesh& mesh, const std::string& path) {

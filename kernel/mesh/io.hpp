@@ -8,6 +8,7 @@
 #include "base/result.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "mesh/tri_mesh.hpp"
 
 namespace rhexis {
 
@@ -23,6 +24,9 @@ struct MeshFile {
 /// files and meshes that validate_mesh refuses are errors with path, line and element number (tetrahedra, from 0).
 /// Memory stays within a small multiple of the file's size, whatever counts the file announces.
 Result<MeshFile> read_tet_mesh(const std::string& path);
+
+/// The same files as sheets: their triangles of 3 nodes, with the nodes that these use. validate_tri_mesh holds.
+Result<TriMesh> read_tri_mesh(const std::string& path);
 
 /// Writes a .vtk (legacy text 3.0, with cell scalars "region") or .msh (Gmsh 2.2 text, region r as physical volume
 /// r + 1) file by the ending of the name. Coordinates survive the round trip exactly.

@@ -95,6 +95,9 @@ bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> node
         }
         raw.in_lower_cell[static_cast<std::size_t>(node)] = 1;
     }
+    if (kind->dimension == 2 && kind->nodes == 3) {
+        raw.triangles.push_back({nodes[0], nodes[1], nodes[2]});
+    }
     return false;
 }
 
@@ -112,6 +115,32 @@ Result<MeshFile> finish_mesh(RawMesh raw, bool rank_tags, const std::string& pat
         return status.error();
     }
     return file;
+}
+
+Result<TriMesh> finish_sheet(RawMesh raw, const std::string& path) {
+    std::vector<int> new_index(raw.nodes.size(), -1);
+    for (const std::array<int, 3>& triangle : raw.triangles) {
+        for (const int node : triangle) {
+            new_index[static_cast<std::size_t>(node)] = 0;
+        }
+    }
+    TriMesh mesh;
+    for (std::size_t n = 0; n < raw.nodes.size(); ++n) {
+        if (new_index[n] == 0) {
+            new_index[n] = static_cast<int>(mesh.nodes.size());
+            mesh.nodes.push_back(raw.nodes[n]);
+        }
+    }
+    for (std::array<int, 3>& triangle : raw.triangles) {
+        for (int& node : triangle) {
+            node = new_index[static_cast<std::size_t>(node)];
+        }
+    }
+    mesh.triangles = std::move(raw.triangles);
+    if (const Status status = validate_tri_mesh(mesh, path); !status.ok()) {
+        return status.error();
+    }
+    return mesh;
 }
 
 }  // namespace rhexis

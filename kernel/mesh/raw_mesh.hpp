@@ -19,6 +19,7 @@ struct RawMesh {
     std::vector<std::array<int, 4>> tets;
     std::vector<int> tet_line;
     std::vector<int> tag;  ///< one per tetrahedron, or empty
+    std::vector<std::array<int, 3>> triangles;
 };
 
 /// Kinds of cells by dimension and number of nodes.
@@ -37,7 +38,10 @@ bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> node
 /// tags that occur; otherwise they are the tags.
 Result<MeshFile> finish_mesh(RawMesh raw, bool rank_tags, const std::string& path);
 
-Result<MeshFile> read_vtk(std::string_view text, const std::string& path);
-Result<MeshFile> read_msh(std::string_view text, const std::string& path);
+/// The triangles of the file and the nodes that they use.
+Result<TriMesh> finish_sheet(RawMesh raw, const std::string& path);
+
+Result<RawMesh> read_vtk(std::string_view text, const std::string& path);
+Result<RawMesh> read_msh(std::string_view text, const std::string& path);
 
 }  // namespace rhexis

@@ -33,7 +33,7 @@ class MshReader {
 public:
     MshReader(std::string_view text, const std::string& path) : in_(text, path) {}
 
-    Result<MeshFile> run() {
+    Result<RawMesh> run() {
         format();
         for (std::string_view word = in_.word(); !word.empty() && !in_.failed(); word = in_.word()) {
             section(word);
@@ -44,7 +44,7 @@ public:
         if (in_.failed()) {
             return in_.error();
         }
-        return finish_mesh(std::move(raw_), true, in_.path());
+        return std::move(raw_);
     }
 
 private:
@@ -271,6 +271,6 @@ private:
 
 }  // namespace
 
-Result<MeshFile> read_msh(std::string_view text, const std::string& path) { return MshReader(text, path).run(); }
+Result<RawMesh> read_msh(std::string_view text, const std::string& path) { return MshReader(text, path).run(); }
 
 }  // namespace rhexis

@@ -34,7 +34,7 @@ class VtkReader {
 public:
     VtkReader(std::string_view text, const std::string& path) : in_(text, path) {}
 
-    Result<MeshFile> run() {
+    Result<RawMesh> run() {
         header();
         for (std::string_view word = in_.word(); !word.empty() && !in_.failed(); word = in_.word()) {
             section(word);
@@ -45,7 +45,7 @@ public:
         if (in_.failed()) {
             return in_.error();
         }
-        return finish_mesh(std::move(raw_), false, in_.path());
+        return std::move(raw_);
     }
 
 private:
@@ -283,6 +283,6 @@ private:
 
 }  // namespace
 
-Result<MeshFile> read_vtk(std::string_view text, const std::string& path) { return VtkReader(text, path).run(); }
+Result<RawMesh> read_vtk(std::string_view text, const std::string& path) { return VtkReader(text, path).run(); }
 
 }  // namespace rhexis

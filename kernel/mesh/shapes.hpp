@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tetrahedral meshes of simple solids, made by our own deterministic generators.
+// Meshes of simple solids and sheets, made by our own deterministic generators.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mesh/half_ellipsoids.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "mesh/tri_mesh.hpp"
 
 namespace rhexis {
 
@@ -23,5 +25,16 @@ TetMesh lens_body(const HalfEllipsoids& shape, int tetrahedra);
 
 /// A ball about the origin. radius [mm] > 0; tetrahedra: 300 to 100,000.
 TetMesh ball(double radius, int tetrahedra);
+
+/// A square sheet in the plane z = 0 with one corner at the origin and its front towards +z: rows of nodes, every other
+/// one shifted by half an edge. side [mm] > 0; triangles: 8 to 100,000, met within a row.
+TriMesh square_sheet(double side, int triangles);
+
+/// A round sheet about the origin, likewise: rings of 6, 12, 18, ... nodes. radius [mm] > 0; triangles: 6 to 100,000.
+TriMesh round_sheet(double radius, int triangles);
+
+/// Moves the nodes of a flat sheet that are not on its boundary at random, in the plane, by up to `share` of the mean
+/// edge (0 to 0.3). seed: chooses the movement.
+TriMesh jittered(TriMesh sheet, double share, std::uint64_t seed);
 
 }  // namespace rhexis

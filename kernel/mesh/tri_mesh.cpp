@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/tri_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/numbers.hpp"
+
+namespace rhexis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A directed edge of a triangle.
+struct HalfEdge {
+    int from;
+    int to;
+    int triangle;
+    int local;
+
+    [[nodiscard]] std::array<int, 2> key() const { return {std::min(from, to), std::max(from, to)}; }
+};
+
+/// Sorted so that the sides of an edge stand together, in the order of their triangles.
+std::vector<HalfEdge> sorted_half_edges(const TriMesh& mesh) {
+    std::vector<HalfEdge> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            edges.push_back({mesh.triangles[at(t)][at((k + 1) % 3)], mesh.triangles[at(t)][at((k + 2) % 3)], t, k});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+        return a.key() != b.key() ? a.key() < b.key() : a.triangle < b.triangle;
+    });
+    return edges;
+}
+
+std::string edge_name(const HalfEdge& e) {
+    return "edge " + std::to_string(e.from) + "-" + std::to_string(e.to);
+}
+
+Status check_nodes(const TriMesh& mesh, const std::string& where) {
+    std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::array<int, 3>& nodes = mesh.triangles[t];
+        for (const int node : nodes) {
+            if (node < 0 || node >= static_cast<int>(mesh.nodes.size())) {
+                return Error{"triangle " + std::to_string(t) + " has node " + std::to_string(node), where,
+                             "0 to " + std::to_string(mesh.nodes.size() - 1)};
+            }
+            used[at(node)] = 1;
+        }
+        if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0]) {
+            return Error{"triangle " + std::to_string(t) + " has the same node twice", where, "three different nodes"};
+        }
+    }
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        if (!mesh.nodes[n].allFinite()) {
+            return Error{"node " + std::to_string(n) + " is not finite", where, "numbers"};
+        }
+        if (used[n] == 0) {
+            return Error{"node " + std::to_string(n) + " belongs to no triangle", where, "nodes that are used"};
+        }
+    }
+    return success();
+}
+
+Status check_areas(const TriMesh& mesh, const std::string& where) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::array<int, 3>& n = mesh.triangles[t];
+        const Vec3& a = mesh.nodes[at(n[0])];
+        const Vec3& b = mesh.nodes[at(n[1])];
+        const Vec3& c = mesh.nodes[at(n[2])];
+        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        if (!(triangle_area(a, b, c) > 1e-6 * longest * longest)) {
+            return Error{"triangle " + std::to_string(t) + " is flat", where, "triangles with an area"};
+        }
+    }
+    return success();
+}
+
+Status check_edges(const TriMesh& mesh, const std::string& where) {
+    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i + 2 < edges.size() && edges[i].key() == edges[i + 2].key()) {
+            return Error{edge_name(edges[i]) + " is shared by triangles " + std::to_string(edges[i].triangle) + ", " +
+                             std::to_string(edges[i + 1].triangle) + " and " + std::to_string(edges[i + 2].triangle),
+                         where, "at most two triangles at an edge"};
+        }
+        if (i + 1 < edges.size() && edges[i].key() == edges[i + 1].key() && edges[i].from == edges[i + 1].from) {
+            return Error{"triangles " + std::to_string(edges[i].triangle) + " and " +
+                             std::to_string(edges[i + 1].triangle) + " at " + edge_name(edges[i]) +
+                             " face opposite ways: one of them is flipped",
+                         where, "all triangles counter-clockwise seen from the front"};
+        }
+    }
+    return success();
+}
+
+/// The triangles around a node must hang together by edges.
+Status check_stars(const TriMesh& mesh, const std::string& where) {
+    const TriNeighbours neighbours = tri_neighbours(mesh);
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        int ends = 0;  // edges at the node with nothing beyond, seen from one side
+        for (int i = neighbours.offset[at(node)]; i < neighbours.offset[at(node) + 1]; ++i) {
+            const int t = neighbours.triangles[at(i)];
+            for (int k = 0; k < 3; ++k) {
+                if (mesh.triangles[at(t)][at((k + 1) % 3)] == node && neighbours.across[at(t)][at(k)] < 0) {
+                    ++ends;
+                }
+            }
+        }
+        if (ends > 1) {
+            return Error{"at node " + std::to_string(node) + " parts of the sheet only touch", where,
+                         "parts that share an edge, or no node"};
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+TriNeighbours tri_neighbours(const TriMesh& mesh) {
+    TriNeighbours result;
+    result.across.assign(mesh.triangles.size(), {-1, -1, -1});
+    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        if (edges[i].key() == edges[i + 1].key()) {
+            result.across[at(edges[i].triangle)][at(edges[i].local)] = edges[i + 1].triangle;
+            result.across[at(edges[i + 1].triangle)][at(edges[i + 1].local)] = edges[i].triangle;
+            ++i;
+        }
+    }
+    result.offset.assign(mesh.nodes.size() + 1, 0);
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        for (const int node : triangle) {
+            ++result.offset[at(node) + 1];
+        }
+    }
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        result.offset[n + 1] += result.offset[n];
+    }
+    result.triangles.resize(3 * mesh.triangles.size());
+    std::vector<int> next(result.offset.begin(), result.offset.end() - 1);
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        for (const int node : mesh.triangles[at(t)]) {
+            result.triangles[at(next[at(node)]++)] = t;
+        }
+    }
+    return result;
+}
+
+std::vector<std::uint8_t> on_boundary(const TriMesh& mesh, const TriNeighbours& neighbours) {
+    std::vector<std::uint8_t> result(mesh.nodes.size(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (neighbours.across[t][k] < 0) {
+                result[at(mesh.triangles[t][(k + 1) % 3])] = 1;
+                result[at(mesh.triangles[t][(k + 2) % 3])] = 1;
+            }
+        }
+    }
+    return result;
+}
+
+double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * (b - a).cross(c - a).norm(); }
+
+double mesh_area(const TriMesh& mesh) {
+    double sum = 0.0;
+    for (const std::array<int, 3>& t : mesh.triangles) {
+        sum += triangle_area(mesh.nodes[at(t[0])], mesh.nodes[at(t[1])], mesh.nodes[at(t[2])]);
+    }
+    return sum;
+}
+
+double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto angle = [](const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
+    return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
+}
+
+double smallest_angle(const TriMesh& mesh) {
+    double least = M_PI;
+    for (const std::array<int, 3>& t : mesh.triangles) {
+        least = std::min(least, smallest_angle(mesh.nodes[at(t[0])], mesh.nodes[at(t[1])], mesh.nodes[at(t[2])]));
+    }
+    return least;
+}
+
+double mean_edge(const TriMesh& mesh) {
+    double sum = 0.0;
+    for (const std::array<int, 3>& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum += (mesh.nodes[at(t[k])] - mesh.nodes[at(t[(k + 1) % 3])]).norm();
+        }
+    }
+    return mesh.triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+Status validate_tri_mesh(const TriMesh& mesh, const std::string& where) {
+    if (mesh.triangles.empty()) {
+        return Error{"there is no triangle", where, "at least one"};
+    }
+    for (const auto& check : {check_nodes, check_areas, check_edges, check_stars}) {
+        if (Status status = check(mesh, where); !status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+std::vector<std::vector<int>> boundary_loops(const TriMesh& mesh, const TriNeighbours& neighbours) {
+    std::vector<int> next(mesh.nodes.size(), -1);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (neighbours.across[t][k] < 0) {
+                next[at(mesh.triangles[t][(k + 1) % 3])] = mesh.triangles[t][(k + 2) % 3];
+            }
+        }
+    }
+    std::vector<std::vector<int>> loops;
+    for (int start = 0; start < static_cast<int>(next.size()); ++start) {
+        if (next[at(start)] < 0) {
+            continue;
+        }
+        std::vector<int>& loop = loops.emplace_back();
+        for (int node = start; next[at(node)] >= 0;) {
+            loop.push_back(node);
+            const int following = next[at(node)];
+            next[at(node)] = -1;
+            node = following;
+        }
+    }
+    return loops;
+}
+
+std::vector<int> sheet_parts(const TriNeighbours& neighbours) {
+    std::vector<int> part(neighbours.across.size(), -1);
+    std::vector<int> waiting;
+    int count = 0;
+    for (int first = 0; first < static_cast<int>(part.size()); ++first) {
+        if (part[at(first)] >= 0) {
+            continue;
+        }
+        part[at(first)] = count;
+        waiting.push_back(first);
+        while (!waiting.empty()) {
+            const int t = waiting.back();
+            waiting.pop_back();
+            for (const int other : neighbours.across[at(t)]) {
+                if (other >= 0 && part[at(other)] < 0) {
+                    part[at(other)] = count;
+                    waiting.push_back(other);
+                }
+            }
+        }
+        ++count;
+    }
+    return part;
+}
+
+}  // namespace rhexis
