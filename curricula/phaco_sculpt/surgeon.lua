@@ -10,7 +10,8 @@ local sculpting = require "surgeons.sculpting"
 local vector = require "surgeons.vector"
 
 local goal_turn = 90          -- between the grooves [deg]
-local near_enough = 5         -- of it that a surgeon is content with [deg]
+local near_enough = 4         -- of it that a surgeon is content with [deg]
+local comes_back = 4          -- of a turn when the lens is let go: pushed that much further [deg]
 local arm = 2.0               -- of the push about the middle of the lens
 local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
 local far_off = 15            -- of the first groove from lying across, at which it is turned back there [deg]
@@ -184,6 +185,7 @@ local function push_round(me, eye, from, to, depth, turned)
     if not groove then return end
     local play = math.deg(math.asin(math.min(0.6, math.max(0, groove.half_width - spatula_radius) / arm)))
     local ahead = to > from and play or -play
+    to = to + (to > from and comes_back or -comes_back)
     me.left.go(at(eye, from, -clear_of_lens), sculpting.free_speed)
     me.left.go(at(eye, from, depth), sculpting.free_speed)
     local reason = me.left.follow(function(share) return at(eye, from + (to + ahead - from) * share, depth) end,

@@ -9,13 +9,12 @@
 #include "base/result.hpp"
 #include "flow/solid.hpp"
 #include "math/block_matrix.hpp"
-#include "physics/elastic_kernel.hpp"
-#include "physics/solid_share.hpp"
+#include "physics/elastic_body.hpp"
 
 namespace rhexis {
 
 /// What the implicit solver keeps of a model, and of the elements that are left in a state.
-class ElasticAssembly {
+class ElasticAssembly final : public ElasticBody {
 public:
     /// The model must outlive this. Fails on elements of more nodes than the kernel takes.
     static Result<ElasticAssembly> create(const SolidModel& model, const elastic_kernel::Kernel& kernel);
@@ -23,20 +22,16 @@ public:
     /// Takes over which elements are there and how much of each is left. True if anything changed since the last call.
     bool load(const SolidState& state);
 
-    [[nodiscard]] int rows() const { return static_cast<int>(node_of_.size()); }
-    [[nodiscard]] const BlockPattern& pattern() const { return *pattern_; }
-    [[nodiscard]] const std::vector<int>& node_of() const { return node_of_; }  ///< per row
-    [[nodiscard]] const std::vector<int>& row_of() const { return row_of_; }    ///< per node
-    /// Per row 1, or 0 for nodes that are fixed or have lost their elements.
-    [[nodiscard]] const std::vector<std::uint8_t>& moves() const { return moves_; }
-    [[nodiscard]] const NodeMass& mass() const { return mass_; }  ///< per row
-
-    /// Elastic forces [uN] at positions [mm]; both 3 per row and one number of padding.
-    void forces(const std::vector<double>& position, std::vector<double>& force);
-    /// Forces, and `scale` times their negative derivative [uN/mm]: the upper triangle only (mirror_upper), zero in the
-    /// rows and columns of nodes that do not move. mode: not forces.
+    [[nodiscard]] const BlockPattern& pattern() const override { return *pattern_; }
+    [[nodiscard]] const std::vector<int>& node_of() const override { return node_of_; }
+    [[nodiscard]] const std::vector<int>& row_of() const override { return row_of_; }
+    [[nodiscard]] const std::vector<std::uint8_t>& moves() const override { return moves_; }
+    [[nodiscard]] const NodeMass& mass() const override { return mass_; }
+    [[nodiscard]] double damping_mass() const override { return model_->damping_mass; }
+    [[nodiscard]] double damping_stiffness() const override { return model_->damping_stiffness; }
+    void forces(const std::vector<double>& position, std::vector<double>& force) override;
     void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
-                              std::vector<double>& force, BlockValues& stiffness);
+                              std::vector<double>& force, BlockValues& stiffness) override;
 
 private:
     ElasticAssembly(const SolidModel& model, const elastic_kernel::Kernel& kernel);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Backward Euler of one elastic body, together with the rigid bodies that it touches.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "math/linear_kernel.hpp"
+#include "physics/contact_term.hpp"
+#include "physics/elastic_body.hpp"
+
+namespace rhexis {
+
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// A rigid partner that moves with the body's solve (the bag).
+struct RigidUnknown {
+    Pose pose;
+    Vec6 velocity = Vec6::Zero();
+};
+
+/// Forces on the rigid bodies that do not come from contact, at an iterate: springs and damping.
+struct RigidTerm {
+    Vec6 force = Vec6::Zero();      ///< [uN], [uN mm]
+    Mat6 stiffness = Mat6::Zero();  ///< -d force / d displacement, symmetric positive semidefinite
+    Mat6 mass = Mat6::Identity();   ///< [g], [g mm^2]
+};
+
+/// Evaluates contact and rigid forces at an iterate of positions (nodes) and rigid poses.
+using CouplingFunction = std::function<void(const std::vector<Vec3>& position, std::span<const RigidUnknown> bodies,
+                                            std::vector<ContactTerm>& contacts, std::vector<RigidTerm>& rigid)>;
+
+struct ImplicitSettings {
+    double tolerance = 1e-6;         ///< relative residual of each linear solve
+    int max_newton = 4;              ///< 1: one linearised step, as in the paper
+    double newton_tolerance = 1e-4;  ///< relative residual of the step at which Newton stops
+    double force_tolerance = 0.0;    ///< residual force at which it stops, whatever the relative residual [uN]
+    int max_linear_iterations = 1000;
+};
+
+struct ImplicitReport {
+    int newton_iterations = 0;
+    int linear_iterations = 0;
+    double residual = 0.0;         ///< relative, of the last linear solve
+    double newton_residual = 0.0;  ///< relative, of the step
+    double force = 0.0;            ///< norm of the forces that do not balance at the end of the step [uN]
+    bool converged = false;
+    bool factored = false;  ///< a new factor was made in this step
+};
+
+/// What moves, per node.
+struct NodeMotion {
+    std::vector<Vec3> position;  ///< [mm]
+    std::vector<Vec3> velocity;  ///< [mm/s]
+};
+
+class ImplicitStep {
+public:
+    /// The kernel's tables are static.
+    ImplicitStep(std::unique_ptr<ElasticBody> body, const linear_kernel::Kernel& kernel);
+    ~ImplicitStep();
+    ImplicitStep(ImplicitStep&&) noexcept;
+    ImplicitStep& operator=(ImplicitStep&&) noexcept;
+
+    [[nodiscard]] ElasticBody& body();
+
+    /// One step of dt [s]. external: force per node without gravity [uN], or empty; gravity [mm/s^2] is applied inside.
+    /// bodies: at the start of the step on entry, at its end on return. next may not be `position`, `velocity`.
+    ImplicitReport step(std::span<const Vec3> position, std::span<const Vec3> velocity, const Vec3& gravity,
+                        std::span<const Vec3> external, double dt, const ImplicitSettings& settings,
+                        const CouplingFunction& coupling, std::vector<RigidUnknown>& bodies, NodeMotion& next);
+
+    /// Forgets the kept factor.
+    void drop_caches();
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace rhexis
