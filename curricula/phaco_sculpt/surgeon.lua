@@ -11,11 +11,11 @@ local vector = require "surgeons.vector"
 
 local goal_turn = 90          -- between the grooves [deg]
 local near_enough = 4         -- of it that a surgeon is content with [deg]
-local comes_back = 4          -- of a turn when the lens is let go: pushed that much further [deg]
+local comes_back = 6          -- of a turn when the lens is let go: pushed that much further [deg]
 local arm = 2.0               -- of the push about the middle of the lens
 local hold_arm = 1.5          -- of the spatula that keeps the lens from turning back
-local far_off = 15            -- of the first groove from lying across, at which it is turned back there [deg]
-local led = 0.4               -- share of the thickness from which on the second groove leads the tip
+local far_off = 7             -- of the first groove from lying across, at which it is turned back there [deg]
+local led = 0.5               -- share of the thickness from which on the second groove leads the tip
 local most_corrections = 6
 local held = 0.48              -- depth of its end then
 local engaged = 0.55          -- depth of the spatula's end in the groove

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/assert.hpp"
 
@@ -65,13 +66,15 @@ std::size_t scalar_entries(const BlockPattern& pattern) {
     return 9 * off_diagonal + 6 * at(pattern.rows());
 }
 
-std::vector<int> order_by(const Sparse& graph, int method, double& entries) {
+/// given: an order to start from, for CHOLMOD_GIVEN; else empty.
+std::vector<int> order_by(const Sparse& graph, int method, std::vector<int> given, double& entries) {
     Common common;
     common.nmethods = 1;
     common.method[0].ordering = method;
     common.postorder = 1;
     common.supernodal = CHOLMOD_SIMPLICIAL;
-    cholmod_factor* factor = cholmod_analyze(graph.matrix, &common);
+    cholmod_factor* factor =
+        cholmod_analyze_p(graph.matrix, given.empty() ? nullptr : given.data(), nullptr, 0, &common);
     std::vector<int> order;
     entries = HUGE_VAL;
     if (factor != nullptr) {
@@ -81,6 +84,21 @@ std::vector<int> order_by(const Sparse& graph, int method, double& entries) {
         cholmod_free_factor(&factor, &common);
     }
     return order;
+}
+
+void fill_graph(const BlockPattern& pattern, Sparse& graph) {
+    int entry = 0;
+    for (int j = 0; j < pattern.rows(); ++j) {
+        graph.columns()[j] = entry;
+        for (int slot = pattern.first[at(j)]; slot <= pattern.diagonal[at(j)]; ++slot) {
+            graph.rows()[entry++] = pattern.column[at(slot)];
+        }
+    }
+    graph.columns()[pattern.rows()] = entry;
+}
+
+std::size_t graph_entries(const BlockPattern& pattern) {
+    return (at(pattern.blocks()) - at(pattern.rows())) / 2 + at(pattern.rows());
 }
 
 }  // namespace
@@ -178,22 +196,25 @@ long Cholesky::entries() const {
 
 std::vector<int> elimination_order(const BlockPattern& pattern) {
     Common common;
-    Sparse graph(at(pattern.rows()), (at(pattern.blocks()) - at(pattern.rows())) / 2 + at(pattern.rows()),
-                 CHOLMOD_PATTERN, common);
-    int entry = 0;
-    for (int j = 0; j < pattern.rows(); ++j) {
-        graph.columns()[j] = entry;
-        for (int slot = pattern.first[at(j)]; slot <= pattern.diagonal[at(j)]; ++slot) {
-            graph.rows()[entry++] = pattern.column[at(slot)];
-        }
-    }
-    graph.columns()[pattern.rows()] = entry;
+    Sparse graph(at(pattern.rows()), graph_entries(pattern), CHOLMOD_PATTERN, common);
+    fill_graph(pattern, graph);
     double entries = HUGE_VAL;
     double other_entries = HUGE_VAL;
-    std::vector<int> order = order_by(graph, CHOLMOD_AMD, entries);
-    std::vector<int> other = order_by(graph, CHOLMOD_METIS, other_entries);
+    std::vector<int> order = order_by(graph, CHOLMOD_AMD, {}, entries);
+    std::vector<int> other = order_by(graph, CHOLMOD_METIS, {}, other_entries);
     RHEXIS_ASSERT(!order.empty());
     return other_entries < entries ? other : order;
+}
+
+std::vector<int> postordered(const BlockPattern& pattern, std::vector<int> order) {
+    RHEXIS_ASSERT(static_cast<int>(order.size()) == pattern.rows());
+    Common common;
+    Sparse graph(at(pattern.rows()), graph_entries(pattern), CHOLMOD_PATTERN, common);
+    fill_graph(pattern, graph);
+    double entries = HUGE_VAL;
+    std::vector<int> result = order_by(graph, CHOLMOD_GIVEN, std::move(order), entries);
+    RHEXIS_ASSERT(!result.empty());
+    return result;
 }
 
 }  // namespace rhexis

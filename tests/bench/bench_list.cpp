@@ -6,6 +6,7 @@
 #include "bench/bench_implicit.hpp"
 #include "bench/bench_lens_chart.hpp"
 #include "bench/bench_lens_press.hpp"
+#include "bench/bench_membrane.hpp"
 #include "bench/bench_memory.hpp"
 #include "bench/bench_phaco.hpp"
 #include "bench/bench_render.hpp"
@@ -25,6 +26,7 @@ std::vector<BenchCase> bench_cases() {
     add(stability_cases());
     add(lens_chart_cases());
     add(lens_press_cases());
+    add(membrane_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

@@ -10,8 +10,6 @@
 
 namespace rhexis::scenes {
 
-namespace {
-
 Result<std::vector<int>> read_nodes(const std::string& path, std::size_t node_count) {
     std::ifstream file(path);
     std::vector<int> nodes;
@@ -26,8 +24,6 @@ Result<std::vector<int>> read_nodes(const std::string& path, std::size_t node_co
     }
     return nodes;
 }
-
-}  // namespace
 
 SolidModel body(const std::string& name, TetMesh mesh, double young_modulus, double poisson_ratio) {
     SolidModel solid;

@@ -11,6 +11,9 @@
 
 namespace rhexis::scenes {
 
+/// The numbers in a text file of node indices.
+Result<std::vector<int>> read_nodes(const std::string& path, std::size_t node_count);
+
 /// A body of one material: fine mesh, no damping, no fixed nodes, no buoyancy.
 SolidModel body(const std::string& name, TetMesh mesh, double young_modulus, double poisson_ratio);
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/membrane.hpp"
+
+#include <utility>
+
+#include "base/numbers.hpp"
+
+namespace rhexis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Vec3 front_of(const TriMesh& mesh, std::size_t t) {
+    const std::array<int, 3>& n = mesh.triangles[t];
+    const Vec3& a = mesh.nodes[at(n[0])];
+    return (mesh.nodes[at(n[1])] - a).cross(mesh.nodes[at(n[2])] - a).normalized();
+}
+
+Status check_sheet(const MembraneModel& model) {
+    const MembraneSheet& sheet = *model.sheet;
+    if (Status status = validate_tri_mesh(sheet.mesh, model.name); !status) {
+        return status;
+    }
+    const std::size_t count = sheet.mesh.triangles.size();
+    if (sheet.fibre.size() != count || sheet.thickness.size() != count || sheet.stiffness.size() != count) {
+        return Error{"fibre, thickness and stiffness must have one entry per triangle", model.name,
+                     std::to_string(count)};
+    }
+    for (std::size_t t = 0; t < count; ++t) {
+        const std::string of = " of triangle " + std::to_string(t);
+        const Vec3& fibre = sheet.fibre[t];
+        if (!(std::abs(fibre.norm() - 1.0) < 1e-6) || !(std::abs(fibre.dot(front_of(sheet.mesh, t))) < 1e-6)) {
+            return Error{"fibre" + of + " is no unit vector in its plane", model.name,
+                         "a direction that is not zero and not at a right angle to the sheet"};
+        }
+        if (Status s = check_range("thickness" + of, sheet.thickness[t], 1e-5, 10.0, model.name, " mm"); !s) {
+            return s;
+        }
+        if (Status s = check_range("stiffness" + of, sheet.stiffness[t], 1e-6, 1e6, model.name); !s) {
+            return s;
+        }
+    }
+    return success();
+}
+
+Status check_numbers(const MembraneModel& model) {
+    struct Field {
+        const char* name;
+        double value;
+        double least;
+        double most;
+        const char* unit;
+    };
+    const Field fields[] = {{"density", model.density, 1e-7, 1.0, " g/mm^3"},
+                            {"toughness along the fibres", model.toughness.along, 1e-3, 1e12, " uN/mm"},
+                            {"toughness across the fibres", model.toughness.across, 1e-3, 1e12, " uN/mm"},
+                            {"tear_radius", model.tear_radius, 1e-4, 100.0, " mm"},
+                            {"sharpest_turn", model.sharpest_turn, 0.0, 3.15, " rad"},
+                            {"damping_mass", model.damping_mass, 0.0, 1e6, " 1/s"},
+                            {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
+                            {"slack_share", model.slack_share, 1e-9, 1.0, ""}};
+    for (const Field& f : fields) {
+        if (Status s = check_range(f.name, f.value, f.least, f.most, model.name, f.unit); !s) {
+            return s;
+        }
+    }
+    return success();
+}
+
+Status check_holds(const MembraneModel& model) {
+    const int nodes = static_cast<int>(model.sheet->mesh.nodes.size());
+    const auto known = [&](int node, const char* what) -> Status {
+        if (node < 0 || node >= nodes) {
+            return Error{std::string(what) + " names node " + std::to_string(node), model.name,
+                         "0 to " + std::to_string(nodes - 1)};
+        }
+        return success();
+    };
+    for (const int node : model.fixed_nodes) {
+        if (Status s = known(node, "fixed_nodes"); !s) {
+            return s;
+        }
+    }
+    for (const NodeSpring& spring : model.springs) {
+        if (Status s = known(spring.node, "a spring"); !s) {
+            return s;
+        }
+        if (Status s = check_range("stiffness of a spring", spring.stiffness, 0.0, 1e9, model.name, " uN/mm"); !s) {
+            return s;
+        }
+        if (!spring.anchor.allFinite() || !(spring.slack >= 0.0)) {
+            return Error{"a spring's anchor or slack is no number", model.name, "finite numbers, slack >= 0"};
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness) {
+    MembraneSheet sheet;
+    sheet.mesh = std::move(mesh);
+    for (std::size_t t = 0; t < sheet.mesh.triangles.size(); ++t) {
+        const Vec3 front = front_of(sheet.mesh, t);
+        sheet.fibre.push_back((fibre - fibre.dot(front) * front).normalized());
+    }
+    sheet.thickness.assign(sheet.mesh.triangles.size(), thickness);
+    sheet.stiffness.assign(sheet.mesh.triangles.size(), 1.0);
+    return sheet;
+}
+
+Status check_membrane(const MembraneModel& model) {
+    if (!model.sheet) {
+        return Error{"has no sheet", model.name, "a triangle mesh"};
+    }
+    if (Status s = check_orthotropic(model.material, model.name); !s) {
+        return s;
+    }
+    for (const auto& check : {check_sheet, check_numbers, check_holds}) {
+        if (Status s = check(model); !s) {
+            return s;
+        }
+    }
+    return success();
+}
+
+MembraneState rest_state(const MembraneModel& model) {
+    MembraneState state;
+    state.sheet = model.sheet;
+    state.position = model.sheet->mesh.nodes;
+    state.velocity.assign(state.position.size(), Vec3::Zero());
+    return state;
+}
+
+double toughness_along(const Toughness& toughness, const Vec3& fibre, const Vec3& direction) {
+    const double cosine = fibre.dot(direction);
+    return toughness.along + (toughness.across - toughness.along) * (1.0 - cosine * cosine);
+}
+
+}  // namespace rhexis

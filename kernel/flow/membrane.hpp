@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A thin sheet that stretches, wrinkles and tears: what it is (model), what changes (state). Its connectivity is a value
+// of its own, because it changes while a scene runs: a sheet is never altered, a tear makes the next one.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "energy/orthotropic.hpp"
+#include "mesh/tri_mesh.hpp"
+
+namespace rhexis {
+
+/// Connectivity and what each triangle is made of. Only topology makes new ones; nodes keep their numbers, and those
+/// that a tear adds come at the end.
+struct MembraneSheet {
+    TriMesh mesh;                   ///< at rest [mm]
+    std::vector<Vec3> fibre;        ///< per triangle: unit, in its plane at rest
+    std::vector<double> thickness;  ///< per triangle [mm]
+    std::vector<double> stiffness;  ///< per triangle: factor on the material's moduli
+};
+
+/// Energy that a tear takes per area that it opens [uN/mm], that is mJ/m^2. Running at an angle a to the fibres it takes
+///   along + (across - along) sin^2 a.
+struct Toughness {
+    double along = 1.0e6;
+    double across = 1.0e6;
+};
+
+/// Holds a node elastically to a fixed place.
+struct NodeSpring {
+    int node = 0;
+    Vec3 anchor = Vec3::Zero();  ///< [mm]
+    double stiffness = 0.0;      ///< [uN/mm]
+    double slack = 0.0;          ///< length below which it does not pull [mm]
+};
+
+/// Constant while a scene runs.
+struct MembraneModel {
+    std::string name;
+    std::shared_ptr<const MembraneSheet> sheet;  ///< at the start
+    Orthotropic material;
+    Toughness toughness;
+    double tear_radius = 0.4;        ///< about the tip of a tear, of what decides on its way [mm]
+    double sharpest_turn = 1.5708;   ///< of a tear from the way it came [rad]
+    double density = 1.05e-3;        ///< [g/mm^3]
+    double damping_mass = 0.0;       ///< Rayleigh damping, share of the mass [1/s]
+    double damping_stiffness = 0.0;  ///< Rayleigh damping, share of the stiffness [s]
+    double slack_share = 1e-3;       ///< of its stiffness that is left in compression
+    std::vector<int> fixed_nodes;    ///< move only by hand of the caller, ascending
+    std::vector<NodeSpring> springs;
+};
+
+/// The end of a tear, which may go on.
+struct TearTip {
+    int node = 0;
+    Vec3 direction = Vec3::Zero();  ///< the way it came: unit, in the sheet's plane at rest; zero: it has just begun
+};
+
+/// Changes from step to step.
+struct MembraneState {
+    std::shared_ptr<const MembraneSheet> sheet;
+    std::vector<Vec3> position;  ///< [mm]
+    std::vector<Vec3> velocity;  ///< [mm/s]
+    std::vector<TearTip> tips;
+    double torn_area = 0.0;    ///< that tears have opened so far: length times thickness [mm^2]
+    double torn_energy = 0.0;  ///< that they took [nJ]
+};
+
+/// Fibres all one way and the same thickness everywhere. fibre: need not lie in the sheet; not at a right angle to it.
+MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness);
+
+/// Fails with the field, the number of the triangle or node, and what is allowed.
+Status check_membrane(const MembraneModel& model);
+
+MembraneState rest_state(const MembraneModel& model);
+
+/// Energy per area of a tear that runs along a direction in a triangle [uN/mm].
+double toughness_along(const Toughness& toughness, const Vec3& fibre, const Vec3& direction);
+
+}  // namespace rhexis

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/membrane_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "math/cholesky.hpp"
+
+namespace rhexis {
+namespace {
+
+using elastic_kernel::Mode;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+TrianglePoints points_of(const TriMesh& mesh, std::size_t t) {
+    const std::array<int, 3>& n = mesh.triangles[t];
+    return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]};
+}
+
+BlockPattern pattern_by(const TriMesh& mesh, const std::vector<int>& row_of) {
+    std::vector<int> first{0};
+    std::vector<int> rows;
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        for (const int node : triangle) {
+            rows.push_back(row_of[at(node)]);
+        }
+        first.push_back(static_cast<int>(rows.size()));
+    }
+    return block_pattern(static_cast<int>(mesh.nodes.size()), first, rows);
+}
+
+std::vector<int> inverse(const std::vector<int>& order) {
+    std::vector<int> result(order.size());
+    for (int i = 0; i < static_cast<int>(order.size()); ++i) {
+        result[at(order[at(i)])] = i;
+    }
+    return result;
+}
+
+/// The old order with each new node right behind the last of the old ones that it touches.
+std::vector<int> with_new_nodes(const std::vector<int>& old_order, const std::vector<int>& old_row,
+                                const TriMesh& mesh) {
+    std::vector<std::pair<int, int>> place;  // row to stand behind, node
+    for (int node = static_cast<int>(old_order.size()); node < static_cast<int>(mesh.nodes.size()); ++node) {
+        place.emplace_back(-1, node);
+    }
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        for (const int node : triangle) {
+            if (at(node) < old_order.size()) {
+                continue;
+            }
+            int& row = place[at(node) - old_order.size()].first;
+            for (const int other : triangle) {
+                row = at(other) < old_row.size() ? std::max(row, old_row[at(other)]) : row;
+            }
+        }
+    }
+    std::stable_sort(place.begin(), place.end());
+    std::vector<int> order;
+    std::size_t next = 0;
+    for (int row = -1; row < static_cast<int>(old_order.size()); ++row) {
+        if (row >= 0) {
+            order.push_back(old_order[at(row)]);
+        }
+        for (; next < place.size() && place[next].first == row; ++next) {
+            order.push_back(place[next].second);
+        }
+    }
+    return order;
+}
+
+struct SpringPull {
+    Vec3 force = Vec3::Zero();
+    Mat3 stiffness = Mat3::Zero();  ///< positive semidefinite
+    double energy = 0.0;
+};
+
+SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
+    SpringPull pull;
+    const Vec3 way = spring.anchor - x;
+    const double length = way.norm();
+    const double stretch = length - spring.slack;
+    if (!(stretch > 0.0) || !(length > 0.0)) {
+        return pull;
+    }
+    const Vec3 along = way / length;
+    pull.force = spring.stiffness * stretch * along;
+    pull.stiffness = spring.stiffness * (along * along.transpose() +
+                                         stretch / length * (Mat3::Identity() - along * along.transpose()));
+    pull.energy = 0.5 * spring.stiffness * stretch * stretch;
+    return pull;
+}
+
+}  // namespace
+
+std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, const MembraneSheet& sheet) {
+    std::vector<MembraneTriangle> result;
+    result.reserve(sheet.mesh.triangles.size());
+    for (std::size_t t = 0; t < sheet.mesh.triangles.size(); ++t) {
+        const TrianglePoints rest = points_of(sheet.mesh, t);
+        const PlaneFrame frame = plane_frame(rest);
+        const Mat3 stiffness =
+            sheet.stiffness[t] * plane_stiffness(model.material, frame.to_plane(sheet.fibre[t]).normalized());
+        result.push_back({shape_gradients(rest, frame), triangle_area(rest[0], rest[1], rest[2]) * sheet.thickness[t],
+                          stiffness, model.slack_share});
+    }
+    return result;
+}
+
+MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
+                           const MembraneBody* before)
+    : model_(&model), sheet_(std::move(sheet)), triangles_(membrane_triangles(model, *sheet_)) {
+    number_rows(before);
+    find_slots();
+    weigh();
+}
+
+void MembraneBody::number_rows(const MembraneBody* before) {
+    const TriMesh& mesh = sheet_->mesh;
+    std::vector<int> same(mesh.nodes.size());
+    for (int i = 0; i < static_cast<int>(same.size()); ++i) {
+        same[at(i)] = i;
+    }
+    if (before == nullptr) {
+        node_of_ = elimination_order(pattern_by(mesh, same));
+    } else {
+        node_of_ = postordered(pattern_by(mesh, same), with_new_nodes(before->node_of_, before->row_of_, mesh));
+    }
+    row_of_ = inverse(node_of_);
+    pattern_ = pattern_by(mesh, row_of_);
+    moves_.assign(mesh.nodes.size(), 1);
+    for (const int node : model_->fixed_nodes) {
+        moves_[at(row_of_[at(node)])] = 0;
+    }
+}
+
+void MembraneBody::find_slots() {
+    const TriMesh& mesh = sheet_->mesh;
+    corner_.resize(mesh.triangles.size());
+    slot_.resize(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        std::size_t pair = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+            corner_[t][a] = row_of_[at(mesh.triangles[t][a])];
+        }
+        // corners by ascending row, so that their pairs are in the upper triangle
+        std::array<std::size_t, 3> order{0, 1, 2};
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) { return corner_[t][a] < corner_[t][b]; });
+        const std::array<int, 3> rows = corner_[t];
+        const std::array<Vec2, 3> gradient = triangles_[t].gradient;
+        for (std::size_t a = 0; a < 3; ++a) {
+            corner_[t][a] = rows[order[a]];
+            triangles_[t].gradient[a] = gradient[order[a]];
+        }
+        for (std::size_t a = 0; a < 3; ++a) {
+            for (std::size_t b = a; b < 3; ++b, ++pair) {
+                const bool moving = moves_[at(corner_[t][a])] != 0 && moves_[at(corner_[t][b])] != 0;
+                slot_[t][pair] = moving ? pattern_.slot(corner_[t][a], corner_[t][b]) : -1;
+            }
+        }
+    }
+}
+
+void MembraneBody::weigh() {
+    mass_.inertia.assign(node_of_.size(), 0.0);
+    for (std::size_t t = 0; t < corner_.size(); ++t) {
+        for (const int row : corner_[t]) {
+            mass_.inertia[at(row)] += model_->density * triangles_[t].volume / 3.0;
+        }
+    }
+    mass_.weight.assign(node_of_.size(), 0.0);  // a capsule floats
+}
+
+void MembraneBody::forces(const std::vector<double>& position, std::vector<double>& force) {
+    force.assign(3 * node_of_.size() + 1, 0.0);
+    TrianglePoints x;
+    TrianglePoints f;
+    for (std::size_t t = 0; t < corner_.size(); ++t) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            x[a] = Eigen::Map<const Vec3>(position.data() + 3 * at(corner_[t][a]));
+        }
+        membrane_forces(triangles_[t], x, f);
+        for (std::size_t a = 0; a < 3; ++a) {
+            Eigen::Map<Vec3>(force.data() + 3 * at(corner_[t][a])) += f[a];
+        }
+    }
+    for (const NodeSpring& spring : model_->springs) {
+        const std::size_t row = at(row_of_[at(spring.node)]);
+        Eigen::Map<Vec3>(force.data() + 3 * row) +=
+            pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * row)).force;
+    }
+}
+
+void MembraneBody::forces_and_stiffness(const std::vector<double>& position, Mode mode, double scale,
+                                        std::vector<double>& force, BlockValues& stiffness) {
+    const MembraneTangent kind = mode == Mode::consistent ? MembraneTangent::consistent : MembraneTangent::definite;
+    force.assign(3 * node_of_.size() + 1, 0.0);
+    clear_upper(pattern_, stiffness);
+    TrianglePoints x;
+    TrianglePoints f;
+    TriangleBlocks blocks;
+    for (std::size_t t = 0; t < corner_.size(); ++t) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            x[a] = Eigen::Map<const Vec3>(position.data() + 3 * at(corner_[t][a]));
+        }
+        membrane_stiffness(triangles_[t], x, kind, f, blocks);
+        for (std::size_t a = 0; a < 3; ++a) {
+            Eigen::Map<Vec3>(force.data() + 3 * at(corner_[t][a])) += f[a];
+        }
+        for (std::size_t pair = 0; pair < 6; ++pair) {
+            if (slot_[t][pair] >= 0) {
+                add_block(stiffness, slot_[t][pair], scale * blocks[pair]);
+            }
+        }
+    }
+    for (const NodeSpring& spring : model_->springs) {
+        const int row = row_of_[at(spring.node)];
+        const SpringPull pull = pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * at(row)));
+        Eigen::Map<Vec3>(force.data() + 3 * at(row)) += pull.force;
+        if (moves_[at(row)] != 0) {
+            add_block(stiffness, pattern_.diagonal[at(row)], scale * pull.stiffness);
+        }
+    }
+}
+
+double MembraneBody::energy(const std::vector<double>& position) const {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < corner_.size(); ++t) {
+        TrianglePoints x;
+        for (std::size_t a = 0; a < 3; ++a) {
+            x[a] = Eigen::Map<const Vec3>(position.data() + 3 * at(corner_[t][a]));
+        }
+        sum += triangles_[t].volume * membrane_state(triangles_[t], x).energy;
+    }
+    for (const NodeSpring& spring : model_->springs) {
+        sum += pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * at(row_of_[at(spring.node)]))).energy;
+    }
+    return sum;
+}
+
+}  // namespace rhexis

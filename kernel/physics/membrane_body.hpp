@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: mass, elastic forces and stiffness of a membrane, by rows: the nodes in the order of elimination.
+#pragma once
+
+#include <memory>
+
+#include "energy/membrane_triangle.hpp"
+#include "flow/membrane.hpp"
+#include "physics/elastic_body.hpp"
+
+namespace rhexis {
+
+/// Triangles of a sheet, ready for forces.
+std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, const MembraneSheet& sheet);
+
+class MembraneBody final : public ElasticBody {
+public:
+    /// The model must outlive this; the sheet is kept alive. before: of the sheet that this one came from, whose order
+    /// of elimination is taken over, with the nodes that are new beside those they touch; or null.
+    MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet, const MembraneBody* before);
+
+    [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
+
+    [[nodiscard]] const BlockPattern& pattern() const override { return pattern_; }
+    [[nodiscard]] const std::vector<int>& node_of() const override { return node_of_; }
+    [[nodiscard]] const std::vector<int>& row_of() const override { return row_of_; }
+    [[nodiscard]] const std::vector<std::uint8_t>& moves() const override { return moves_; }
+    [[nodiscard]] const NodeMass& mass() const override { return mass_; }
+    [[nodiscard]] double damping_mass() const override { return model_->damping_mass; }
+    [[nodiscard]] double damping_stiffness() const override { return model_->damping_stiffness; }
+    void forces(const std::vector<double>& position, std::vector<double>& force) override;
+    void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
+                              std::vector<double>& force, BlockValues& stiffness) override;
+
+    /// Elastic energy, springs included [nJ]; by rows.
+    [[nodiscard]] double energy(const std::vector<double>& position) const;
+
+private:
+    void number_rows(const MembraneBody* before);
+    void find_slots();
+    void weigh();
+
+    const MembraneModel* model_;
+    std::shared_ptr<const MembraneSheet> sheet_;
+    std::vector<MembraneTriangle> triangles_;  ///< corners by ascending row
+    std::vector<std::array<int, 3>> corner_;   ///< rows per triangle
+    std::vector<std::array<int, 6>> slot_;     ///< per triangle and pair a <= b: upper slot; negative: not to be added
+    BlockPattern pattern_;
+    std::vector<int> node_of_, row_of_;
+    std::vector<std::uint8_t> moves_;
+    NodeMass mass_;
+};
+
+}  // namespace rhexis

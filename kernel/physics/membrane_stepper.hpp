@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: backward Euler of a membrane whose sheet changes as it tears.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "base/result.hpp"
+#include "flow/membrane.hpp"
+#include "physics/implicit_step.hpp"
+#include "physics/membrane_body.hpp"
+
+namespace rhexis {
+
+class MembraneStepper {
+public:
+    /// The model must outlive this. instruction_set: as of ImplicitSolid. Fails on a model that check_membrane refuses.
+    static Result<MembraneStepper> create(const MembraneModel& model, std::string_view instruction_set = {});
+
+    /// One step of dt [s]. external: force per node [uN], or empty. The sheet, tips and what was torn are taken over.
+    ImplicitReport step(const MembraneState& state, std::span<const Vec3> external, double dt,
+                        const ImplicitSettings& settings, const CouplingFunction& coupling, MembraneState& next);
+
+    /// Elastic energy of a state [nJ].
+    double energy(const MembraneState& state);
+    /// Elastic force on each node [uN].
+    std::vector<Vec3> forces(const MembraneState& state);
+
+    /// Forgets what is kept of earlier steps, the order of elimination too.
+    void drop_caches() { step_.reset(); }
+
+private:
+    MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel)
+        : model_(&model), kernel_(&kernel) {}
+    void follow(const MembraneState& state);
+    [[nodiscard]] std::vector<double> by_rows(const MembraneState& state) const;
+
+    const MembraneModel* model_;
+    const linear_kernel::Kernel* kernel_;
+    std::optional<ImplicitStep> step_;
+    MembraneBody* body_ = nullptr;  ///< of step_
+    NodeMotion motion_;
+    std::vector<RigidUnknown> no_bodies_;
+};
+
+}  // namespace rhexis
