@@ -10,12 +10,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-Vec3 front_of(const TriMesh& mesh, std::size_t t) {
-    const std::array<int, 3>& n = mesh.triangles[t];
-    const Vec3& a = mesh.nodes[at(n[0])];
-    return (mesh.nodes[at(n[1])] - a).cross(mesh.nodes[at(n[2])] - a).normalized();
-}
-
 Status check_sheet(const MembraneModel& model) {
     const MembraneSheet& sheet = *model.sheet;
     if (Status status = validate_tri_mesh(sheet.mesh, model.name); !status) {
@@ -29,7 +23,7 @@ Status check_sheet(const MembraneModel& model) {
     for (std::size_t t = 0; t < count; ++t) {
         const std::string of = " of triangle " + std::to_string(t);
         const Vec3& fibre = sheet.fibre[t];
-        if (!(std::abs(fibre.norm() - 1.0) < 1e-6) || !(std::abs(fibre.dot(front_of(sheet.mesh, t))) < 1e-6)) {
+        if (!(std::abs(fibre.norm() - 1.0) < 1e-6) || !(std::abs(fibre.dot(front_of(sheet.mesh, static_cast<int>(t)))) < 1e-6)) {
             return Error{"fibre" + of + " is no unit vector in its plane", model.name,
                          "a direction that is not zero and not at a right angle to the sheet"};
         }
@@ -97,11 +91,18 @@ Status check_holds(const MembraneModel& model) {
 
 }  // namespace
 
+Vec3 front_of(const TriMesh& mesh, int triangle) {
+    const std::array<int, 3>& n = mesh.triangles[at(triangle)];
+    const Vec3& a = mesh.nodes[at(n[0])];
+    return (mesh.nodes[at(n[1])] - a).cross(mesh.nodes[at(n[2])] - a).normalized();
+}
+
 MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness) {
     MembraneSheet sheet;
     sheet.mesh = std::move(mesh);
+    sheet.neighbours = tri_neighbours(sheet.mesh);
     for (std::size_t t = 0; t < sheet.mesh.triangles.size(); ++t) {
-        const Vec3 front = front_of(sheet.mesh, t);
+        const Vec3 front = front_of(sheet.mesh, static_cast<int>(t));
         sheet.fibre.push_back((fibre - fibre.dot(front) * front).normalized());
     }
     sheet.thickness.assign(sheet.mesh.triangles.size(), thickness);

@@ -16,6 +16,7 @@ namespace rhexis {
 /// that a tear adds come at the end.
 struct MembraneSheet {
     TriMesh mesh;                   ///< at rest [mm]
+    TriNeighbours neighbours;       ///< of the mesh
     std::vector<Vec3> fibre;        ///< per triangle: unit, in its plane at rest
     std::vector<double> thickness;  ///< per triangle [mm]
     std::vector<double> stiffness;  ///< per triangle: factor on the material's moduli
@@ -58,6 +59,14 @@ struct TearTip {
     Vec3 direction = Vec3::Zero();  ///< the way it came: unit, in the sheet's plane at rest; zero: it has just begun
 };
 
+/// What physics proposes: the tear goes on from a tip, because more energy comes free than it takes.
+struct TearProposal {
+    int tip = 0;                    ///< index into the state's tips
+    Vec3 direction = Vec3::Zero();  ///< unit, in the sheet's plane at rest
+    double release = 0.0;           ///< energy that comes free per area [uN/mm]
+    double toughness = 0.0;         ///< that it takes in this direction [uN/mm]
+};
+
 /// Changes from step to step.
 struct MembraneState {
     std::shared_ptr<const MembraneSheet> sheet;
@@ -75,6 +84,9 @@ MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness);
 Status check_membrane(const MembraneModel& model);
 
 MembraneState rest_state(const MembraneModel& model);
+
+/// Unit vector to the front of a triangle at rest.
+Vec3 front_of(const TriMesh& mesh, int triangle);
 
 /// Energy per area of a tear that runs along a direction in a triangle [uN/mm].
 double toughness_along(const Toughness& toughness, const Vec3& fibre, const Vec3& direction);

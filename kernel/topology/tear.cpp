@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/tear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "topology/sheet_editor.hpp"
+
+namespace rhexis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The star of a node as it lies in the plane that fits it.
+struct Fan {
+    Vec3 origin;
+    Vec3 e1;
+    Vec3 e2;
+
+    [[nodiscard]] Vec2 flat(const Vec3& x) const { return {e1.dot(x - origin), e2.dot(x - origin)}; }
+};
+
+Fan fan_at(const SheetEditor& editor, int node) {
+    Vec3 front = Vec3::Zero();
+    for (const int t : editor.star(node)) {
+        const std::array<int, 3>& n = editor.mesh().triangles[at(t)];
+        const Vec3& a = editor.mesh().nodes[at(n[0])];
+        front += (editor.mesh().nodes[at(n[1])] - a).cross(editor.mesh().nodes[at(n[2])] - a);
+    }
+    front.normalize();
+    Fan fan;
+    fan.origin = editor.mesh().nodes[at(node)];
+    const Vec3 axis = std::abs(front.x()) < 0.7 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+    fan.e1 = (axis - axis.dot(front) * front).normalized();
+    fan.e2 = front.cross(fan.e1);
+    return fan;
+}
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(std::abs(cross(a, b)), a.dot(b)); }
+
+Error leads_out(int node) {
+    return {"the tear's direction leads out of the sheet at node " + std::to_string(node), "tear",
+            "a direction into the sheet"};
+}
+
+Status check_direction(const Vec3& direction) {
+    if (!direction.allFinite() || !(direction.norm() > 1e-12)) {
+        return Error{"the tear has no direction", "tear", "a finite vector that is not zero"};
+    }
+    return success();
+}
+
+bool inner_edge(const SheetEditor& editor, int a, int b) {
+    return editor.triangle_with(a, b) >= 0 && editor.triangle_with(b, a) >= 0;
+}
+
+/// The neighbour whose edge is inside the sheet and nearest to the direction; -1: none within a right angle.
+int nearest_edge(const SheetEditor& editor, const Fan& fan, int node, const Vec2& way) {
+    int best = -1;
+    double least = 0.5 * M_PI;
+    for (const int t : editor.star(node)) {
+        for (const int other : editor.mesh().triangles[at(t)]) {
+            if (other == node || !inner_edge(editor, node, other)) {
+                continue;
+            }
+            const double angle = angle_between(way, fan.flat(editor.mesh().nodes[at(other)]));
+            if (angle < least) {
+                least = angle;
+                best = other;
+            }
+        }
+    }
+    return best;
+}
+
+/// Whether all triangles at a node have angles of at least that.
+bool well_shaped(const SheetEditor& editor, int node, double least_angle) {
+    const TriMesh& mesh = editor.mesh();
+    for (const int t : editor.star(node)) {
+        const std::array<int, 3>& n = mesh.triangles[at(t)];
+        if (smallest_angle(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]) < least_angle) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The node that a tear from `node` reaches next. Splits an edge of the editor's sheet if that is needed for it.
+Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, const TearRules& rules) {
+    const Fan fan = fan_at(editor, node);
+    Vec2 way = fan.flat(fan.origin + direction);
+    if (!(way.norm() > 1e-9 * direction.norm())) {
+        return leads_out(node);
+    }
+    way.normalize();
+    for (const int t : editor.star(node)) {
+        const std::array<int, 3> n = editor.mesh().triangles[at(t)];
+        const int k = n[0] == node ? 0 : n[1] == node ? 1 : 2;
+        const int p = n[at((k + 1) % 3)];
+        const int q = n[at((k + 2) % 3)];
+        const Vec2 to_p = fan.flat(editor.mesh().nodes[at(p)]);
+        const Vec2 to_q = fan.flat(editor.mesh().nodes[at(q)]);
+        if (cross(to_p, way) < 0.0 || cross(way, to_q) < 0.0) {
+            continue;
+        }
+        const double share = cross(to_p, way) / (cross(to_p, way) - cross(to_q, way));
+        const bool near_p = angle_between(way, to_p) < rules.snap_angle || share < rules.snap_share;
+        const bool near_q = angle_between(way, to_q) < rules.snap_angle || share > 1.0 - rules.snap_share;
+        if (!rules.existing_edges && !near_p && !near_q) {
+            SheetEditor tried = editor;
+            const int middle = tried.split_edge(p, q, share);
+            if (well_shaped(tried, middle, rules.least_angle)) {
+                editor = std::move(tried);
+                return middle;
+            }
+        }
+        break;
+    }
+    const int nearest = nearest_edge(editor, fan, node, way);
+    if (nearest < 0) {
+        return leads_out(node);
+    }
+    return nearest;
+}
+
+/// Adds what an opened edge takes; call before it is opened.
+void count(const MembraneModel& model, const MembraneSheet& sheet, const SheetEditor& editor, int a, int b,
+           MembraneEdit& cost) {
+    const Vec3 way = editor.mesh().nodes[at(b)] - editor.mesh().nodes[at(a)];
+    const double area = way.norm() * editor.thickness_along(a, b);
+    double toughness = 0.0;
+    for (const int t : {editor.triangle_with(a, b), editor.triangle_with(b, a)}) {
+        toughness +=
+            0.5 * toughness_along(model.toughness, sheet.fibre[at(editor.parent_of(t))], way.normalized());
+    }
+    cost.torn_area += area;
+    cost.torn_energy += area * toughness;
+}
+
+/// Tips at the end of a tear: the one it came to, unless it met an edge or another tear there.
+void end_at(bool ends, int node, const Vec3& way, std::vector<TearTip>& tips) {
+    std::erase_if(tips, [node](const TearTip& tip) { return tip.node == node; });
+    if (!ends) {
+        tips.push_back({node, way.normalized()});
+    }
+}
+
+MembraneEdit finished(const SheetEditor& editor, const MembraneEdit& cost, std::vector<TearTip> tips) {
+    MembraneEdit edit = editor.edit();
+    edit.torn_area = cost.torn_area;
+    edit.torn_energy = cost.torn_energy;
+    edit.tips = std::move(tips);
+    return edit;
+}
+
+Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& state, int node,
+                               const Vec3& direction, const TearRules& rules) {
+    SheetEditor editor(*state.sheet);
+    const Result<int> next = next_node(editor, node, direction, rules);
+    if (!next.ok()) {
+        return next.error();
+    }
+    MembraneEdit cost;
+    count(model, *state.sheet, editor, node, next.value(), cost);
+    std::vector<TearTip> tips = state.tips;
+    std::erase_if(tips, [node](const TearTip& tip) { return tip.node == node; });
+    const Vec3 way = editor.mesh().nodes[at(next.value())] - editor.mesh().nodes[at(node)];
+    const bool ends = editor.on_boundary(next.value());
+    editor.open_edge(node, next.value());
+    end_at(ends, next.value(), way, tips);
+    return finished(editor, cost, std::move(tips));
+}
+
+}  // namespace
+
+Result<MembraneEdit> tear(const MembraneModel& model, const MembraneState& state, int tip, const Vec3& direction,
+                          const TearRules& rules) {
+    if (tip < 0 || tip >= static_cast<int>(state.tips.size())) {
+        return Error{"there is no tip " + std::to_string(tip), "tear",
+                     state.tips.empty() ? "the sheet has none" : "0 to " + std::to_string(state.tips.size() - 1)};
+    }
+    if (Status status = check_direction(direction); !status) {
+        return status.error();
+    }
+    return tear_from(model, state, state.tips[at(tip)].node, direction, rules);
+}
+
+Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& state, int node, const Vec3& direction,
+                           const TearRules& rules) {
+    if (node < 0 || node >= static_cast<int>(state.sheet->mesh.nodes.size())) {
+        return Error{"there is no node " + std::to_string(node), "notch",
+                     "0 to " + std::to_string(state.sheet->mesh.nodes.size() - 1)};
+    }
+    if (Status status = check_direction(direction); !status) {
+        return status.error();
+    }
+    if (!SheetEditor(*state.sheet).on_boundary(node)) {
+        return Error{"node " + std::to_string(node) + " is inside the sheet", "notch",
+                     "a node on its edge; a puncture begins inside"};
+    }
+    return tear_from(model, state, node, direction, rules);
+}
+
+Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& state, int triangle, const Vec3& place,
+                              const Vec3& direction, const TearRules& rules) {
+    const TriMesh& mesh = state.sheet->mesh;
+    if (triangle < 0 || triangle >= static_cast<int>(mesh.triangles.size())) {
+        return Error{"there is no triangle " + std::to_string(triangle), "puncture",
+                     "0 to " + std::to_string(mesh.triangles.size() - 1)};
+    }
+    if (Status status = check_direction(direction); !status) {
+        return status.error();
+    }
+    if (!place.allFinite()) {
+        return Error{"the place is not finite", "puncture", "numbers"};
+    }
+    int node = mesh.triangles[at(triangle)][0];
+    for (const int other : mesh.triangles[at(triangle)]) {
+        if ((mesh.nodes[at(other)] - place).squaredNorm() < (mesh.nodes[at(node)] - place).squaredNorm()) {
+            node = other;
+        }
+    }
+    SheetEditor editor(*state.sheet);
+    if (editor.on_boundary(node)) {
+        return Error{"the nearest node " + std::to_string(node) + " is on an edge of the sheet", "puncture",
+                     "a place inside the sheet"};
+    }
+    const Result<int> ahead = next_node(editor, node, direction, rules);
+    if (!ahead.ok()) {
+        return ahead.error();
+    }
+    const Result<int> back = next_node(editor, node, -direction, rules);
+    if (!back.ok()) {
+        return back.error();
+    }
+    if (ahead.value() == back.value()) {
+        return leads_out(node);
+    }
+    MembraneEdit cost;
+    std::vector<TearTip> tips = state.tips;
+    count(model, *state.sheet, editor, node, ahead.value(), cost);
+    count(model, *state.sheet, editor, node, back.value(), cost);
+    const bool ahead_ends = editor.on_boundary(ahead.value());
+    const bool back_ends = editor.on_boundary(back.value());
+    const Vec3 origin = editor.mesh().nodes[at(node)];
+    const Vec3 way_ahead = editor.mesh().nodes[at(ahead.value())] - origin;
+    const Vec3 way_back = editor.mesh().nodes[at(back.value())] - origin;
+    editor.open_slit(back.value(), ahead.value(), node);
+    end_at(ahead_ends, ahead.value(), way_ahead, tips);
+    end_at(back_ends, back.value(), way_back, tips);
+    return finished(editor, cost, std::move(tips));
+}
+
+MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
+    MembraneState next = state;
+    std::shared_ptr<MembraneSheet> sheet = std::make_shared<MembraneSheet>(*state.sheet);
+    for (const SheetNode& node : edit.nodes) {
+        const auto between = [&node](const std::vector<Vec3>& list) {
+            return Vec3(list[at(node.a)] + node.share * (list[at(node.b)] - list[at(node.a)]));
+        };
+        sheet->mesh.nodes.push_back(between(sheet->mesh.nodes));
+        next.position.push_back(between(next.position));
+        next.velocity.push_back(between(next.velocity));
+    }
+    for (const SheetTriangle& change : edit.triangles) {
+        if (change.triangle >= 0) {
+            sheet->mesh.triangles[at(change.triangle)] = change.nodes;
+            continue;
+        }
+        sheet->mesh.triangles.push_back(change.nodes);
+        sheet->fibre.push_back(Vec3(state.sheet->fibre[at(change.parent)]));
+        sheet->thickness.push_back(state.sheet->thickness[at(change.parent)]);
+        sheet->stiffness.push_back(state.sheet->stiffness[at(change.parent)]);
+    }
+    sheet->neighbours = tri_neighbours(sheet->mesh);
+    next.sheet = std::move(sheet);
+    next.tips = edit.tips;
+    next.torn_area += edit.torn_area;
+    next.torn_energy += edit.torn_energy;
+    return next;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tears of a membrane, by one edge at a time: where there is no edge in the wanted direction, one is made by splitting
+// the triangles that it crosses [OBrien2002], unless that leaves slivers; then the nearest edge is taken. Splitting
+// changes neither shape nor energy; opening an edge copies nodes where they are.
+#pragma once
+
+#include "base/result.hpp"
+#include "flow/membrane_edit.hpp"
+
+namespace rhexis {
+
+struct TearRules {
+    bool existing_edges = false;   ///< only along edges that are there
+    double snap_angle = 0.1;       ///< of the wanted direction from an edge that is taken instead [rad]
+    double snap_share = 0.2;       ///< of the length of the opposite edge, from its ends
+    double least_angle = 0.26180;  ///< that a split may leave [rad]: 15 degrees
+};
+
+/// The tear goes on from a tip. direction: in the sheet at rest, need not be unit. Fails on a tip that does not exist
+/// and on a direction that is zero, not finite, or leads out of the sheet.
+Result<MembraneEdit> tear(const MembraneModel& model, const MembraneState& state, int tip, const Vec3& direction,
+                          const TearRules& rules = {});
+
+/// A slit of two edges through the node that is nearest to a place of the triangle at rest, along a direction and
+/// against it; both its ends are tips. Fails where that node is on an edge of the sheet, and as tear() does.
+Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& state, int triangle, const Vec3& place,
+                              const Vec3& direction, const TearRules& rules = {});
+
+/// A tear that begins at a node on an edge of the sheet, likewise.
+Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& state, int node, const Vec3& direction,
+                           const TearRules& rules = {});
+
+/// The state with the edit made. Positions and velocities of new nodes follow from those that they lie between.
+MembraneState applied(const MembraneState& state, const MembraneEdit& edit);
+
+}  // namespace rhexis
