@@ -58,11 +58,14 @@ function sculpting.surface(eye, y) return eye.front[3] - y * y / (2 * front_radi
 -- Least height of the tip at y at which the shaft, which turns about the wound, still clears the near edge of the iris.
 local function lowest(eye, y) return eye.wound[3] - steepest * (y - eye.wound[2]) end
 
---- Where a groove begins, is deepest and ends.
+--- Where a groove begins, is deepest and ends. lean: how far it goes aside per way away from the surgeon.
 function sculpting.plan_groove(eye)
     return { near = eye.pupil[2] - 0.35 * eye.pupil_radius, deepest = eye.pupil[2] + 0.50 * eye.pupil_radius,
-        far = eye.pupil[2] + 0.75 * eye.pupil_radius, x = eye.pupil[1] }
+        far = eye.pupil[2] + 0.75 * eye.pupil_radius, x = eye.pupil[1], middle = eye.pupil[2], lean = 0 }
 end
+
+-- The groove's line at y, and beside it.
+local function line(groove, beside, y) return groove.x + beside + groove.lean * (y - groove.middle) end
 
 -- Depth of the floor at y when it is `depth` at its deepest place: a ramp down, then up again as the capsule curves.
 local function floor_depth(groove, depth, y)
@@ -77,7 +80,7 @@ local function along(eye, groove, depth, beside, from, to, lift)
     return function(share)
         local y = from + (to - from) * share
         local z = math.max(sculpting.surface(eye, y) - floor_depth(groove, depth, y), lowest(eye, y))
-        return { groove.x + beside, y, z + lift }
+        return { line(groove, beside, y), y, z + lift }
     end
 end
 
@@ -169,7 +172,7 @@ end
 -- does not push the walls sideways.
 local function careful_stroke(me, eye, groove, state, beside)
     local way = along(eye, groove, state.depth, beside, groove.near, groove.far, 0)
-    local function over(y) return { groove.x + beside, y, sculpting.surface(eye, y) + state.return_height } end
+    local function over(y) return { line(groove, beside, y), y, sculpting.surface(eye, y) + state.return_height } end
     me.go(over(groove.near), return_speed)
     me.pedal(3)
     me.go(way(0), state.entry_speed)

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/tear_tip.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "energy/metric_strain.hpp"
+
+namespace rhexis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr double least_radius = 2.0;  // of the domain of the integral, in edges at the tip
+
+struct Patch {
+    MembraneTriangle triangle;
+    PlaneFrame frame;
+    std::array<int, 3> nodes;
+};
+
+Patch patch_of(const MembraneModel& model, const MembraneSheet& sheet, int t) {
+    Patch patch;
+    patch.nodes = sheet.mesh.triangles[at(t)];
+    const TrianglePoints rest{sheet.mesh.nodes[at(patch.nodes[0])], sheet.mesh.nodes[at(patch.nodes[1])],
+                              sheet.mesh.nodes[at(patch.nodes[2])]};
+    patch.frame = plane_frame(rest);
+    patch.triangle.gradient = shape_gradients(rest, patch.frame);
+    patch.triangle.volume = triangle_area(rest[0], rest[1], rest[2]) * sheet.thickness[at(t)];
+    patch.triangle.stiffness =
+        sheet.stiffness[at(t)] * plane_stiffness(model.material, patch.frame.to_plane(sheet.fibre[at(t)]).normalized());
+    patch.triangle.rest = model.slack_share;
+    return patch;
+}
+
+TrianglePoints now(const MembraneState& state, const std::array<int, 3>& nodes) {
+    return {state.position[at(nodes[0])], state.position[at(nodes[1])], state.position[at(nodes[2])]};
+}
+
+Vec3 middle_of(const TriMesh& mesh, int t) {
+    const std::array<int, 3>& n = mesh.triangles[at(t)];
+    return (mesh.nodes[at(n[0])] + mesh.nodes[at(n[1])] + mesh.nodes[at(n[2])]) / 3.0;
+}
+
+double mean_edge_at(const MembraneSheet& sheet, int node) {
+    const TriNeighbours& around = sheet.neighbours;
+    double sum = 0.0;
+    int count = 0;
+    for (int i = around.offset[at(node)]; i < around.offset[at(node) + 1]; ++i) {
+        for (const int other : sheet.mesh.triangles[at(around.triangles[at(i)])]) {
+            if (other != node) {
+                sum += (sheet.mesh.nodes[at(other)] - sheet.mesh.nodes[at(node)]).norm();
+                ++count;
+            }
+        }
+    }
+    return count > 0 ? sum / count : 0.0;
+}
+
+Mat2 matrix_of(const Vec3& stress) {
+    Mat2 result;
+    result << stress[0], stress[2], stress[2], stress[1];
+    return result;
+}
+
+/// C S - w I of a triangle in its frame at rest [Pa].
+Mat2 energy_momentum(const MembraneTriangle& triangle, const TrianglePoints& x) {
+    const Vec3 c = metric_of(triangle, x);
+    MetricStrain strain;
+    metric_strain(c, strain);
+    const TensionField field = tension_field(strain.strain, triangle.stiffness, triangle.rest);
+    const Vec3 s = strain.first.transpose() * field.stress;  // by the metric
+    Mat2 metric;
+    metric << c[0], c[2], c[2], c[1];
+    Mat2 stress;
+    stress << 2.0 * s[0], s[2], s[2], 2.0 * s[1];
+    return metric * stress - field.energy * Mat2::Identity();
+}
+
+PlaneFrame frame_at(const MembraneSheet& sheet, int node) {
+    const TriNeighbours& around = sheet.neighbours;
+    Vec3 front = Vec3::Zero();
+    for (int i = around.offset[at(node)]; i < around.offset[at(node) + 1]; ++i) {
+        front += front_of(sheet.mesh, around.triangles[at(i)]);
+    }
+    front.normalize();
+    const Vec3 axis = std::abs(front.x()) < 0.7 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+    PlaneFrame frame;
+    frame.e1 = (axis - axis.dot(front) * front).normalized();
+    frame.e2 = front.cross(frame.e1);
+    return frame;
+}
+
+double quotient(const Mat2& stress, const Mat2& strength, const Vec2& u) {
+    return u.dot(stress * u) / u.dot(strength * u);
+}
+
+/// u with the largest u.S u / u.A u: A positive definite.
+Vec2 largest_opening(const Mat2& stress, const Mat2& strength) {
+    // with A = L L^T: the eigenvector w of L^-1 S L^-T, u = L^-T w
+    const double l11 = std::sqrt(strength(0, 0));
+    const double l21 = strength(1, 0) / l11;
+    const double l22 = std::sqrt(strength(1, 1) - l21 * l21);
+    Mat2 inverse;
+    inverse << 1.0 / l11, 0.0, -l21 / (l11 * l22), 1.0 / l22;
+    const Mat2 m = inverse * stress * inverse.transpose();
+    const double half = 0.5 * (m(0, 0) - m(1, 1));
+    const double radius = std::sqrt(half * half + m(0, 1) * m(0, 1));
+    const Vec2 w = half > 0.0 ? Vec2(half + radius, m(0, 1)) : Vec2(m(0, 1), radius - half);
+    const Vec2 u = inverse.transpose() * (w.norm() > 0.0 ? w : Vec2(1.0, 0.0));
+    return u.normalized();
+}
+
+Vec2 across(const Vec2& v) { return {-v.y(), v.x()}; }
+
+}  // namespace
+
+std::vector<NearTriangle> near_tip(const MembraneSheet& sheet, int node, double radius) {
+    const TriNeighbours& around = sheet.neighbours;
+    const Vec3& origin = sheet.mesh.nodes[at(node)];
+    std::vector<NearTriangle> result;
+    std::vector<int> seen;
+    const auto take = [&](int t) {
+        if (std::find(seen.begin(), seen.end(), t) == seen.end()) {
+            seen.push_back(t);
+            result.push_back({t, (middle_of(sheet.mesh, t) - origin).norm()});
+        }
+    };
+    for (int i = around.offset[at(node)]; i < around.offset[at(node) + 1]; ++i) {
+        take(around.triangles[at(i)]);
+    }
+    for (std::size_t next = 0; next < result.size(); ++next) {
+        for (const int other : around.across[at(result[next].triangle)]) {
+            if (other >= 0 && (middle_of(sheet.mesh, other) - origin).norm() < radius) {
+                take(other);
+            }
+        }
+    }
+    return result;
+}
+
+Vec3 release_at(const MembraneModel& model, const MembraneState& state, int node, double radius) {
+    const MembraneSheet& sheet = *state.sheet;
+    const double reach = std::max(radius, least_radius * mean_edge_at(sheet, node));
+    const Vec3& origin = sheet.mesh.nodes[at(node)];
+    Vec3 sum = Vec3::Zero();
+    double thickness = 0.0;
+    double weight = 0.0;
+    for (const NearTriangle& near : near_tip(sheet, node, 1.5 * reach)) {
+        const Patch patch = patch_of(model, sheet, near.triangle);
+        Vec2 slope = Vec2::Zero();
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double distance = (sheet.mesh.nodes[at(patch.nodes[a])] - origin).norm();
+            slope += std::max(0.0, 1.0 - distance / reach) * patch.triangle.gradient[a];
+        }
+        if (slope.isZero()) {
+            continue;
+        }
+        const Vec2 own =
+            patch.triangle.volume * (energy_momentum(patch.triangle, now(state, patch.nodes)) * slope);
+        sum += patch.frame.to_space(own);
+        thickness += patch.triangle.volume;
+        weight += patch.triangle.volume / sheet.thickness[at(near.triangle)];
+    }
+    return weight > 0.0 ? Vec3(sum * (weight / thickness)) : Vec3(Vec3::Zero());
+}
+
+TipStress stress_at(const MembraneModel& model, const MembraneState& state, int node, const Vec3& direction) {
+    const MembraneSheet& sheet = *state.sheet;
+    TipStress result;
+    result.frame = frame_at(sheet, node);
+    const Vec3& origin = sheet.mesh.nodes[at(node)];
+    const double reach = std::max(model.tear_radius, mean_edge_at(sheet, node));
+    Mat2 fibres = Mat2::Zero();
+    double whole = 0.0;
+    for (const NearTriangle& near : near_tip(sheet, node, reach)) {
+        const Vec3 way = middle_of(sheet.mesh, near.triangle) - origin;
+        const double weight = std::max(0.0, 1.0 - near.distance / reach);
+        if (weight == 0.0 || way.dot(direction) < 0.0) {
+            continue;
+        }
+        const Patch patch = patch_of(model, sheet, near.triangle);
+        const TensionField field = membrane_state(patch.triangle, now(state, patch.nodes));
+        // from the triangle's frame to that of the tip
+        Mat2 turn;
+        turn << result.frame.e1.dot(patch.frame.e1), result.frame.e1.dot(patch.frame.e2),
+            result.frame.e2.dot(patch.frame.e1), result.frame.e2.dot(patch.frame.e2);
+        const double share = weight * patch.triangle.volume;
+        const Vec2 fibre = result.frame.to_plane(sheet.fibre[at(near.triangle)]);
+        result.stress += share * (turn * matrix_of(field.stress) * turn.transpose());
+        fibres += share * (fibre * fibre.transpose());
+        whole += share;
+    }
+    if (whole > 0.0) {
+        result.stress /= whole;
+    }
+    result.fibre = largest_opening(fibres, Mat2::Identity());
+    return result;
+}
+
+std::optional<Vec2> tear_direction(const Mat2& stress, const Vec2& fibre, double ratio, const Vec2& within,
+                                   double cosine) {
+    const Mat2 strength = Mat2::Identity() + (ratio - 1.0) * fibre * fibre.transpose();
+    const auto in_cone = [&](const Vec2& d) { return within.isZero() || d.dot(within) >= cosine - 1e-12; };
+    std::array<Vec2, 6> candidates;
+    std::size_t count = 0;
+    const Vec2 best = across(largest_opening(stress, strength));
+    candidates[count++] = best;
+    candidates[count++] = -best;
+    if (!within.isZero()) {
+        const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+        candidates[count++] = cosine * within + sine * across(within);
+        candidates[count++] = cosine * within - sine * across(within);
+    }
+    std::optional<Vec2> found;
+    double most = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = quotient(stress, strength, across(candidates[i]));
+        if (in_cone(candidates[i]) && value > most * (1.0 + 1e-12)) {
+            most = value;
+            found = candidates[i];
+        }
+    }
+    return found;
+}
+
+std::vector<TearProposal> propose_tears(const MembraneModel& model, const MembraneState& state) {
+    std::vector<TearProposal> proposals;
+    const double ratio = std::sqrt(model.toughness.across / model.toughness.along);
+    for (int i = 0; i < static_cast<int>(state.tips.size()); ++i) {
+        const TearTip& tip = state.tips[at(i)];
+        const Vec3 release = release_at(model, state, tip.node, model.tear_radius);
+        const double free = release.dot(tip.direction);
+        if (free < std::min(model.toughness.along, model.toughness.across)) {
+            continue;
+        }
+        const TipStress about = stress_at(model, state, tip.node, tip.direction);
+        Vec2 came = about.frame.to_plane(tip.direction);
+        came.normalize();
+        const std::optional<Vec2> way =
+            tear_direction(about.stress, about.fibre, ratio, came, std::cos(model.sharpest_turn));
+        if (!way) {
+            continue;
+        }
+        const Vec3 direction = about.frame.to_space(*way);
+        const double toughness = toughness_along(model.toughness, about.frame.to_space(about.fibre), direction);
+        if (free >= toughness) {
+            proposals.push_back({i, direction, free, toughness});
+        }
+    }
+    return proposals;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenes/tears.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/shapes.hpp"
+#include "physics/tear_tip.hpp"
+
+namespace rhexis::scenes {
+namespace {
+
+constexpr double young_modulus = 1e6;  // [Pa]
+constexpr double thickness = 0.01;     // of membrane() [mm]
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A square sheet scaled to a rectangle of about so many triangles, of even shape.
+TriMesh rectangle(double width, double height, int triangles) {
+    // squares of the rectangle's height side by side
+    TriMesh mesh = square_sheet(width, static_cast<int>(triangles * width / height));
+    std::vector<int> kept(mesh.nodes.size(), -1);
+    // the rows of a square sheet are horizontal: those below `height` make the strip, stretched to it
+    double top = 0.0;
+    for (const Vec3& x : mesh.nodes) {
+        top = x.y() <= height * 1.02 ? std::max(top, x.y()) : top;
+    }
+    TriMesh strip;
+    for (const std::array<int, 3>& t : mesh.triangles) {
+        if (std::any_of(t.begin(), t.end(), [&](int n) { return mesh.nodes[at(n)].y() > top + 1e-9; })) {
+            continue;
+        }
+        std::array<int, 3> own{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            int& index = kept[at(t[k])];
+            if (index < 0) {
+                index = static_cast<int>(strip.nodes.size());
+                const Vec3& x = mesh.nodes[at(t[k])];
+                strip.nodes.emplace_back(x.x(), height * (x.y() / top), 0.0);
+            }
+            own[k] = index;
+        }
+        strip.triangles.push_back(own);
+    }
+    return strip;
+}
+
+int nearest_node(const TriMesh& mesh, const Vec3& place) {
+    int best = 0;
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
+        best = (mesh.nodes[at(n)] - place).norm() < (mesh.nodes[at(best)] - place).norm() ? n : best;
+    }
+    return best;
+}
+
+/// Tears from an edge node straight along +x to x = end.
+void cut_along(const MembraneModel& model, MembraneState& state, int node, double end) {
+    const double line = state.sheet->mesh.nodes[at(node)].y();
+    Result<MembraneEdit> edit = notch(model, state, node, Vec3::UnitX());
+    while (edit.ok()) {
+        state = applied(state, edit.value());
+        const Vec3& here = state.sheet->mesh.nodes[at(state.tips.back().node)];
+        if (here.x() >= end) {
+            return;
+        }
+        edit = tear(model, state, static_cast<int>(state.tips.size()) - 1,
+                    Vec3(0.4, line - here.y(), 0.0));
+    }
+}
+
+/// Below zero for a node of what lies below the line y = middle, told by its triangles: copies lie on the line.
+double leg_of(const MembraneSheet& sheet, int node, double middle) {
+    double side = 0.0;
+    for (int i = sheet.neighbours.offset[at(node)]; i < sheet.neighbours.offset[at(node) + 1]; ++i) {
+        for (const int other : sheet.mesh.triangles[at(sheet.neighbours.triangles[at(i)])]) {
+            side += sheet.mesh.nodes[at(other)].y() - middle;
+        }
+    }
+    return side;
+}
+
+/// A model whose sheet already has the state's tears: fixed nodes of it can be copies too.
+MembraneModel with_sheet(MembraneModel model, const MembraneState& state) {
+    model.sheet = state.sheet;
+    return model;
+}
+
+double energy_density(HeldSheet& held, const MembraneModel& model, double from, double to) {
+    // of the triangles between two x, at rest
+    const MembraneSheet& sheet = *held.state().sheet;
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(model, sheet);
+    double energy = 0.0;
+    double volume = 0.0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const std::array<int, 3>& n = sheet.mesh.triangles[t];
+        const double x =
+            (sheet.mesh.nodes[at(n[0])].x() + sheet.mesh.nodes[at(n[1])].x() + sheet.mesh.nodes[at(n[2])].x()) / 3.0;
+        if (x > from && x < to) {
+            const TrianglePoints now{held.state().position[at(n[0])], held.state().position[at(n[1])],
+                                     held.state().position[at(n[2])]};
+            energy += triangles[t].volume * membrane_state(triangles[t], now).energy;
+            volume += triangles[t].volume;
+        }
+    }
+    return energy / volume;
+}
+
+}  // namespace
+
+bool tear_once(const MembraneModel& model, MembraneState& state, const TearRules& rules) {
+    const std::vector<TearProposal> proposals = propose_tears(model, state);
+    if (proposals.empty()) {
+        return false;
+    }
+    const auto most = std::max_element(proposals.begin(), proposals.end(),
+                                       [](const TearProposal& a, const TearProposal& b) {
+                                           return a.release / a.toughness < b.release / b.toughness;
+                                       });
+    const Result<MembraneEdit> edit = tear(model, state, most->tip, most->direction, rules);
+    if (!edit.ok()) {
+        return false;
+    }
+    state = applied(state, edit.value());
+    return true;
+}
+
+TearLoad pure_shear(int triangles, double toughness) {
+    const double width = 12.0;
+    const double height = 2.0;
+    MembraneModel model = membrane("strip", rectangle(width, height, triangles), isotropic(young_modulus, 0.45));
+    model.toughness = {toughness, toughness};
+    model.damping_mass = 50.0;
+    MembraneState cut = rest_state(model);
+    cut_along(model, cut, nearest_node(model.sheet->mesh, Vec3(0.0, 0.5 * height, 0.0)), 4.0);
+    model = with_sheet(model, cut);
+    std::vector<int> low = nodes_at(model.sheet->mesh, 1, 0.0);
+    std::vector<int> high = nodes_at(model.sheet->mesh, 1, height);
+    model.fixed_nodes = low;
+    model.fixed_nodes.insert(model.fixed_nodes.end(), high.begin(), high.end());
+    std::sort(model.fixed_nodes.begin(), model.fixed_nodes.end());
+    HeldSheet held(model);
+    held.state().tips = cut.tips;
+    TearLoad load;
+    load.expected = toughness;
+    const double pull = 0.02 * height * std::sqrt(toughness / (young_modulus * height));
+    bool torn = false;
+    for (int i = 0; i < 400 && load.steps < 12; ++i) {
+        for (const int node : high) {
+            held.state().position[at(node)].y() += torn ? 0.0 : pull;
+        }
+        held.settle({}, 2e-3, 300);
+        // ahead of the tip and away from the far end the strip is in pure shear
+        torn = tear_once(held.model(), held.state());
+        if (torn) {
+            const double tip =
+                held.state().tips.empty() ? width
+                                          : held.state().sheet->mesh.nodes[at(held.state().tips[0].node)].x();
+            if (tip > width - 3.0) {
+                break;
+            }
+            load.measured += height * energy_density(held, held.model(), tip + 1.5, width - 1.0);
+            ++load.steps;
+        }
+    }
+    load.measured /= std::max(1, load.steps);
+    return load;
+}
+
+TearLoad trousers(int triangles, double toughness) {
+    const double width = 10.0;
+    const double height = 4.0;
+    MembraneModel model = membrane("trousers", rectangle(width, height, triangles), isotropic(young_modulus, 0.45));
+    model.toughness = {toughness, toughness};
+    model.damping_mass = 50.0;
+    MembraneState cut = rest_state(model);
+    cut_along(model, cut, nearest_node(model.sheet->mesh, Vec3(0.0, 0.5 * height, 0.0)), 4.0);
+    model = with_sheet(model, cut);
+    std::vector<int> low;
+    std::vector<int> high;
+    for (const int node : nodes_at(model.sheet->mesh, 0, 0.0)) {
+        (leg_of(*model.sheet, node, 0.5 * height) < 0.0 ? low : high).push_back(node);
+    }
+    model.fixed_nodes = low;
+    model.fixed_nodes.insert(model.fixed_nodes.end(), high.begin(), high.end());
+    std::sort(model.fixed_nodes.begin(), model.fixed_nodes.end());
+    HeldSheet held(model);
+    held.state().tips = cut.tips;
+    // the legs start turned up and down at a right angle
+    for (int n = 0; n < static_cast<int>(held.state().position.size()); ++n) {
+        const Vec3& x = model.sheet->mesh.nodes[at(n)];
+        if (x.x() < 4.0) {
+            const double up = leg_of(*model.sheet, n, 0.5 * height) < 0.0 ? 1.0 : -1.0;
+            held.state().position[at(n)] = Vec3(4.0, x.y(), up * (4.0 - x.x()));
+        }
+    }
+    TearLoad load;
+    load.expected = toughness;
+    bool torn = false;
+    for (int i = 0; i < 600 && load.steps < 12; ++i) {
+        const double pull = torn ? 0.0 : 0.01;
+        for (const int node : low) {
+            held.state().position[at(node)].z() += pull;
+        }
+        for (const int node : high) {
+            held.state().position[at(node)].z() -= pull;
+        }
+        held.settle({}, 2e-3, 300);
+        const double force = std::abs(held.force_on(low).z());
+        torn = tear_once(held.model(), held.state());
+        if (torn) {
+            const double leg = energy_density(held, held.model(), 0.5, 2.5);
+            const double strain = std::sqrt(2.0 * leg / young_modulus);  // pulled along, free across
+            load.measured += 2.0 * force * (1.0 + strain) / thickness - height * leg;
+            ++load.steps;
+            if (held.state().tips.empty() ||
+                held.state().sheet->mesh.nodes[at(held.state().tips[0].node)].x() > width - 2.0) {
+                break;
+            }
+        }
+    }
+    load.measured /= std::max(1, load.steps);
+    return load;
+}
+
+MiddleCrack middle_crack(int triangles) {
+    const double side = 10.0;
+    const double half = 1.0;
+    const double stress = 1000.0;  // 0.1 % strain
+    MembraneModel model = membrane("sheet", square_sheet(side, triangles), isotropic(young_modulus, 0.3));
+    model.damping_mass = 50.0;
+    model.slack_share = 1.0;  // the handbook's plate bears compression
+    MembraneState cut = rest_state(model);
+    // along x through the middle, from -half to half: the pull is along y
+    const int middle = nearest_node(model.sheet->mesh, Vec3(0.5 * side, 0.5 * side, 0.0));
+    const Vec3 origin = model.sheet->mesh.nodes[at(middle)];
+    const int triangle = model.sheet->neighbours.triangles[at(model.sheet->neighbours.offset[at(middle)])];
+    Result<MembraneEdit> edit = puncture(model, cut, triangle, origin, Vec3::UnitX());
+    MiddleCrack result;
+    double reached = 0.0;
+    while (edit.ok()) {
+        cut = applied(cut, edit.value());
+        const auto short_tip = std::find_if(cut.tips.begin(), cut.tips.end(), [&](const TearTip& tip) {
+            return std::abs(cut.sheet->mesh.nodes[at(tip.node)].x() - origin.x()) < half - 0.05;
+        });
+        if (short_tip == cut.tips.end()) {
+            break;
+        }
+        const Vec3& here = cut.sheet->mesh.nodes[at(short_tip->node)];
+        const double way = here.x() > origin.x() ? 0.4 : -0.4;
+        edit = tear(model, cut, static_cast<int>(short_tip - cut.tips.begin()), Vec3(way, origin.y() - here.y(), 0.0));
+    }
+    reached = 0.5 * std::abs(cut.sheet->mesh.nodes[at(cut.tips[0].node)].x() -
+                             cut.sheet->mesh.nodes[at(cut.tips[1].node)].x());
+    model = with_sheet(model, cut);
+    HeldSheet held(model);
+    std::vector<Vec3> load(held.state().position.size(), Vec3::Zero());
+    const TriMesh& mesh = model.sheet->mesh;
+    for (const double edge : {0.0, side}) {
+        for (const std::array<int, 3>& t : mesh.triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& a = mesh.nodes[at(t[k])];
+                const Vec3& b = mesh.nodes[at(t[(k + 1) % 3])];
+                if (a.y() == edge && b.y() == edge) {
+                    const double share = 0.5 * stress * thickness * (edge > 0.0 ? 1.0 : -1.0) * (b - a).norm();
+                    load[at(t[k])].y() += share;
+                    load[at(t[(k + 1) % 3])].y() += share;
+                }
+            }
+        }
+    }
+    held.settle(load, 1e-5, 600, 0.02);
+    const double ratio = reached / (0.5 * side);
+    const double factor = (1.0 - 0.025 * ratio * ratio + 0.06 * std::pow(ratio, 4)) / std::sqrt(std::cos(0.5 * M_PI * ratio));
+    result.expected = stress * stress * M_PI * reached / young_modulus * factor * factor;
+    for (const TearTip& tip : cut.tips) {
+        const Vec3 outward = tip.direction;
+        result.release += 0.5 * release_at(model, held.state(), tip.node, model.tear_radius).dot(outward);
+    }
+    return result;
+}
+
+}  // namespace rhexis::scenes

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets that tear at loads that theory knows.
+#pragma once
+
+#include "scenes/membranes.hpp"
+#include "topology/tear.hpp"
+
+namespace rhexis::scenes {
+
+struct TearLoad {
+    double measured = 0.0;  ///< energy release at which the tear went on, mean over its steps [uN/mm]
+    double expected = 0.0;  ///< toughness [uN/mm]
+    int steps = 0;
+};
+
+/// A strip of 12 x 2 mm with a notch of 4 mm in its middle, gripped along its long edges and pulled apart until it tears:
+/// far ahead of the tip the sheet stores W per volume, and W H0 comes free. toughness [uN/mm].
+TearLoad pure_shear(int triangles, double toughness);
+
+/// A strip of 10 x 4 mm, slit from one end along its middle; its two legs are pulled up and down, out of its plane:
+/// [RivlinThomas1953] G = 2 F lambda / h - 2 w w_leg, lambda: stretch of the legs, w: energy per volume in them.
+TearLoad trousers(int triangles, double toughness);
+
+struct MiddleCrack {
+    double release = 0.0;   ///< by the domain integral [uN/mm]
+    double expected = 0.0;  ///< sigma^2 pi a / E sec(pi a / 2 b) with its polynomial [uN/mm]
+};
+/// A square of 10 mm with a straight crack of 2 mm across the pull in its middle, at small strain.
+MiddleCrack middle_crack(int triangles);
+
+/// One step of a tear that may go on: proposals carried out at the tip with the most energy. True if one was.
+bool tear_once(const MembraneModel& model, MembraneState& state, const TearRules& rules = {});
+
+}  // namespace rhexis::scenes
