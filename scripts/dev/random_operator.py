@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ten minutes of a random operator in every exercise and in three patients; prints a table.
 
-usage: scripts/dev/random_operator.py [--seconds 600] [--tetrahedra 1000] [--replay] [--rhexis PROGRAM]
+usage: scripts/dev/random_operator.py [--seconds 600] [--tetrahedra 1000] [--replay] [--jobs 2] [--rhexis PROGRAM]
 
 For each: errors raised, steps that had to be redone, what part of the lens's volume is not accounted for, CPU seconds per
 simulated second, and with --replay whether a second simulation gives the same state hash in every step.
 """
 
 import argparse
+import concurrent.futures
 import pathlib
 import subprocess
 import sys
@@ -60,15 +61,19 @@ def main():
     parser.add_argument("--replay", action="store_true", help="simulate again and compare every step")
     parser.add_argument("--rhexis", default=attempts.PROGRAM)
     parser.add_argument("--only", help="an exercise")
+    parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
     attempts.table_head(["exercise", "patient", "simulated", "errors", "steps redone", "volume lost", "CPU s per s",
                          "same hash"])
-    for exercise, patient in RUNS:
-        if options.only and options.only != exercise:
-            continue
+    runs = [run for run in RUNS if options.only in (None, run[0])]
+
+    def row_of(run):
         with tempfile.TemporaryDirectory() as folder:
-            row = one(options, exercise, patient, pathlib.Path(folder) / "run")
-        attempts.table_row(row)
+            return one(options, *run, pathlib.Path(folder) / "run")
+
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for row in pool.map(row_of, runs):
+            attempts.table_row(row)
 
 
 if __name__ == "__main__":

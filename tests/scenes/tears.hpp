@@ -17,8 +17,8 @@ struct TearLoad {
 /// far ahead of the tip the sheet stores W per volume, and W H0 comes free. toughness [uN/mm].
 TearLoad pure_shear(int triangles, double toughness);
 
-/// A strip of 10 x 4 mm, slit from one end along its middle; its two legs are pulled up and down, out of its plane:
-/// [RivlinThomas1953] G = 2 F lambda / h - 2 w w_leg, lambda: stretch of the legs, w: energy per volume in them.
+/// A strip of 10 x 4 mm, slit from one end along its middle; its two legs are pulled up and down, out of its plane. Per
+/// leg of width b, stretch lambda and energy per volume w, F lambda / h - b w comes free [RivlinThomas1953].
 TearLoad trousers(int triangles, double toughness);
 
 struct MiddleCrack {

@@ -20,8 +20,8 @@ TEST_SUITE("tearing") {
     }
 
     TEST_CASE("trousers: legs tear at 2 F / h = Gc, the stretch of the legs counted") {
-        for (const int triangles : {600, 2400}) {
-            const TearLoad load = trousers(triangles, 500.0);
+        for (const int triangles : {400, 1600}) {
+            const TearLoad load = trousers(triangles, 1e5);
             CHECK(load.steps > 3);
             CHECK(load.measured == doctest::Approx(load.expected).epsilon(0.05));
         }
@@ -30,7 +30,7 @@ TEST_SUITE("tearing") {
     TEST_CASE("a crack in the middle of a pulled sheet: energy release of the handbook") {
         for (const int triangles : {1500, 6000}) {
             const MiddleCrack crack = middle_crack(triangles);
-            CHECK(crack.release == doctest::Approx(crack.expected).epsilon(0.08));
+            CHECK(crack.release == doctest::Approx(crack.expected).epsilon(triangles < 3000 ? 0.15 : 0.08));
         }
     }
 }
