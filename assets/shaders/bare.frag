@@ -12,6 +12,7 @@ out vec4 colour;
 void main() {
     vec3 n = normalize(normal);
     vec3 toward = normalize(camera - world);
+    n = dot(n, toward) < 0.0 ? -n : n;  // a sheet has two sides
     float facing = dot(n, toward);
     float key = clamp(0.5 + 0.5 * dot(n, light_way), 0.0, 1.0);
     float sky = 0.5 + 0.5 * n.z;

@@ -7,6 +7,7 @@
 #include "session/state_hash.hpp"
 #include "tools/advance_tool.hpp"
 #include "topology/remove.hpp"
+#include "topology/tear.hpp"
 
 namespace rhexis::lua {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 bool fits(const Snapshot& snapshot, const WorldModel& model) {
     bool same = snapshot.world.solids.size() == model.solids.size() && snapshot.tools.size() == model.tools.size() &&
                 snapshot.world.bags.size() == model.bags.size();
+    same = same && snapshot.world.membranes.size() == model.membranes.size();
     for (std::size_t k = 0; same && k < model.solids.size(); ++k) {
         const SolidState& solid = snapshot.world.solids[k];
         same = solid.position.size() == model.solids[k].coarse.nodes.size() &&
@@ -52,6 +54,24 @@ int BareScene::add_solid(SolidModel model, const Vec3& velocity) {
     return static_cast<int>(state_.solids.size()) - 1;
 }
 
+int BareScene::add_membrane(MembraneModel model, const TearRules& rules) {
+    rules_.push_back(rules);
+    state_.membranes.push_back(rest_state(model));
+    change_model([&](WorldModel& world) { world.membranes.push_back(std::move(model)); });
+    return static_cast<int>(state_.membranes.size()) - 1;
+}
+
+Status BareScene::puncture(int membrane, int triangle, const Vec3& place, const Vec3& direction) {
+    const std::size_t index = static_cast<std::size_t>(membrane);
+    const Result<MembraneEdit> edit =
+        rhexis::puncture(model_->membranes[index], state_.membranes[index], triangle, place, direction, rules_[index]);
+    if (!edit.ok()) {
+        return edit.error();
+    }
+    state_.membranes[index] = applied(state_.membranes[index], edit.value());
+    return success();
+}
+
 int BareScene::add_tool(ToolModel model, const Pose& pose) {
     change_model([&](WorldModel& world) { world.tools.push_back(std::move(model)); });
     ToolState state;
@@ -86,6 +106,7 @@ Frame BareScene::frame() {
     Frame frame;
     frame.model = model_;
     frame.solids = state_.solids;
+    frame.membranes = state_.membranes;
     frame.bags = state_.bags;
     frame.tools = tools_;
     frame.time_s = state_.time_s;
@@ -163,6 +184,9 @@ Result<StepOutcome> BareScene::advance(std::span<const DeviceSample> samples) {
         std::swap(state_, next_);
         tools_ = std::move(moved).value();
         remove_spent();
+        for (std::size_t k = 0; k < outcome.membranes.size(); ++k) {
+            carry_out(model_->membranes[k], outcome.membranes[k].tears, state_.membranes[k], rules_[k]);
+        }
     } else {
         contacts_.clear();
     }

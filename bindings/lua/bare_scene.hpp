@@ -8,6 +8,7 @@
 
 #include "lua/scene_body.hpp"
 #include "physics/physics.hpp"
+#include "topology/tear.hpp"
 
 namespace rhexis::lua {
 
@@ -17,8 +18,13 @@ public:
 
     // Bodies may be added at any time; the solvers are then made anew at the next step. Each returns its index.
     int add_solid(SolidModel model, const Vec3& velocity);
+    int add_membrane(MembraneModel model, const TearRules& rules);
     int add_tool(ToolModel model, const Pose& pose);
     int add_plane(const PlaneModel& model);
+
+    MembraneState& membrane(int index) { return state_.membranes[static_cast<std::size_t>(index)]; }
+    /// A slit through a place of a triangle at rest.
+    Status puncture(int membrane, int triangle, const Vec3& place, const Vec3& direction);
 
     void add_load(NodeLoad load);
     void clear_loads(int solid);
@@ -47,6 +53,7 @@ private:
     double step_s_;
     PhysicsSettings settings_;
     std::shared_ptr<const WorldModel> model_;
+    std::vector<TearRules> rules_;  // per membrane
     WorldState state_;
     WorldState next_;
     std::vector<ToolState> tools_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// rhexis.mesh: tetrahedral meshes to build, read, measure and write.
+// rhexis.mesh: tetrahedral meshes and triangle sheets to build, read, measure and write.
 #include <array>
 #include <cmath>
 #include <string>
@@ -72,6 +72,52 @@ int mesh_read(lua_State* L) {
     return 1;
 }
 
+int mesh_sheet(lua_State* L) {
+    Options options(L, 1, "rhexis.mesh.sheet");
+    const std::string shape = options.choice("shape", "square", {"square", "round"});
+    const double size = options.number("size", 10.0, {0.001, 1000.0, "mm"});
+    const long long triangles = options.integer("triangles", 1500, 8, 100000);
+    const double jitter = options.number("jitter", 0.0, {0.0, 0.3});
+    const long long seed = options.integer("seed", 1, 0, 1000000000);
+    options.finish();
+    TriMesh sheet = shape == "square" ? square_sheet(size, static_cast<int>(triangles))
+                                      : round_sheet(0.5 * size, static_cast<int>(triangles));
+    push_sheet(L, jitter > 0.0 ? jittered(std::move(sheet), jitter, static_cast<std::uint64_t>(seed)) : sheet);
+    return 1;
+}
+
+int mesh_read_sheet(lua_State* L) {
+    Result<TriMesh> sheet = read_tri_mesh(check_string(L, 1));
+    if (!sheet) {
+        raise(L, "rhexis.mesh.read_sheet: " + sheet.error().text());
+    }
+    push_sheet(L, std::move(sheet).value());
+    return 1;
+}
+
+int sheet_info(lua_State* L) {
+    const TriMesh& sheet = check_sheet(L, 1);
+    lua_newtable(L);
+    set_field(L, "nodes", static_cast<long long>(sheet.nodes.size()));
+    set_field(L, "triangles", static_cast<long long>(sheet.triangles.size()));
+    set_field(L, "area", mesh_area(sheet));
+    set_field(L, "mean_edge", mean_edge(sheet));
+    set_field(L, "smallest_angle", smallest_angle(sheet) * 180.0 / M_PI);
+    return 1;
+}
+
+int sheet_node(lua_State* L) {
+    const TriMesh& sheet = check_sheet(L, 1);
+    push(L, sheet.nodes[static_cast<std::size_t>(check_number_of(L, 2, sheet.nodes.size()))]);
+    return 1;
+}
+
+int sheet_select(lua_State* L) {
+    const std::vector<Vec3> nodes = check_sheet(L, 1).nodes;  // a copy: the script's function may close the sheet
+    push_numbers(L, read_selection(L, 2, nodes, "select"));
+    return 1;
+}
+
 int write(lua_State* L) {
     const TetMesh& mesh = check_mesh(L, 1);
     raise_if_failed(L, "write", write_tet_mesh(mesh, check_string(L, 2)));
@@ -122,10 +168,18 @@ void push_mesh_module(lua_State* L) {
                   {"select", guarded<select>},
                   {"close", guarded<close_mesh>}},
                  {{"__gc", guarded<close_mesh>}});
+    define_class(L, sheet_class,
+                 {{"info", guarded<sheet_info>},
+                  {"node", guarded<sheet_node>},
+                  {"select", guarded<sheet_select>},
+                  {"close", guarded<close_sheet>}},
+                 {{"__gc", guarded<close_sheet>}});
     push_library(L, {{"bar", guarded<mesh_bar>},
                      {"ball", guarded<mesh_ball>},
                      {"lens", guarded<mesh_lens>},
-                     {"read", guarded<mesh_read>}});
+                     {"read", guarded<mesh_read>},
+                     {"sheet", guarded<mesh_sheet>},
+                     {"read_sheet", guarded<mesh_read_sheet>}});
 }
 
 }  // namespace rhexis::lua

@@ -77,6 +77,7 @@ void define_class(lua_State* L, const char* name, const std::vector<luaL_Reg>& m
 }
 
 void push_mesh(lua_State* L, TetMesh mesh) { push_object(L, mesh_class, objects(L).meshes, std::move(mesh)); }
+void push_sheet(lua_State* L, TriMesh sheet) { push_object(L, sheet_class, objects(L).sheets, std::move(sheet)); }
 void push_scene(lua_State* L, std::unique_ptr<SceneBody> scene) {
     push_object(L, scene_class, objects(L).scenes, std::move(scene));
 }
@@ -98,6 +99,7 @@ void push_part(lua_State* L, const char* class_name, int scene, int index) {
 }
 
 TetMesh& check_mesh(lua_State* L, int index) { return check_object(L, index, mesh_class, objects(L).meshes); }
+TriMesh& check_sheet(lua_State* L, int index) { return check_object(L, index, sheet_class, objects(L).sheets); }
 SceneBody& check_scene(lua_State* L, int index) { return *check_object(L, index, scene_class, objects(L).scenes); }
 Snapshot& check_snapshot(lua_State* L, int index) {
     return check_object(L, index, snapshot_class, objects(L).snapshots);
@@ -115,6 +117,7 @@ ScenePart check_part(lua_State* L, int index, const char* class_name) {
 }
 
 int close_mesh(lua_State* L) { return close_object(L, mesh_class, objects(L).meshes); }
+int close_sheet(lua_State* L) { return close_object(L, sheet_class, objects(L).sheets); }
 int close_scene(lua_State* L) { return close_object(L, scene_class, objects(L).scenes); }
 int close_snapshot(lua_State* L) { return close_object(L, snapshot_class, objects(L).snapshots); }
 int close_image(lua_State* L) { return close_object(L, image_class, objects(L).images); }

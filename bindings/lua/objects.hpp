@@ -13,6 +13,7 @@
 #include "base/slot_map.hpp"
 #include "lua/scene_body.hpp"
 #include "mesh/tet_mesh.hpp"
+#include "mesh/tri_mesh.hpp"
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
 
@@ -27,6 +28,7 @@ struct SizedVideo {
 /// All objects of one Lua state.
 struct Objects {
     SlotMap<TetMesh> meshes;
+    SlotMap<TriMesh> sheets;
     SlotMap<std::unique_ptr<SceneBody>> scenes;
     SlotMap<Snapshot> snapshots;
     SlotMap<Image> images;
@@ -42,12 +44,14 @@ Objects& objects(lua_State* L);
 /// A part of a scene: a solid, a tool, or a view of a solid's nodes. Its userdata keeps the scene's userdata alive.
 struct PartHandle {
     SlotId scene;
-    int index = 0;               ///< of WorldModel::solids or tools
+    int index = 0;               ///< of WorldModel::solids, membranes or tools
     std::uint64_t revision = 0;  ///< views only: of the scene when the view was made
 };
 
 // Registered names of the classes, also what tostring shows.
 inline constexpr const char* mesh_class = "rhexis.Mesh";
+inline constexpr const char* sheet_class = "rhexis.Sheet";
+inline constexpr const char* membrane_class = "rhexis.Membrane";
 inline constexpr const char* scene_class = "rhexis.Scene";
 inline constexpr const char* solid_class = "rhexis.Solid";
 inline constexpr const char* tool_class = "rhexis.Tool";
@@ -62,6 +66,7 @@ void define_class(lua_State* L, const char* name, const std::vector<luaL_Reg>& m
 
 // Push a new handle to an object that moves into the state.
 void push_mesh(lua_State* L, TetMesh mesh);
+void push_sheet(lua_State* L, TriMesh sheet);
 void push_scene(lua_State* L, std::unique_ptr<SceneBody> scene);
 void push_snapshot(lua_State* L, Snapshot snapshot);
 void push_image(lua_State* L, Image image);
@@ -71,6 +76,7 @@ void push_part(lua_State* L, const char* class_name, int scene, int index);
 
 // The object behind the argument, or an error that names the argument or says that it was closed.
 TetMesh& check_mesh(lua_State* L, int index);
+TriMesh& check_sheet(lua_State* L, int index);
 SceneBody& check_scene(lua_State* L, int index);
 Snapshot& check_snapshot(lua_State* L, int index);
 Image& check_image(lua_State* L, int index);
@@ -84,6 +90,7 @@ ScenePart check_part(lua_State* L, int index, const char* class_name);
 
 // __gc and close of the classes that own an object.
 int close_mesh(lua_State* L);
+int close_sheet(lua_State* L);
 int close_scene(lua_State* L);
 int close_snapshot(lua_State* L);
 int close_image(lua_State* L);

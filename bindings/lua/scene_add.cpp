@@ -97,6 +97,73 @@ int add_solid(lua_State* L) {
     return 1;
 }
 
+TriMesh read_sheet_option(lua_State* L, Options& options) {
+    if (options.push_field("sheet") == LUA_TNIL) {
+        options.fail("sheet", "allowed: a sheet from rhexis.mesh");
+    }
+    TriMesh sheet = check_sheet(L, -1);
+    lua_pop(L, 1);
+    return sheet;
+}
+
+Orthotropic read_orthotropic(Options& options) {
+    Orthotropic material;
+    material.along = options.number("along", material.along, {0.0, 1e12, "Pa", true});
+    material.across = options.number("across", material.along, {0.0, 1e12, "Pa", true});
+    material.poisson_ratio = options.number("poisson_ratio", material.poisson_ratio, {-1.0, 10.0});
+    material.shear_modulus = options.number("shear_modulus", 0.0, {0.0, 1e12, "Pa"});
+    return material;
+}
+
+// Fibres all one way, or in circles about the z axis.
+MembraneSheet with_fibres(TriMesh mesh, bool circles, const Vec3& fibre, double thickness) {
+    MembraneSheet sheet = uniform_sheet(std::move(mesh), circles ? Vec3(Vec3::UnitX()) : fibre, thickness);
+    for (std::size_t t = 0; circles && t < sheet.fibre.size(); ++t) {
+        Vec3 middle = Vec3::Zero();
+        for (const int node : sheet.mesh.triangles[t]) {
+            middle += sheet.mesh.nodes[static_cast<std::size_t>(node)] / 3.0;
+        }
+        const Vec3 front = front_of(sheet.mesh, static_cast<int>(t));
+        const Vec3 round = Vec3::UnitZ().cross(middle);
+        if (round.norm() > 1e-9) {
+            sheet.fibre[t] = (round - round.dot(front) * front).normalized();
+        }
+    }
+    return sheet;
+}
+
+int add_membrane(lua_State* L) {
+    check_bare(L, "add_membrane");
+    Options options(L, 2, "add_membrane");
+    MembraneModel model;
+    model.name = options.string("name", "membrane");
+    TriMesh mesh = read_sheet_option(L, options);
+    const std::vector<Vec3> nodes = mesh.nodes;
+    model.material = read_orthotropic(options);
+    const bool circles = options.choice("fibres", "straight", {"straight", "circles"}) == "circles";
+    const Vec3 fibre = options.vec3("fibre", Vec3::UnitX());
+    const double thickness = options.number("thickness", 0.015, {1e-5, 10.0, "mm"});
+    model.sheet = std::make_shared<const MembraneSheet>(with_fibres(std::move(mesh), circles, fibre, thickness));
+    model.toughness.along = options.number("toughness_along", model.toughness.along, {1e-3, 1e12, "mJ/m^2"});
+    model.toughness.across = options.number("toughness_across", model.toughness.along, {1e-3, 1e12, "mJ/m^2"});
+    model.tear_radius = options.number("tear_radius", model.tear_radius, {1e-4, 100.0, "mm"});
+    model.sharpest_turn = options.number("sharpest_turn", 90.0, {0.0, 180.0, "degrees"}) * M_PI / 180.0;
+    model.density = options.number("density", model.density, {1e-7, 1.0, "g/mm^3"});
+    model.damping_mass = options.number("damping_mass", 0.0, {0.0, 1e6, "1/s"});
+    model.damping_stiffness = options.number("damping_stiffness", 0.0, {0.0, 10.0, "s"});
+    TearRules rules;
+    rules.existing_edges = options.boolean("existing_edges", false);
+    options.push_field("fixed");
+    model.fixed_nodes = read_selection(L, -1, nodes, "add_membrane: fixed");
+    options.finish();
+    if (Status status = check_membrane(model); !status) {
+        raise(L, "add_membrane: " + status.error().text());
+    }
+    const int index = check_bare(L, "add_membrane").add_membrane(std::move(model), rules);
+    push_part(L, membrane_class, 1, index);
+    return 1;
+}
+
 int add_tool(lua_State* L, const char* function, ToolModel model, Options& options) {
     model.friction = options.number("friction", model.friction, {0.0, 2.0});
     model.name = options.string("name", model.name);
@@ -162,6 +229,7 @@ std::vector<luaL_Reg> scene_creators() { return {{"create", guarded<scene_create
 
 std::vector<luaL_Reg> scene_adders() {
     return {{"add_solid", guarded<add_solid>},
+            {"add_membrane", guarded<add_membrane>},
             {"add_ball", guarded<add_ball>},
             {"add_rod", guarded<add_rod>},
             {"add_phaco", guarded<add_phaco>},

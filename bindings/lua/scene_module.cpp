@@ -179,6 +179,10 @@ int push_named_part(lua_State* L, const std::vector<Model>& models, const char* 
     raise(L, "this scene has no " + std::string(kind) + " '" + name + "' (" + suggestion(name, names) + ")");
 }
 
+int membrane(lua_State* L) {
+    return push_named_part(L, check_scene(L, 1).model().membranes, membrane_class, "membrane");
+}
+
 int solid(lua_State* L) { return push_named_part(L, check_scene(L, 1).model().solids, solid_class, "solid"); }
 int tool(lua_State* L) { return push_named_part(L, check_scene(L, 1).model().tools, tool_class, "tool"); }
 
@@ -246,6 +250,7 @@ void push_scene_module(lua_State* L) {
                                      {"crumb_mass", guarded<crumb_mass>},
                                      {"removed_mass", guarded<removed_mass>},
                                      {"solid", guarded<solid>},
+                  {"membrane", guarded<membrane>},
                                      {"tool", guarded<tool>},
                                      {"observation", guarded<observation>},
                                      {"measures", guarded<measures>},
@@ -257,6 +262,7 @@ void push_scene_module(lua_State* L) {
     define_class(L, scene_class, methods, {{"__gc", guarded<close_scene>}});
     define_class(L, snapshot_class, {{"close", guarded<close_snapshot>}}, {{"__gc", guarded<close_snapshot>}});
     define_solid_class(L);
+    define_membrane_class(L);
     define_tool_class(L);
     push_library(L, scene_creators());
 }

@@ -67,12 +67,19 @@ struct TearProposal {
     double toughness = 0.0;         ///< that it takes in this direction [uN/mm]
 };
 
+/// A force spread evenly over nodes of a sheet, constant until changed by the caller.
+struct SheetLoad {
+    std::vector<int> nodes;
+    Vec3 total = Vec3::Zero();  ///< [uN]
+};
+
 /// Changes from step to step.
 struct MembraneState {
     std::shared_ptr<const MembraneSheet> sheet;
     std::vector<Vec3> position;  ///< [mm]
     std::vector<Vec3> velocity;  ///< [mm/s]
     std::vector<TearTip> tips;
+    std::vector<SheetLoad> loads;
     double torn_area = 0.0;    ///< that tears have opened so far: length times thickness [mm^2]
     double torn_energy = 0.0;  ///< that they took [nJ]
 };

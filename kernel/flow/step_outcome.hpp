@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "flow/membrane.hpp"
 #include "flow/mesh_edit.hpp"
 
 namespace rhexis {
@@ -22,6 +23,14 @@ struct SolidStepReport {
     std::vector<BrokenFace> broken;  ///< faces that give way after this step: proposals to topology, ascending
 };
 
+struct MembraneStepReport {
+    int substeps = 1;
+    int newton_iterations = 0;
+    int linear_iterations = 0;
+    double force = 0.0;               ///< norm of the forces that do not balance at the end [uN]
+    std::vector<TearProposal> tears;  ///< proposals to topology, by tips
+};
+
 /// What made a step unacceptable.
 enum class StepFailure { none, not_finite, not_converged, inverted };
 
@@ -30,6 +39,7 @@ struct StepOutcome {
     int rollbacks = 0;                        ///< tries thrown away before this result
     std::vector<std::string> notes;           ///< one line per fallback, for the log
     std::vector<SolidStepReport> solids;
+    std::vector<MembraneStepReport> membranes;
 };
 
 }  // namespace rhexis

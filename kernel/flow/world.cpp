@@ -8,6 +8,9 @@ WorldState rest_state(const WorldModel& model) {
     for (const SolidModel& solid : model.solids) {
         state.solids.push_back(rest_state(solid));
     }
+    for (const MembraneModel& membrane : model.membranes) {
+        state.membranes.push_back(rest_state(membrane));
+    }
     state.bags.resize(model.bags.size());
     for (std::size_t i = 0; i < model.bags.size(); ++i) {
         state.bags[i].adherent = model.bags[i].adherent;

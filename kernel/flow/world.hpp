@@ -11,6 +11,7 @@
 #include "flow/contact.hpp"
 #include "flow/debris.hpp"
 #include "flow/iris.hpp"
+#include "flow/membrane.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
 
@@ -39,6 +40,7 @@ struct NodeLoad {
 
 struct WorldModel {
     std::vector<SolidModel> solids;
+    std::vector<MembraneModel> membranes;
     std::vector<BagModel> bags;
     std::vector<PlaneModel> planes;
     std::vector<DomeModel> domes;
@@ -61,6 +63,7 @@ struct ContactMemory {
 
 struct WorldState {
     std::vector<SolidState> solids;
+    std::vector<MembraneState> membranes;
     std::vector<BagState> bags;
     std::optional<ChamberState> chamber;
     ChamberFlows flows;  ///< of the last step

@@ -74,7 +74,6 @@ std::vector<int> with_new_nodes(const std::vector<int>& old_order, const std::ve
 struct SpringPull {
     Vec3 force = Vec3::Zero();
     Mat3 stiffness = Mat3::Zero();  ///< positive semidefinite
-    double energy = 0.0;
 };
 
 SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
@@ -89,7 +88,6 @@ SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
     pull.force = spring.stiffness * stretch * along;
     pull.stiffness = spring.stiffness * (along * along.transpose() +
                                          stretch / length * (Mat3::Identity() - along * along.transpose()));
-    pull.energy = 0.5 * spring.stiffness * stretch * stretch;
     return pull;
 }
 
@@ -107,6 +105,38 @@ std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, con
                           stiffness, model.slack_share});
     }
     return result;
+}
+
+double elastic_energy(const MembraneModel& model, const MembraneState& state) {
+    double sum = 0.0;
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const std::array<int, 3>& n = state.sheet->mesh.triangles[t];
+        sum += triangles[t].volume *
+               membrane_state(triangles[t], {state.position[at(n[0])], state.position[at(n[1])],
+                                             state.position[at(n[2])]})
+                   .energy;
+    }
+    return sum;
+}
+
+Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const std::vector<int>& nodes) {
+    std::vector<std::uint8_t> wanted(state.position.size(), 0);
+    for (const int node : nodes) {
+        wanted[at(node)] = 1;
+    }
+    Vec3 sum = Vec3::Zero();
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const std::array<int, 3>& n = state.sheet->mesh.triangles[t];
+        TrianglePoints force;
+        membrane_forces(triangles[t],
+                        {state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]}, force);
+        for (std::size_t a = 0; a < 3; ++a) {
+            sum += wanted[at(n[a])] != 0 ? force[a] : Vec3(Vec3::Zero());
+        }
+    }
+    return sum;
 }
 
 MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
@@ -224,21 +254,6 @@ void MembraneBody::forces_and_stiffness(const std::vector<double>& position, Mod
             add_block(stiffness, pattern_.diagonal[at(row)], scale * pull.stiffness);
         }
     }
-}
-
-double MembraneBody::energy(const std::vector<double>& position) const {
-    double sum = 0.0;
-    for (std::size_t t = 0; t < corner_.size(); ++t) {
-        TrianglePoints x;
-        for (std::size_t a = 0; a < 3; ++a) {
-            x[a] = Eigen::Map<const Vec3>(position.data() + 3 * at(corner_[t][a]));
-        }
-        sum += triangles_[t].volume * membrane_state(triangles_[t], x).energy;
-    }
-    for (const NodeSpring& spring : model_->springs) {
-        sum += pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * at(row_of_[at(spring.node)]))).energy;
-    }
-    return sum;
 }
 
 }  // namespace rhexis

@@ -13,6 +13,11 @@ namespace rhexis {
 /// Triangles of a sheet, ready for forces.
 std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, const MembraneSheet& sheet);
 
+/// Elastic energy of a state, springs left out [nJ].
+double elastic_energy(const MembraneModel& model, const MembraneState& state);
+/// Elastic force of the sheet on some of its nodes, summed: what holds them feels it [uN].
+Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const std::vector<int>& nodes);
+
 class MembraneBody final : public ElasticBody {
 public:
     /// The model must outlive this; the sheet is kept alive. before: of the sheet that this one came from, whose order
@@ -31,9 +36,6 @@ public:
     void forces(const std::vector<double>& position, std::vector<double>& force) override;
     void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
                               std::vector<double>& force, BlockValues& stiffness) override;
-
-    /// Elastic energy, springs included [nJ]; by rows.
-    [[nodiscard]] double energy(const std::vector<double>& position) const;
 
 private:
     void number_rows(const MembraneBody* before);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/membrane_stepper.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,10 @@ namespace rhexis {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Forces of a scene are some 1,000 uN.
+const ImplicitSettings scene_settings{
+    .tolerance = 1e-4, .max_newton = 6, .newton_tolerance = 1e-3, .force_tolerance = 0.5};
 
 }  // namespace
 
@@ -46,28 +51,45 @@ ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const
     return report;
 }
 
-std::vector<double> MembraneStepper::by_rows(const MembraneState& state) const {
-    std::vector<double> x(3 * state.position.size() + 1, 0.0);
-    for (std::size_t node = 0; node < state.position.size(); ++node) {
-        Eigen::Map<Vec3>(x.data() + 3 * at(body_->row_of()[node])) = state.position[node];
+bool MembraneStepper::run(const MembraneState& state, double dt, int divisions, MembraneState& next,
+                          MembraneStepReport& report) {
+    external_.clear();
+    if (!state.loads.empty()) {
+        external_.assign(state.position.size(), Vec3::Zero());
     }
-    return x;
+    for (const SheetLoad& load : state.loads) {
+        for (const int node : load.nodes) {
+            external_[at(node)] += load.total / static_cast<double>(load.nodes.size());
+        }
+    }
+    report = MembraneStepReport{};
+    report.substeps = divisions;
+    next = state;
+    for (int i = 0; i < divisions; ++i) {
+        std::swap(between_, next);
+        const ImplicitReport one = step(between_, external_, dt / divisions, scene_settings, {}, next);
+        report.newton_iterations += one.newton_iterations;
+        report.linear_iterations += one.linear_iterations;
+        report.force = one.force;
+        if (!std::isfinite(one.newton_residual) || !std::isfinite(one.force)) {
+            return false;
+        }
+    }
+    return true;
 }
 
-double MembraneStepper::energy(const MembraneState& state) {
-    follow(state);
-    return body_->energy(by_rows(state));
-}
-
-std::vector<Vec3> MembraneStepper::forces(const MembraneState& state) {
-    follow(state);
-    std::vector<double> force;
-    body_->forces(by_rows(state), force);
-    std::vector<Vec3> result(state.position.size());
-    for (std::size_t node = 0; node < result.size(); ++node) {
-        result[node] = Eigen::Map<const Vec3>(force.data() + 3 * at(body_->row_of()[node]));
+bool MembraneStepper::advance(const MembraneState& state, double dt, MembraneState& next, MembraneStepReport& report,
+                              int& rollbacks) {
+    for (const int divisions : {1, 4, 16}) {
+        if (run(state, dt, divisions, next, report)) {
+            return true;
+        }
+        ++rollbacks;
+        drop_caches();
     }
-    return result;
+    next = state;
+    next.velocity.assign(next.velocity.size(), Vec3::Zero());
+    return false;
 }
 
 }  // namespace rhexis

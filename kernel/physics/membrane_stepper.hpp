@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "flow/membrane.hpp"
+#include "flow/step_outcome.hpp"
 #include "physics/implicit_step.hpp"
 #include "physics/membrane_body.hpp"
 
@@ -21,10 +22,9 @@ public:
     ImplicitReport step(const MembraneState& state, std::span<const Vec3> external, double dt,
                         const ImplicitSettings& settings, const CouplingFunction& coupling, MembraneState& next);
 
-    /// Elastic energy of a state [nJ].
-    double energy(const MembraneState& state);
-    /// Elastic force on each node [uN].
-    std::vector<Vec3> forces(const MembraneState& state);
+    /// A step of dt [s] with the state's loads, redone in smaller steps where numbers run away. False where that does
+    /// not help: next is then the state at rest where it was.
+    bool advance(const MembraneState& state, double dt, MembraneState& next, MembraneStepReport& report, int& rollbacks);
 
     /// Forgets what is kept of earlier steps, the order of elimination too.
     void drop_caches() { step_.reset(); }
@@ -33,13 +33,15 @@ private:
     MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel)
         : model_(&model), kernel_(&kernel) {}
     void follow(const MembraneState& state);
-    [[nodiscard]] std::vector<double> by_rows(const MembraneState& state) const;
+    bool run(const MembraneState& state, double dt, int divisions, MembraneState& next, MembraneStepReport& report);
 
     const MembraneModel* model_;
     const linear_kernel::Kernel* kernel_;
     std::optional<ImplicitStep> step_;
     MembraneBody* body_ = nullptr;  ///< of step_
     NodeMotion motion_;
+    MembraneState between_;       ///< scratch of substeps
+    std::vector<Vec3> external_;  ///< scratch
     std::vector<RigidUnknown> no_bodies_;
 };
 

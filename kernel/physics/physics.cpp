@@ -11,8 +11,10 @@
 #include "physics/crack.hpp"
 #include "physics/debris_motion.hpp"
 #include "physics/fluid_step.hpp"
+#include "physics/membrane_stepper.hpp"
 #include "physics/sculpt.hpp"
 #include "physics/solid_stepper.hpp"
+#include "physics/tear_tip.hpp"
 #include "physics/world_check.hpp"
 
 namespace rhexis {
@@ -61,6 +63,7 @@ struct Physics::Solvers {
     PhysicsSettings settings;
     ThreadPool pool;
     std::vector<SolidStepper> steppers;
+    std::vector<MembraneStepper> membranes;
     std::vector<CrackFinder> cracks;  ///< per solid
     std::vector<SculptZone> zones;    ///< per tool
     std::vector<MouthProbe> probes;   ///< per tool
@@ -74,6 +77,7 @@ struct Physics::Solvers {
     [[nodiscard]] bool has_fluid() const { return model->chamber || model->capsule || model->iris; }
     void step_solid(const StepTask& task, int solid, StepOutcome& outcome);
     void keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const;
+    void step_membrane(const StepTask& task, std::size_t membrane, WorldState& next, StepOutcome& outcome);
 };
 
 /// Leaves in `result` the first try that is good, or the last that only inverted something, or the state as it was.
@@ -127,6 +131,23 @@ void Physics::Solvers::keep(const StepTask& task, int solid, WorldState& next, C
     remember_contacts(result.candidates, surface, solid, next.memory);
 }
 
+void Physics::Solvers::step_membrane(const StepTask& task, std::size_t membrane, WorldState& next,
+                                     StepOutcome& outcome) {
+    const MembraneModel& own = model->membranes[membrane];
+    MembraneStepReport& report = outcome.membranes.emplace_back();
+    const int before = outcome.rollbacks;
+    if (!membranes[membrane].advance(task.state.membranes[membrane], task.dt, next.membranes[membrane], report,
+                                     outcome.rollbacks)) {
+        outcome.failure = StepFailure::not_finite;
+        return;
+    }
+    if (outcome.rollbacks > before) {
+        outcome.notes.push_back(own.name + ": step not finite, redone in steps " + std::to_string(report.substeps) +
+                                " times smaller");
+    }
+    report.tears = propose_tears(own, next.membranes[membrane]);
+}
+
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
@@ -145,6 +166,13 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
         }
         solvers->steppers.push_back(std::move(stepper).value());
         solvers->cracks.emplace_back(model->solids[solid]);
+    }
+    for (const MembraneModel& membrane : model->membranes) {
+        Result<MembraneStepper> stepper = MembraneStepper::create(membrane, settings.instruction_set);
+        if (!stepper) {
+            return stepper.error();
+        }
+        solvers->membranes.push_back(std::move(stepper).value());
     }
     if (before != nullptr) {
         RHEXIS_ASSERT(before->solvers_->zones.size() == model->tools.size());
@@ -182,6 +210,10 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
         s.cracks[solid].find(s.model->solids[solid], next.solids[solid], s.steppers[solid].surface(), contacts, solid,
                              outcome.solids.back().broken);
     }
+    for (std::size_t membrane = 0; membrane < s.membranes.size(); ++membrane) {
+        const ProfileScope scope(profile, s.model->membranes[membrane].name.c_str());
+        s.step_membrane(task, membrane, next, outcome);
+    }
     if (s.steppers.empty()) {
         PartnerPoses poses;
         place_tools(tools, 1.0, poses);
@@ -213,6 +245,9 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
 
 void Physics::drop_caches() {
     for (SolidStepper& stepper : solvers_->steppers) {
+        stepper.drop_caches();
+    }
+    for (MembraneStepper& stepper : solvers_->membranes) {
         stepper.drop_caches();
     }
 }

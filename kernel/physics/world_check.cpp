@@ -129,6 +129,11 @@ Status check_world(const WorldModel& model, const PhysicsSettings& settings) {
             return status;
         }
     }
+    for (const MembraneModel& membrane : model.membranes) {
+        if (Status status = check_membrane(membrane); !status) {
+            return status;
+        }
+    }
     for (const ToolModel& tool : model.tools) {
         if (Status status = check_tool(tool); !status) {
             return status;

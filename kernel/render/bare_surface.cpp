@@ -88,8 +88,9 @@ Vec3 normal_at(const Surface& surface, const std::vector<int>& around, const Fac
 
 }  // namespace
 
-void append_surface(const SolidModel& model, const SolidState& state, int solid, std::vector<float>& stream) {
-    const Surface surface = surface_of(model, state, solid);
+namespace {
+
+void append(const Surface& surface, std::vector<float>& stream) {
     const std::vector<std::vector<int>> around = faces_of_nodes(surface);
     for (const Face& face : surface.faces) {
         const Vec3& tint = palette[face.colour % palette.size()];
@@ -104,6 +105,25 @@ void append_surface(const SolidModel& model, const SolidState& state, int solid,
             }
         }
     }
+}
+
+}  // namespace
+
+void append_surface(const SolidModel& model, const SolidState& state, int solid, std::vector<float>& stream) {
+    append(surface_of(model, state, solid), stream);
+}
+
+void append_sheet(const MembraneState& state, std::vector<float>& stream) {
+    constexpr int sheet_colour = 2;
+    Surface surface{state.position, {}};
+    for (const std::array<int, 3>& nodes : state.sheet->mesh.triangles) {
+        const Vec3& a = state.position[nodes[0]];
+        const Face face{nodes, (state.position[nodes[1]] - a).cross(state.position[nodes[2]] - a), sheet_colour};
+        if (face.normal.allFinite()) {
+            surface.faces.push_back(face);
+        }
+    }
+    append(surface, stream);
 }
 
 }  // namespace rhexis

@@ -4,11 +4,15 @@
 
 #include <vector>
 
+#include "flow/membrane.hpp"
 #include "flow/solid.hpp"
 
 namespace rhexis {
 
 /// Vertices: position, normal, colour, distance from the three edges as barycentric coordinates (3 floats each).
 void append_surface(const SolidModel& model, const SolidState& state, int solid, std::vector<float>& stream);
+
+/// The same for a sheet.
+void append_sheet(const MembraneState& state, std::vector<float>& stream);
 
 }  // namespace rhexis

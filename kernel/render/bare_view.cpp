@@ -21,13 +21,19 @@ struct Box {
 
 Box box_of(const Frame& frame) {
     Box box;
-    for (const SolidState& solid : frame.solids) {
-        for (const Vec3& node : solid.position) {
+    const auto add = [&box](const std::vector<Vec3>& nodes) {
+        for (const Vec3& node : nodes) {
             if (node.allFinite()) {
                 box.low = box.low.cwiseMin(node);
                 box.high = box.high.cwiseMax(node);
             }
         }
+    };
+    for (const SolidState& solid : frame.solids) {
+        add(solid.position);
+    }
+    for (const MembraneState& membrane : frame.membranes) {
+        add(membrane.position);
     }
     return box.low.x() <= box.high.x() ? box : Box{Vec3::Constant(-1.0), Vec3::Constant(1.0)};
 }
@@ -104,6 +110,9 @@ void BareView::draw(ToolPainter& painter, const Frame& frame, const std::vector<
     stream_.clear();
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         append_surface(frame.model->solids[i], frame.solids[i], static_cast<int>(i), stream_);
+    }
+    for (const MembraneState& membrane : frame.membranes) {
+        append_sheet(membrane, stream_);
     }
     samples_.bind();
     clear_bound_target();

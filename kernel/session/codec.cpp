@@ -189,6 +189,47 @@ void fluid_fields(auto& io, auto& world) {
     });
 }
 
+void sheet_fields(auto& io, auto& sheet) {
+    io(sheet.mesh.nodes);
+    io.list(sheet.mesh.triangles, 12, [](auto& inner, auto& triangle) {
+        for (auto& node : triangle) {
+            inner(node);
+        }
+    });
+    io(sheet.fibre);
+    io(sheet.thickness);
+    io(sheet.stiffness);
+}
+
+void shared_sheet(Writing& io, const std::shared_ptr<const MembraneSheet>& sheet) { sheet_fields(io, *sheet); }
+
+void shared_sheet(Reading& io, std::shared_ptr<const MembraneSheet>& sheet) {
+    std::shared_ptr<MembraneSheet> read = std::make_shared<MembraneSheet>();
+    sheet_fields(io, *read);
+    const bool sound = io.reader.ok() && validate_tri_mesh(read->mesh).ok();
+    io.limit(sound);
+    if (sound) {
+        read->neighbours = tri_neighbours(read->mesh);
+    }
+    sheet = std::move(read);
+}
+
+void membrane_fields(auto& io, auto& membrane) {
+    shared_sheet(io, membrane.sheet);
+    io(membrane.position);
+    io(membrane.velocity);
+    io.list(membrane.tips, 28, [](auto& inner, auto& tip) {
+        inner(tip.node);
+        inner(tip.direction);
+    });
+    io.list(membrane.loads, 32, [](auto& inner, auto& load) {
+        inner(load.nodes);
+        inner(load.total);
+    });
+    io(membrane.torn_area);
+    io(membrane.torn_energy);
+}
+
 void world_fields(auto& io, auto& world) {
     io.list(world.solids, 48, [](auto& inner, auto& solid) {
         inner(solid.position);
@@ -204,6 +245,7 @@ void world_fields(auto& io, auto& world) {
             split_io(split.tets);
         });
     });
+    io.list(world.membranes, 88, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
     io.list(world.bags, 168, [](auto& inner, auto& bag) {
         inner(bag.pose);
         inner(bag.velocity);

@@ -20,6 +20,7 @@
 #include "topology/crumble.hpp"
 #include "topology/remove.hpp"
 #include "topology/segments.hpp"
+#include "topology/tear.hpp"
 
 namespace rhexis {
 
@@ -231,6 +232,9 @@ void Session::Parts::keep_state_of_failed_step(StepFailure failure) {
     for (SolidState& solid : next.solids) {
         std::fill(solid.velocity.begin(), solid.velocity.end(), Vec3(Vec3::Zero()));
     }
+    for (MembraneState& membrane : next.membranes) {
+        std::fill(membrane.velocity.begin(), membrane.velocity.end(), Vec3(Vec3::Zero()));
+    }
     for (BagState& bag : next.bags) {
         bag.velocity.setZero();
         bag.angular_velocity.setZero();
@@ -312,6 +316,9 @@ void Session::Parts::follow_model() {
 
 void Session::Parts::change_topology(const StepOutcome& outcome) {
     const ProfileScope scope(profile, "topology");
+    for (std::size_t i = 0; outcome.failure == StepFailure::none && i < outcome.membranes.size(); ++i) {
+        carry_out(world->membranes[i], outcome.membranes[i].tears, state.membranes[i]);
+    }
     bool split = false;
     for (int i = 0; i < static_cast<int>(world->solids.size()); ++i) {
         const MeshEdit edit = spent_elements(world->solids[i], state.solids[i], i);
@@ -401,10 +408,15 @@ Frame Session::frame() const {
         anatomy.iris_z = p.state.iris->z;
         anatomy.pupil_radius = p.state.iris->pupil_radius;
     }
-    return {p.world,        std::make_shared<const EyeAnatomy>(anatomy),
-            p.state.solids, p.state.bags,
-            p.tools,        p.state.capsule,
-            p.state.iris,   p.state.debris,
+    return {p.world,
+            std::make_shared<const EyeAnatomy>(anatomy),
+            p.state.solids,
+            p.state.membranes,
+            p.state.bags,
+            p.tools,
+            p.state.capsule,
+            p.state.iris,
+            p.state.debris,
             p.state.time_s};
 }
 

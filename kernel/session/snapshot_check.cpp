@@ -78,6 +78,36 @@ Status solids_fit(const Snapshot& snapshot, const WorldModel& world) {
     return success();
 }
 
+bool in_sheet(int node, const MembraneState& state) {
+    return node >= 0 && node < static_cast<int>(state.sheet->mesh.nodes.size());
+}
+
+bool membrane_fits(const MembraneModel& base, const MembraneState& state) {
+    const std::size_t nodes = state.sheet->mesh.nodes.size();
+    MembraneModel model = base;
+    model.sheet = state.sheet;
+    return nodes >= base.sheet->mesh.nodes.size() && check_membrane(model).ok() && state.position.size() == nodes &&
+           state.velocity.size() == nodes &&
+           std::all_of(state.tips.begin(), state.tips.end(),
+                       [&](const TearTip& tip) { return in_sheet(tip.node, state); }) &&
+           std::all_of(state.loads.begin(), state.loads.end(), [&](const SheetLoad& load) {
+               return !load.nodes.empty() && std::all_of(load.nodes.begin(), load.nodes.end(),
+                                                         [&](int node) { return in_sheet(node, state); });
+           });
+}
+
+Status membranes_fit(const WorldState& state, const WorldModel& world) {
+    if (state.membranes.size() != world.membranes.size()) {
+        return misfit("the number of membranes");
+    }
+    for (std::size_t i = 0; i < world.membranes.size(); ++i) {
+        if (!membrane_fits(world.membranes[i], state.membranes[i])) {
+            return misfit(world.membranes[i].name);
+        }
+    }
+    return success();
+}
+
 bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
 
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
@@ -129,6 +159,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
     if (snapshot.world.bags.size() != world.bags.size() || snapshot.tools.size() != world.tools.size() ||
         snapshot.observer_memory.size() != observer_memory) {
         return misfit("the number of bags, instruments or measures");
+    }
+    if (Status status = membranes_fit(snapshot.world, world); !status) {
+        return status;
     }
     if (Status status = fluid_fits(snapshot.world, world); !status) {
         return status;

@@ -37,6 +37,30 @@ void add(StateHash& hash, const SolidState& solid) {
     }
 }
 
+void add(StateHash& hash, const MembraneState& membrane) {
+    add(hash, membrane.position);
+    add(hash, membrane.velocity);
+    add(hash, membrane.sheet->mesh.nodes);
+    for (const std::array<int, 3>& triangle : membrane.sheet->mesh.triangles) {
+        hash.add_bytes(triangle.data(), sizeof triangle);
+    }
+    add(hash, membrane.sheet->fibre);
+    hash.add(std::span<const double>(membrane.sheet->thickness));
+    hash.add(std::span<const double>(membrane.sheet->stiffness));
+    hash.add(static_cast<std::uint64_t>(membrane.tips.size()));
+    for (const TearTip& tip : membrane.tips) {
+        hash.add(static_cast<std::uint64_t>(tip.node));
+        add(hash, tip.direction);
+    }
+    hash.add(static_cast<std::uint64_t>(membrane.loads.size()));
+    for (const SheetLoad& load : membrane.loads) {
+        hash.add_bytes(load.nodes.data(), load.nodes.size() * sizeof(int));
+        add(hash, load.total);
+    }
+    hash.add(membrane.torn_area);
+    hash.add(membrane.torn_energy);
+}
+
 void add(StateHash& hash, const BagState& bag) {
     add(hash, bag.pose);
     add(hash, bag.velocity);
@@ -148,6 +172,9 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     hash.add(seed);
     hash.add(step);
     add_all(hash, world.solids);
+    if (!world.membranes.empty()) {
+        add_all(hash, world.membranes);
+    }
     add_all(hash, world.bags);
     add_if(hash, world.chamber);
     add_if(hash, world.capsule);

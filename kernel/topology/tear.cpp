@@ -254,6 +254,29 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     return finished(editor, cost, std::move(tips));
 }
 
+int carry_out(const MembraneModel& model, const std::vector<TearProposal>& proposals, MembraneState& state,
+              const TearRules& rules) {
+    std::vector<int> nodes;  // an edit renumbers the tips, but no node
+    for (const TearProposal& proposal : proposals) {
+        nodes.push_back(state.tips[at(proposal.tip)].node);
+    }
+    int done = 0;
+    for (std::size_t i = 0; i < proposals.size(); ++i) {
+        const auto tip = std::find_if(state.tips.begin(), state.tips.end(),
+                                      [&](const TearTip& other) { return other.node == nodes[i]; });
+        if (tip == state.tips.end()) {
+            continue;  // another tear met it
+        }
+        const Result<MembraneEdit> edit =
+            tear(model, state, static_cast<int>(tip - state.tips.begin()), proposals[i].direction, rules);
+        if (edit.ok()) {
+            state = applied(state, edit.value());
+            ++done;
+        }
+    }
+    return done;
+}
+
 MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
     MembraneState next = state;
     std::shared_ptr<MembraneSheet> sheet = std::make_shared<MembraneSheet>(*state.sheet);

@@ -97,13 +97,4 @@ bool HeldSheet::settle(std::span<const Vec3> external, double speed, int most, d
     return false;
 }
 
-Vec3 HeldSheet::force_on(const std::vector<int>& nodes) {
-    const std::vector<Vec3> force = stepper_.forces(state_);
-    Vec3 sum = Vec3::Zero();
-    for (const int node : nodes) {
-        sum += force[at(node)];
-    }
-    return sum;
-}
-
 }  // namespace rhexis::scenes

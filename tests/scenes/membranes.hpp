@@ -49,9 +49,11 @@ public:
     /// One step.
     ImplicitReport step(double dt, std::span<const Vec3> external = {}, const ImplicitSettings& settings = {});
 
-    [[nodiscard]] double energy() { return stepper_.energy(state_); }
+    [[nodiscard]] double energy() const { return elastic_energy(model_, state_); }
     /// Elastic force on the sheet summed over nodes: what holds them there gives the opposite [uN].
-    [[nodiscard]] Vec3 force_on(const std::vector<int>& nodes);
+    [[nodiscard]] Vec3 force_on(const std::vector<int>& nodes) const {
+        return elastic_force(model_, state_, nodes);
+    }
 
 private:
     MembraneModel model_;
