@@ -121,10 +121,11 @@ return exercise {
             evidence = { "groove_1.depth_mm", "reflex.tip" },
         },
         error_event "Groove askew" {
-            -- A shorter one has no clear direction yet, nor has one that is wider at one end until both strokes of a
-            -- layer are made.
-            when = "groove_2.length_mm >= 3 and abs(grooves.angle_deg - goal.angle_deg) > goal.tolerance_deg",
-            hold_s = 3,
+            -- A shorter or shallower one has no clear direction yet, nor has one that is wider at one end until both
+            -- strokes of a layer are made.
+            when = "groove_2.length_mm >= 3 and 200 * groove_2.depth_share >= goal.depth_percent "
+                .. "and abs(grooves.angle_deg - goal.angle_deg) > goal.tolerance_deg",
+            hold_s = 8,
             recovered = { tip_clear, "abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg" },
             deadline_s = 60,
             near_miss_s = 0,

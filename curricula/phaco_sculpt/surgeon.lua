@@ -229,20 +229,20 @@ local function hold(me, eye)
     me.left.go(place(held), turn_speed)
 end
 
--- The next stroke goes across the first groove as that lies now.
-local function lean_across(groove, first)
-    local off = first.direction % 180 - goal_turn
+-- The next layer goes across the first groove as that lies now.
+local function lean_across(me, groove, first)
+    local off = me.towards(first.direction % 180 - goal_turn)
     groove.lean = math.tan(math.rad(math.max(-most_lean, math.min(most_lean, off))))
 end
 
--- What a surgeon does before each stroke of the second groove: while it is shallow, the first is kept across; a spatula
+-- What a surgeon does before each layer of the second groove: while it is shallow, the first is kept across; a spatula
 -- that was lifted is put back, unless it lay on the capsule too often.
 local function keep_across(groove)
     local state = { lifted = false, times = 0 }
     local function before(me, eye)
         local seen = me.see()
         local first = first_groove(seen, true)
-        if first then lean_across(groove, first) end
+        if first then lean_across(me, groove, first) end
         local shallow = sculpting.seen_share(eye, floor_ahead(seen)) < led
         local astray = first and shallow and me.notices(function()
             return math.abs(first.direction % 180 - goal_turn) > far_off

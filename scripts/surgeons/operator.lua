@@ -11,6 +11,7 @@ local vector = require "surgeons.vector"
 
 local operator = {}
 
+local most_askew = 15  -- spread of a chosen direction for a planning error of 1 [deg]; proposal
 local pedal_rate = 8  -- travel of the foot, pedal positions per second; proposal
 
 --- Parameters of one person of a group.
@@ -117,6 +118,11 @@ local function make_me(self)
 
     --- A quantity as this person really chooses it: about the value that the plan asks for.
     function me.about(value) return value * math.exp(self.person.planning_error * self.planning:normal()) end
+
+    --- A direction [deg] as this person really takes it.
+    function me.towards(direction)
+        return direction + most_askew * self.person.planning_error * self.planning:normal()
+    end
 
     --- Waits until a test of what is seen is true; false when `longest` seconds passed first.
     function me.wait_until(test, longest)

@@ -89,7 +89,7 @@ return scenarios {
             come_in(t)
             layers(t, 0, 0.9, 0.4)
             layers(t, 45, 0.9)
-            t:expect_event("Groove askew", { within = 3 })
+            t:expect_event("Groove askew", { within = 9 })
             lift(t)
             layers(t, 90, 0.9, 0.4)
             t:expect_event("Groove askew", { recovered = true })
@@ -101,7 +101,7 @@ return scenarios {
             come_in(t)
             layers(t, 0, 0.9, 0.4)
             layers(t, 45, 0.9)
-            t:expect_event("Groove askew", { within = 3 })
+            t:expect_event("Groove askew", { within = 9 })
             leave(t)
             t:expect_event("Groove askew", { recovered = false })
         end },
