@@ -132,6 +132,15 @@ void push_solid_report(lua_State* L, const SolidStepReport& report) {
     set_field(L, "inverted", report.inverted);
 }
 
+void push_membrane_report(lua_State* L, const MembraneStepReport& report) {
+    lua_newtable(L);
+    set_field(L, "substeps", report.substeps);
+    set_field(L, "newton_iterations", report.newton_iterations);
+    set_field(L, "linear_iterations", report.linear_iterations);
+    set_field(L, "force", report.force);
+    set_field(L, "tears", static_cast<long long>(report.tears.size()));
+}
+
 int report(lua_State* L) {
     const StepOutcome& outcome = check_scene(L, 1).outcome();
     lua_newtable(L);
@@ -143,6 +152,12 @@ int report(lua_State* L) {
         lua_rawseti(L, -2, static_cast<lua_Integer>(k + 1));
     }
     lua_setfield(L, -2, "solids");
+    lua_newtable(L);
+    for (std::size_t k = 0; k < outcome.membranes.size(); ++k) {
+        push_membrane_report(L, outcome.membranes[k]);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(k + 1));
+    }
+    lua_setfield(L, -2, "membranes");
     return 1;
 }
 

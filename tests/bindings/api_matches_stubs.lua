@@ -72,14 +72,17 @@ end
 
 local scene = rhexis.scene.create()
 local mesh = rhexis.mesh.bar()
+local sheet = rhexis.mesh.sheet { triangles = 50 }
 local tool = scene:add_ball()
 local takes = {
     ["rhexis.Box"] = function(t) mesh:select(t) end,
     ["rhexis.BarOptions"] = rhexis.mesh.bar,
     ["rhexis.BallOptions"] = rhexis.mesh.ball,
     ["rhexis.LensOptions"] = rhexis.mesh.lens,
+    ["rhexis.SheetOptions"] = rhexis.mesh.sheet,
     ["rhexis.SceneOptions"] = rhexis.scene.create,
     ["rhexis.SolidOptions"] = function(t) t.mesh = mesh scene:add_solid(t) end,
+    ["rhexis.MembraneOptions"] = function(t) t.sheet = sheet scene:add_membrane(t) end,
     ["rhexis.BallToolOptions"] = function(t) scene:add_ball(t) end,
     ["rhexis.RodToolOptions"] = function(t) scene:add_rod(t) end,
     ["rhexis.PhacoToolOptions"] = function(t) scene:add_phaco(t) end,
@@ -108,10 +111,16 @@ end
 
 scene:add_plane { point = { 0, 0, 0.001 } }
 scene:add_solid { mesh = mesh, young_modulus = 3000 }
+local membrane = scene:add_membrane { sheet = rhexis.mesh.sheet() }
+membrane:puncture({ 5, 5, 0 }, { 1, 0, 0 })
 assert(scene:step(3))
 local eye = rhexis.eye.create { tetrahedra = 500 }
 local gives = {
     ["rhexis.MeshInfo"] = mesh:info(),
+    ["rhexis.SheetInfo"] = sheet:info(),
+    ["rhexis.TearTip"] = membrane:tips()[1],
+    ["rhexis.Torn"] = membrane:torn(),
+    ["rhexis.MembraneReport"] = scene:report().membranes[1],
     ["rhexis.Contact"] = scene:contacts()[1],
     ["rhexis.Energy"] = scene:energy(),
     ["rhexis.Report"] = scene:report(),

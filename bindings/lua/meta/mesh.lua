@@ -1,7 +1,7 @@
 ---@meta
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
----Tetrahedral meshes to build, read, measure and write.
+---Tetrahedral meshes and triangle sheets to build, read, measure and write.
 ---@class rhexis.mesh
 local mesh = {}
 
@@ -59,6 +59,72 @@ function mesh.lens(options) end
 ---@param path string
 ---@return rhexis.Mesh
 function mesh.read(path) end
+
+---@class rhexis.SheetOptions
+---@field shape? "square"|"round" # a square with a corner at the origin, or a disc about it; default "square"
+---@field size? number # side or diameter [mm]; 0.001 to 1000; default 10
+---@field triangles? integer # wanted number of them, met within a row; 8 to 100000; default 1500
+---@field jitter? number # moves inner nodes at random by up to this share of an edge; 0 to 0.3; default 0
+---@field seed? integer # chooses that movement; 0 to 1000000000; default 1
+
+---A flat sheet of triangles in the plane z = 0, its front towards +z.
+---```lua
+---local sheet = rhexis.mesh.sheet { size = 4, triangles = 200 }
+---assert(math.abs(sheet:info().area - 16) < 1e-9)
+---```
+---@param options? rhexis.SheetOptions
+---@return rhexis.Sheet
+function mesh.sheet(options) end
+
+---Reads the triangles of a mesh file, as mesh.read reads its tetrahedra. A sheet that is not sound (an edge with three
+---triangles, a flipped triangle, parts that only touch) is an error with the number of what is wrong.
+---```lua
+---local ok, message = pcall(rhexis.mesh.read_sheet, "nowhere.vtk")
+---assert(not ok and message:find("nowhere.vtk"))
+---```
+---@param path string
+---@return rhexis.Sheet
+function mesh.read_sheet(path) end
+
+---A triangle mesh at rest.
+---@class rhexis.Sheet
+local Sheet = {}
+
+---@class rhexis.SheetInfo
+---@field nodes integer # number of nodes
+---@field triangles integer # number of triangles
+---@field area number # [mm^2]
+---@field mean_edge number # mean length of their edges [mm]
+---@field smallest_angle number # [degrees]
+
+---Size and quality.
+---```lua
+---assert(rhexis.mesh.sheet():info().smallest_angle > 25)
+---```
+---@return rhexis.SheetInfo
+function Sheet:info() end
+
+---Where a node is at rest [mm].
+---```lua
+---assert(rhexis.mesh.sheet():node(1)[1] == 0)
+---```
+---@param number integer # 1 to the number of nodes
+---@return rhexis.Vec3
+function Sheet:node(number) end
+
+---Numbers of the nodes that a selection means, ascending.
+---```lua
+---assert(#rhexis.mesh.sheet():select(function(x) return x == 0 end) > 10)
+---```
+---@param selection rhexis.Selection
+---@return integer[]
+function Sheet:select(selection) end
+
+---Frees it now.
+---```lua
+---rhexis.mesh.sheet():close()
+---```
+function Sheet:close() end
 
 ---A tetrahedral mesh at rest.
 ---@class rhexis.Mesh

@@ -53,6 +53,39 @@ local Scene = {}
 ---@return rhexis.Solid
 function Scene:add_solid(options) end
 
+---@class rhexis.MembraneOptions
+---@field sheet rhexis.Sheet # must be given
+---@field name? string # default "membrane"
+---@field along? number # Young's modulus along the fibres [Pa]; above 0; default 1e6
+---@field across? number # and across them [Pa]; above 0; default as along
+---@field poisson_ratio? number # contraction across when pulled along; its square less than along / across; default 0.45
+---@field shear_modulus? number # [Pa]; 0: from the others, so that 1/E is a blend of 1/along and 1/across; default 0
+---@field fibres? "straight"|"circles" # all one way, or in circles about the z axis; default "straight"
+---@field fibre? rhexis.Vec3 # the way of straight ones, not at a right angle to the sheet; default {1, 0, 0}
+---@field thickness? number # [mm]; 0.00001 to 10; default 0.015
+---@field toughness_along? number # energy per area of a tear along the fibres [mJ/m^2]; above 0; default 1e6
+---@field toughness_across? number # and of one across them [mJ/m^2]; above 0; default as along
+---@field tear_radius? number # about the tip of a tear, of what decides on its way [mm]; 0.0001 to 100; default 0.4
+---@field sharpest_turn? number # of a tear from the way it came [degrees]; 0 to 180; default 90
+---@field existing_edges? boolean # tear along edges of the mesh only; default false
+---@field density? number # [g/mm^3]; above 0 up to 1; default 0.00105
+---@field damping_mass? number # Rayleigh damping by mass [1/s]; 0 to 1e6; default 0
+---@field damping_stiffness? number # Rayleigh damping by stiffness [s]; 0 to 10; default 0
+---@field fixed? rhexis.Selection # nodes that only Membrane:move moves; default none
+
+---Adds a thin sheet that stretches, wrinkles and, once it is punctured, tears where there is the energy for it.
+---```lua
+---local scene = rhexis.scene.create()
+---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet { size = 2, triangles = 100 }, along = 1e6, across = 3e5,
+---    fibre = { 1, 1, 0 }, fixed = function(x) return x < 1e-9 or x > 2 - 1e-9 end }
+---sheet:move(function(x) return x > 2 - 1e-9 end, { 0.1, 0, 0 })
+---assert(scene:step(5))
+---assert(sheet:force(function(x) return x < 1e-9 end)[1] > 0)
+---```
+---@param options rhexis.MembraneOptions
+---@return rhexis.Membrane
+function Scene:add_membrane(options) end
+
 ---@class rhexis.BallToolOptions
 ---@field radius? number # [mm]; 0.001 to 100; default 0.5
 ---@field position? rhexis.Vec3 # of its centre [mm]; default {0, 0, 0}
@@ -230,6 +263,14 @@ function Scene:energy() end
 ---@field rollbacks integer # tries thrown away before the result
 ---@field notes string[] # one line per fallback
 ---@field solids rhexis.SolidReport[] # one per body
+---@field membranes rhexis.MembraneReport[] # one per membrane
+
+---@class rhexis.MembraneReport
+---@field substeps integer
+---@field newton_iterations integer
+---@field linear_iterations integer
+---@field force number # norm of the forces that do not balance at the end [uN]
+---@field tears integer # that had the energy to go on
 
 ---@class rhexis.SolidReport
 ---@field advance "explicit"|"implicit" # the way that was taken
@@ -274,6 +315,16 @@ function Scene:crumb_mass() end
 ---@param name string|integer
 ---@return rhexis.Solid
 function Scene:solid(name) end
+
+---A membrane by its name or number.
+---```lua
+---local scene = rhexis.scene.create()
+---scene:add_membrane { sheet = rhexis.mesh.sheet { triangles = 50 }, name = "sheet" }
+---assert(scene:membrane("sheet"):triangle_count() == scene:membrane(1):triangle_count())
+---```
+---@param name string|integer
+---@return rhexis.Membrane
+function Scene:membrane(name) end
 
 ---A tool by its name or number.
 ---```lua
@@ -567,6 +618,156 @@ function Tool:present() end
 ---```
 ---@return rhexis.Vec3
 function Tool:force() end
+
+---A thin sheet of a scene. Selections choose nodes by where they are at rest; a tear adds nodes at the end of the list.
+---@class rhexis.Membrane
+local Membrane = {}
+
+---The name it was given.
+---```lua
+---local scene = rhexis.scene.create()
+---assert(scene:add_membrane { sheet = rhexis.mesh.sheet { triangles = 50 } }:name() == "membrane")
+---```
+---@return string
+function Membrane:name() end
+
+---Number of nodes now.
+---```lua
+---local scene = rhexis.scene.create()
+---local mesh = rhexis.mesh.sheet { triangles = 50 }
+---assert(scene:add_membrane { sheet = mesh }:node_count() == mesh:info().nodes)
+---```
+---@return integer
+function Membrane:node_count() end
+
+---Number of triangles now.
+---```lua
+---local scene = rhexis.scene.create()
+---local mesh = rhexis.mesh.sheet { triangles = 50 }
+---assert(scene:add_membrane { sheet = mesh }:triangle_count() == mesh:info().triangles)
+---```
+---@return integer
+function Membrane:triangle_count() end
+
+---Where a node is now [mm].
+---```lua
+---local scene = rhexis.scene.create()
+---assert(scene:add_membrane { sheet = rhexis.mesh.sheet() }:position(1)[3] == 0)
+---```
+---@param number integer # 1 to node_count()
+---@return rhexis.Vec3
+function Membrane:position(number) end
+
+---Where a node is at rest [mm].
+---```lua
+---local scene = rhexis.scene.create()
+---assert(scene:add_membrane { sheet = rhexis.mesh.sheet() }:rest_position(1)[1] == 0)
+---```
+---@param number integer # 1 to node_count()
+---@return rhexis.Vec3
+function Membrane:rest_position(number) end
+
+---Mean place of some nodes now [mm].
+---```lua
+---local scene = rhexis.scene.create()
+---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet { size = 4 } }
+---assert(math.abs(sheet:center(function(x) return x < 1e-9 end)[2] - 2) < 1e-6)
+---```
+---@param selection rhexis.Selection
+---@return rhexis.Vec3
+function Membrane:center(selection) end
+
+---Numbers of the nodes that a selection means, ascending.
+---```lua
+---local scene = rhexis.scene.create()
+---assert(#scene:add_membrane { sheet = rhexis.mesh.sheet() }:select { high = { 0, 10, 0 } } > 10)
+---```
+---@param selection rhexis.Selection
+---@return integer[]
+function Membrane:select(selection) end
+
+---Spreads a constant force evenly over some nodes, on top of earlier ones [uN].
+---```lua
+---local scene = rhexis.scene.create()
+---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet(), fixed = function(x) return x < 1e-9 end }
+---sheet:load(function(x) return x > 9.99 end, { 1000, 0, 0 })
+---scene:step(3)
+---```
+---@param selection rhexis.Selection
+---@param force rhexis.Vec3
+function Membrane:load(selection, force) end
+
+---Takes all its loads away.
+---```lua
+---local scene = rhexis.scene.create()
+---scene:add_membrane { sheet = rhexis.mesh.sheet { triangles = 50 } }:clear_loads()
+---```
+function Membrane:clear_loads() end
+
+---Moves fixed nodes by a way [mm]; the sheet follows in the next step.
+---```lua
+---local scene = rhexis.scene.create()
+---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet(), fixed = function(x) return x < 1e-9 end }
+---sheet:move(function(x) return x < 1e-9 end, { -0.1, 0, 0 })
+---```
+---@param selection rhexis.Selection
+---@param way rhexis.Vec3
+function Membrane:move(selection, way) end
+
+---The force that the sheet's stretch puts on some nodes: what holds them there feels it [uN].
+---```lua
+---local scene = rhexis.scene.create()
+---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet() }
+---assert(math.abs(sheet:force(function(x) return x < 1e-9 end)[1]) < 1e-6)
+---```
+---@param selection rhexis.Selection
+---@return rhexis.Vec3
+function Membrane:force(selection) end
+
+---Elastic energy [nJ].
+---```lua
+---local scene = rhexis.scene.create()
+---assert(scene:add_membrane { sheet = rhexis.mesh.sheet() }:energy() < 1e-9)
+---```
+---@return number
+function Membrane:energy() end
+
+---Makes a slit of two edges through a place of the sheet at rest, along a direction and against it. Both its ends can tear
+---on. A place outside the sheet or on its edge, and a direction that leads out of it, are errors.
+---```lua
+---local scene = rhexis.scene.create()
+---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet() }
+---sheet:puncture({ 5, 5, 0 }, { 1, 0, 0 })
+---assert(#sheet:tips() == 2)
+---```
+---@param place rhexis.Vec3
+---@param direction rhexis.Vec3
+function Membrane:puncture(place, direction) end
+
+---@class rhexis.TearTip
+---@field rest rhexis.Vec3 # where it is at rest [mm]
+---@field position rhexis.Vec3 # where it is now [mm]
+---@field direction rhexis.Vec3 # the way the tear came, at rest, of length 1
+
+---The ends of its tears.
+---```lua
+---local scene = rhexis.scene.create()
+---assert(#scene:add_membrane { sheet = rhexis.mesh.sheet() }:tips() == 0)
+---```
+---@return rhexis.TearTip[]
+function Membrane:tips() end
+
+---@class rhexis.Torn
+---@field area number # length times thickness of all tears [mm^2]
+---@field energy number # that they took [nJ]
+
+---What was torn so far.
+---```lua
+---local scene = rhexis.scene.create()
+---assert(scene:add_membrane { sheet = rhexis.mesh.sheet() }:torn().area == 0)
+---```
+---@return rhexis.Torn
+function Membrane:torn() end
 
 ---A moment of a scene; see Scene:snapshot.
 ---@class rhexis.Snapshot
