@@ -10,23 +10,45 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-std::vector<std::vector<int>> neighbours(int rows, std::span<const int> first, std::span<const int> node) {
-    std::vector<std::vector<int>> result(at(rows));
-    for (int i = 0; i < rows; ++i) {
-        result[at(i)].push_back(i);
+/// Groups of each row: group[offset[row]] .. group[offset[row + 1] - 1].
+struct RowGroups {
+    std::vector<int> offset;
+    std::vector<int> group;
+};
+
+RowGroups groups_of_rows(int rows, std::span<const int> first, std::span<const int> node) {
+    RowGroups result;
+    result.offset.assign(at(rows) + 1, 0);
+    for (const int n : node) {
+        ++result.offset[at(n) + 1];
     }
-    for (std::size_t group = 0; group + 1 < first.size(); ++group) {
-        for (int a = first[group]; a < first[group + 1]; ++a) {
-            for (int b = first[group]; b < first[group + 1]; ++b) {
-                result[at(node[at(a)])].push_back(node[at(b)]);
+    for (std::size_t row = 0; row < at(rows); ++row) {
+        result.offset[row + 1] += result.offset[row];
+    }
+    result.group.resize(node.size());
+    std::vector<int> next(result.offset.begin(), result.offset.end() - 1);
+    for (int group = 0; group + 1 < static_cast<int>(first.size()); ++group) {
+        for (int i = first[at(group)]; i < first[at(group) + 1]; ++i) {
+            result.group[at(next[at(node[at(i)])]++)] = group;
+        }
+    }
+    return result;
+}
+
+/// Rows are met in ascending order, and so are the columns of each: the mirror of a slot is the next one of its row.
+void find_mirrors(BlockPattern& pattern) {
+    pattern.mirror.resize(pattern.column.size());
+    pattern.diagonal.resize(pattern.first.size() - 1);
+    std::vector<int> next(pattern.first.begin(), pattern.first.end() - 1);
+    for (int i = 0; i < pattern.rows(); ++i) {
+        for (int slot = pattern.first[at(i)]; slot < pattern.first[at(i) + 1]; ++slot) {
+            const int j = pattern.column[at(slot)];
+            pattern.mirror[at(slot)] = next[at(j)]++;
+            if (j == i) {
+                pattern.diagonal[at(i)] = slot;
             }
         }
     }
-    for (std::vector<int>& row : result) {
-        std::sort(row.begin(), row.end());
-        row.erase(std::unique(row.begin(), row.end()), row.end());
-    }
-    return result;
 }
 
 }  // namespace
@@ -39,20 +61,28 @@ int BlockPattern::slot(int row, int wanted) const {
 }
 
 BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const int> node) {
+    const RowGroups groups = groups_of_rows(rows, first, node);
     BlockPattern pattern;
     pattern.first.push_back(0);
-    for (const std::vector<int>& row : neighbours(rows, first, node)) {
-        pattern.column.insert(pattern.column.end(), row.begin(), row.end());
+    std::vector<int> seen(at(rows), -1);
+    for (int row = 0; row < rows; ++row) {
+        const std::size_t begin = pattern.column.size();
+        pattern.column.push_back(row);
+        seen[at(row)] = row;
+        for (int i = groups.offset[at(row)]; i < groups.offset[at(row) + 1]; ++i) {
+            const int group = groups.group[at(i)];
+            for (int k = first[at(group)]; k < first[at(group) + 1]; ++k) {
+                const int column = node[at(k)];
+                if (seen[at(column)] != row) {
+                    seen[at(column)] = row;
+                    pattern.column.push_back(column);
+                }
+            }
+        }
+        std::sort(pattern.column.begin() + static_cast<std::ptrdiff_t>(begin), pattern.column.end());
         pattern.first.push_back(static_cast<int>(pattern.column.size()));
     }
-    pattern.mirror.resize(pattern.column.size());
-    pattern.diagonal.resize(at(rows));
-    for (int i = 0; i < rows; ++i) {
-        pattern.diagonal[at(i)] = pattern.slot(i, i);
-        for (int slot = pattern.first[at(i)]; slot < pattern.first[at(i) + 1]; ++slot) {
-            pattern.mirror[at(slot)] = pattern.slot(pattern.column[at(slot)], i);
-        }
-    }
+    find_mirrors(pattern);
     return pattern;
 }
 

@@ -41,6 +41,17 @@ std::string edge_name(const HalfEdge& e) {
     return "edge " + std::to_string(e.from) + "-" + std::to_string(e.to);
 }
 
+/// The first triangle that runs from one node to another, or -1.
+int triangle_with(const TriMesh& mesh, const TriNeighbours& around, int from, int to) {
+    for (int i = around.offset[at(from)]; i < around.offset[at(from) + 1]; ++i) {
+        const std::array<int, 3>& n = mesh.triangles[at(around.triangles[at(i)])];
+        if ((n[0] == from && n[1] == to) || (n[1] == from && n[2] == to) || (n[2] == from && n[0] == to)) {
+            return around.triangles[at(i)];
+        }
+    }
+    return -1;
+}
+
 Status check_nodes(const TriMesh& mesh, const std::string& where) {
     std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -124,15 +135,6 @@ Status check_stars(const TriMesh& mesh, const std::string& where) {
 
 TriNeighbours tri_neighbours(const TriMesh& mesh) {
     TriNeighbours result;
-    result.across.assign(mesh.triangles.size(), {-1, -1, -1});
-    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-        if (edges[i].key() == edges[i + 1].key()) {
-            result.across[at(edges[i].triangle)][at(edges[i].local)] = edges[i + 1].triangle;
-            result.across[at(edges[i + 1].triangle)][at(edges[i + 1].local)] = edges[i].triangle;
-            ++i;
-        }
-    }
     result.offset.assign(mesh.nodes.size() + 1, 0);
     for (const std::array<int, 3>& triangle : mesh.triangles) {
         for (const int node : triangle) {
@@ -147,6 +149,13 @@ TriNeighbours tri_neighbours(const TriMesh& mesh) {
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         for (const int node : mesh.triangles[at(t)]) {
             result.triangles[at(next[at(node)]++)] = t;
+        }
+    }
+    result.across.assign(mesh.triangles.size(), {-1, -1, -1});
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            result.across[t][k] =
+                triangle_with(mesh, result, mesh.triangles[t][(k + 2) % 3], mesh.triangles[t][(k + 1) % 3]);
         }
     }
     return result;

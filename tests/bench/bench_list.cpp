@@ -12,6 +12,7 @@
 #include "bench/bench_render.hpp"
 #include "bench/bench_rotation.hpp"
 #include "bench/bench_stability.hpp"
+#include "bench/bench_tear.hpp"
 
 namespace rhexis::bench {
 
@@ -27,6 +28,7 @@ std::vector<BenchCase> bench_cases() {
     add(lens_chart_cases());
     add(lens_press_cases());
     add(membrane_cases());
+    add(tear_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

@@ -241,7 +241,6 @@ MiddleCrack middle_crack(int triangles) {
     const int triangle = model.sheet->neighbours.triangles[at(model.sheet->neighbours.offset[at(middle)])];
     Result<MembraneEdit> edit = puncture(model, cut, triangle, origin, Vec3::UnitX());
     MiddleCrack result;
-    double reached = 0.0;
     while (edit.ok()) {
         cut = applied(cut, edit.value());
         const auto short_tip = std::find_if(cut.tips.begin(), cut.tips.end(), [&](const TearTip& tip) {
@@ -254,10 +253,12 @@ MiddleCrack middle_crack(int triangles) {
         const double way = here.x() > origin.x() ? 0.4 : -0.4;
         edit = tear(model, cut, static_cast<int>(short_tip - cut.tips.begin()), Vec3(way, origin.y() - here.y(), 0.0));
     }
-    reached = 0.5 * std::abs(cut.sheet->mesh.nodes[at(cut.tips[0].node)].x() -
+    result.half_length = 0.5 * std::abs(cut.sheet->mesh.nodes[at(cut.tips[0].node)].x() -
                              cut.sheet->mesh.nodes[at(cut.tips[1].node)].x());
     model = with_sheet(model, cut);
-    HeldSheet held(model);
+    result.sheet = std::make_unique<HeldSheet>(model);
+    HeldSheet& held = *result.sheet;
+    held.state().tips = cut.tips;
     std::vector<Vec3> load(held.state().position.size(), Vec3::Zero());
     const TriMesh& mesh = model.sheet->mesh;
     for (const double edge : {0.0, side}) {
@@ -274,9 +275,9 @@ MiddleCrack middle_crack(int triangles) {
         }
     }
     held.settle(load, 1e-5, 600, 0.02);
-    const double ratio = reached / (0.5 * side);
+    const double ratio = result.half_length / (0.5 * side);
     const double factor = (1.0 - 0.025 * ratio * ratio + 0.06 * std::pow(ratio, 4)) / std::sqrt(std::cos(0.5 * M_PI * ratio));
-    result.expected = stress * stress * M_PI * reached / young_modulus * factor * factor;
+    result.expected = stress * stress * M_PI * result.half_length / young_modulus * factor * factor;
     for (const TearTip& tip : cut.tips) {
         const Vec3 outward = tip.direction;
         result.release += 0.5 * release_at(model, held.state(), tip.node, model.tear_radius).dot(outward);

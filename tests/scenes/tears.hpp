@@ -2,6 +2,8 @@
 // Sheets that tear at loads that theory knows.
 #pragma once
 
+#include <memory>
+
 #include "scenes/membranes.hpp"
 #include "topology/tear.hpp"
 
@@ -22,8 +24,10 @@ TearLoad pure_shear(int triangles, double toughness);
 TearLoad trousers(int triangles, double toughness);
 
 struct MiddleCrack {
-    double release = 0.0;   ///< by the domain integral [uN/mm]
-    double expected = 0.0;  ///< sigma^2 pi a / E sec(pi a / 2 b) with its polynomial [uN/mm]
+    std::unique_ptr<HeldSheet> sheet;  ///< at rest under the pull, tips of the crack in its state
+    double half_length = 0.0;          ///< [mm]
+    double release = 0.0;              ///< by the domain integral, mean of the two tips [uN/mm]
+    double expected = 0.0;             ///< sigma^2 pi a / E sec(pi a / 2 b) with its polynomial [uN/mm]
 };
 /// A square of 10 mm with a straight crack of 2 mm across the pull in its middle, at small strain.
 MiddleCrack middle_crack(int triangles);
