@@ -56,7 +56,8 @@ struct MembraneModel {
 /// The end of a tear, which may go on.
 struct TearTip {
     int node = 0;
-    Vec3 direction = Vec3::Zero();  ///< the way it came: unit, in the sheet's plane at rest; zero: it has just begun
+    Vec3 direction = Vec3::Zero();  ///< the way it came: unit, in the sheet's plane at rest
+    Vec3 owed = Vec3::Zero();       ///< from the node, where the mesh allowed it to go, to where it ought to be [mm]
 };
 
 /// What physics proposes: the tear goes on from a tip, because more energy comes free than it takes.

@@ -218,9 +218,10 @@ void membrane_fields(auto& io, auto& membrane) {
     shared_sheet(io, membrane.sheet);
     io(membrane.position);
     io(membrane.velocity);
-    io.list(membrane.tips, 28, [](auto& inner, auto& tip) {
+    io.list(membrane.tips, 52, [](auto& inner, auto& tip) {
         inner(tip.node);
         inner(tip.direction);
+        inner(tip.owed);
     });
     io.list(membrane.loads, 32, [](auto& inner, auto& load) {
         inner(load.nodes);

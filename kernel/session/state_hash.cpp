@@ -51,6 +51,7 @@ void add(StateHash& hash, const MembraneState& membrane) {
     for (const TearTip& tip : membrane.tips) {
         hash.add(static_cast<std::uint64_t>(tip.node));
         add(hash, tip.direction);
+        add(hash, tip.owed);
     }
     hash.add(static_cast<std::uint64_t>(membrane.loads.size()));
     for (const SheetLoad& load : membrane.loads) {

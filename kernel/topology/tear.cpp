@@ -140,12 +140,35 @@ void count(const MembraneModel& model, const MembraneSheet& sheet, const SheetEd
     cost.torn_energy += area * toughness;
 }
 
-/// Tips at the end of a tear: the one it came to, unless it met an edge or another tear there.
-void end_at(bool ends, int node, const Vec3& way, std::vector<TearTip>& tips) {
+/// Tips at the end of a tear: the one it came to, unless it met an edge or another tear there. step: the way it went,
+/// meant: where it ought to have gone, unit; owed: of the tip before.
+void end_at(bool ends, int node, const Vec3& step, const Vec3& meant, const Vec3& owed, std::vector<TearTip>& tips) {
     std::erase_if(tips, [node](const TearTip& tip) { return tip.node == node; });
     if (!ends) {
-        tips.push_back({node, way.normalized()});
+        const Vec3 off = owed - step;
+        tips.push_back({node, meant, off - off.dot(meant) * meant});
     }
+}
+
+/// Mean length of the edges at a node.
+double reach_of(const SheetEditor& editor, int node) {
+    double sum = 0.0;
+    int count = 0;
+    for (const int t : editor.star(node)) {
+        for (const int other : editor.mesh().triangles[at(t)]) {
+            if (other != node) {
+                sum += (editor.mesh().nodes[at(other)] - editor.mesh().nodes[at(node)]).norm();
+                ++count;
+            }
+        }
+    }
+    return count > 0 ? sum / count : 0.0;
+}
+
+/// Where to aim so that what is owed is made good within an edge or two.
+Vec3 aim(const Vec3& direction, const Vec3& owed, double reach) {
+    const double length = owed.norm();
+    return direction.normalized() * reach + owed * (length > 0.5 * reach ? 0.5 * reach / length : 1.0);
 }
 
 MembraneEdit finished(const SheetEditor& editor, const MembraneEdit& cost, std::vector<TearTip> tips) {
@@ -156,10 +179,11 @@ MembraneEdit finished(const SheetEditor& editor, const MembraneEdit& cost, std::
     return edit;
 }
 
-Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& state, int node,
+Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& state, const TearTip& from,
                                const Vec3& direction, const TearRules& rules) {
     SheetEditor editor(*state.sheet);
-    const Result<int> next = next_node(editor, node, direction, rules);
+    const int node = from.node;
+    const Result<int> next = next_node(editor, node, aim(direction, from.owed, reach_of(editor, node)), rules);
     if (!next.ok()) {
         return next.error();
     }
@@ -170,7 +194,7 @@ Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& 
     const Vec3 way = editor.mesh().nodes[at(next.value())] - editor.mesh().nodes[at(node)];
     const bool ends = editor.on_boundary(next.value());
     editor.open_edge(node, next.value());
-    end_at(ends, next.value(), way, tips);
+    end_at(ends, next.value(), way, direction.normalized(), from.owed, tips);
     return finished(editor, cost, std::move(tips));
 }
 
@@ -185,7 +209,7 @@ Result<MembraneEdit> tear(const MembraneModel& model, const MembraneState& state
     if (Status status = check_direction(direction); !status) {
         return status.error();
     }
-    return tear_from(model, state, state.tips[at(tip)].node, direction, rules);
+    return tear_from(model, state, state.tips[at(tip)], direction, rules);
 }
 
 Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& state, int node, const Vec3& direction,
@@ -201,7 +225,7 @@ Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& stat
         return Error{"node " + std::to_string(node) + " is inside the sheet", "notch",
                      "a node on its edge; a puncture begins inside"};
     }
-    return tear_from(model, state, node, direction, rules);
+    return tear_from(model, state, {node, direction.normalized(), Vec3::Zero()}, direction, rules);
 }
 
 Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& state, int triangle, const Vec3& place,
@@ -249,8 +273,8 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     const Vec3 way_ahead = editor.mesh().nodes[at(ahead.value())] - origin;
     const Vec3 way_back = editor.mesh().nodes[at(back.value())] - origin;
     editor.open_slit(back.value(), ahead.value(), node);
-    end_at(ahead_ends, ahead.value(), way_ahead, tips);
-    end_at(back_ends, back.value(), way_back, tips);
+    end_at(ahead_ends, ahead.value(), way_ahead, direction.normalized(), Vec3::Zero(), tips);
+    end_at(back_ends, back.value(), way_back, -direction.normalized(), Vec3::Zero(), tips);
     return finished(editor, cost, std::move(tips));
 }
 

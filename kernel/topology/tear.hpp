@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tears of a membrane, by one edge at a time: where there is no edge in the wanted direction, one is made by splitting
-// the triangles that it crosses [OBrien2002], unless that leaves slivers; then the nearest edge is taken. Splitting
-// changes neither shape nor energy; opening an edge copies nodes where they are.
+// the triangles that it crosses [OBrien2002], unless that leaves slivers; then the nearest edge is taken. What an edge
+// leads astray is owed to the tip and made good by the next ones, so that a path does not stick to the lines of a mesh.
+// Splitting changes neither shape nor energy; opening an edge copies nodes where they are.
 #pragma once
 
 #include "base/result.hpp"
