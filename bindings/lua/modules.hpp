@@ -25,7 +25,7 @@ std::vector<luaL_Reg> scene_adders();    ///< methods of Scene that add somethin
 
 // Classes that the scene module uses, in files of their own.
 void define_membrane_class(lua_State* L);  ///< Membrane (membrane_class.cpp)
-void define_solid_class(lua_State* L);  ///< Solid and View (solid_class.cpp)
-void define_tool_class(lua_State* L);   ///< tool_class.cpp
+void define_solid_class(lua_State* L);     ///< Solid and View (solid_class.cpp)
+void define_tool_class(lua_State* L);      ///< tool_class.cpp
 
 }  // namespace rhexis::lua

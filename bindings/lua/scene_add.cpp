@@ -228,12 +228,9 @@ int add_plane(lua_State* L) {
 std::vector<luaL_Reg> scene_creators() { return {{"create", guarded<scene_create>}}; }
 
 std::vector<luaL_Reg> scene_adders() {
-    return {{"add_solid", guarded<add_solid>},
-            {"add_membrane", guarded<add_membrane>},
-            {"add_ball", guarded<add_ball>},
-            {"add_rod", guarded<add_rod>},
-            {"add_phaco", guarded<add_phaco>},
-            {"add_plane", guarded<add_plane>}};
+    return {{"add_solid", guarded<add_solid>}, {"add_membrane", guarded<add_membrane>},
+            {"add_ball", guarded<add_ball>},   {"add_rod", guarded<add_rod>},
+            {"add_phaco", guarded<add_phaco>}, {"add_plane", guarded<add_plane>}};
 }
 
 }  // namespace rhexis::lua

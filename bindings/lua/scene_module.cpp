@@ -265,7 +265,7 @@ void push_scene_module(lua_State* L) {
                                      {"crumb_mass", guarded<crumb_mass>},
                                      {"removed_mass", guarded<removed_mass>},
                                      {"solid", guarded<solid>},
-                  {"membrane", guarded<membrane>},
+                                     {"membrane", guarded<membrane>},
                                      {"tool", guarded<tool>},
                                      {"observation", guarded<observation>},
                                      {"measures", guarded<measures>},

@@ -14,7 +14,8 @@ local camera = { eye = { 5, 5, 200 }, target = { 5, 5, 0 }, up = { 0, 1, 0 }, fi
 
 local function draw(scene, name)
     if not folder then return end
-    rhexis.render.draw(scene, { width = 480, height = 400, camera = camera }):write_png(("%s/%s.png"):format(folder, name))
+    local picture = rhexis.render.draw(scene, { width = 480, height = 400, camera = camera })
+    picture:write_png(("%s/%s.png"):format(folder, name))
 end
 
 -- stiffer: Young's modulus along the fibres over that across. tougher: strength across the fibres over that along them.
@@ -39,8 +40,8 @@ local function length_of(tips)
     return math.sqrt((a[1] - b[1]) ^ 2 + (a[2] - b[2]) ^ 2)
 end
 
--- Pulls left and right until the tear is so long, or a tip has left the sheet. Returns the last two tips that were seen,
--- and how far the sheet was stretched [%].
+-- Pulls left and right until the tear is so long, or a tip has left the sheet. Returns the last two tips that were
+-- seen, and how far the sheet was stretched [%].
 local function pull(scene, membrane, long, name)
     local tips, stretch = membrane:tips(), 0
     draw(scene, name .. "_0")

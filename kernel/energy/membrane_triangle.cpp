@@ -80,7 +80,9 @@ std::array<Vec2, 3> shape_gradients(const TrianglePoints& rest, const PlaneFrame
     return gradient;
 }
 
-Vec3 metric_of(const MembraneTriangle& triangle, const TrianglePoints& x) { return metric_of(gradient_of(triangle, x)); }
+Vec3 metric_of(const MembraneTriangle& triangle, const TrianglePoints& x) {
+    return metric_of(gradient_of(triangle, x));
+}
 
 TensionField membrane_state(const MembraneTriangle& triangle, const TrianglePoints& x) {
     MetricStrain strain;

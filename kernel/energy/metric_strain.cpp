@@ -14,8 +14,8 @@ struct Roots {
     double t = 0.0;
     Vec3 d1 = Vec3::Zero();
     Vec3 t1 = Vec3::Zero();
-    double root = 0.0;                 ///< d before it is shifted to be 1 at rest
-    Vec3 minor = Vec3::Zero();         ///< d det C / d metric
+    double root = 0.0;          ///< d before it is shifted to be 1 at rest
+    Vec3 minor = Vec3::Zero();  ///< d det C / d metric
     static constexpr double corner = roundness * roundness;
 };
 
@@ -73,8 +73,8 @@ void metric_strain_twice(const Vec3& metric, MetricStrain& result) {
     const Mat3 twice = 2.0 * r.t1 * r.t1.transpose() / r.t - t2;
     for (std::size_t k = 0; k < 3; ++k) {
         const Part& p = parts[k];
-        result.second[k] = p.by_d * d2 / r.t - t_2 * (p.n1 * r.t1.transpose() + r.t1 * p.n1.transpose()) +
-                           (p.n * t_2) * twice;
+        result.second[k] =
+            p.by_d * d2 / r.t - t_2 * (p.n1 * r.t1.transpose() + r.t1 * p.n1.transpose()) + (p.n * t_2) * twice;
     }
 }
 

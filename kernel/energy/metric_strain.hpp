@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strain of a surface from its metric C = F^T F (F: 3x2, rest frame to space): the symmetric part of the polar
-// decomposition F = R U, less the identity, without R. Hence the same whatever frame is taken, in the plane or in space.
+// decomposition F = R U, less the identity, without R. Hence the same whatever frame is taken, in the plane or in
+// space.
 //
 //   U = (C + d I) / t,  d = sqrt(det C),  t = sqrt(tr C + 2 d)                                        [Hoger1984]
 //

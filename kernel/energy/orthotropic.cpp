@@ -25,8 +25,7 @@ Orthotropic isotropic(double young_modulus, double poisson_ratio) {
 }
 
 double harmonic_shear_modulus(const Orthotropic& material) {
-    return 1.0 /
-           ((1.0 + material.poisson_ratio) / material.along + (1.0 + ratio_across(material)) / material.across);
+    return 1.0 / ((1.0 + material.poisson_ratio) / material.along + (1.0 + ratio_across(material)) / material.across);
 }
 
 Status check_orthotropic(const Orthotropic& material, const std::string& where) {

@@ -6,7 +6,7 @@
 //   sigma = a tr(eps) I + 2 G eps + b [(f.eps f) I + tr(eps) M] + d (f.eps f) M,
 //   a = Q22 - 2 G, b = Q12 - Q22 + 2 G, d = Q11 + Q22 - 2 Q12 - 4 G,
 // which is the rotated orthotropic matrix of [Jones1999] without angles. [Dequidt2013] prints its entry 33 without a
-// square and with another shear modulus; that one is indefinite (tests/bench/methods/printed_orthotropic.hpp).
+// square and with another shear modulus: indefinite for fibres beyond some 50 degrees (test_kernel_energy shows it).
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@
 namespace rhexis {
 
 struct Orthotropic {
-    double along = 1.0e6;          ///< Young's modulus along the fibre [Pa], > 0
-    double across = 1.0e6;         ///< and across it [Pa], > 0
-    double poisson_ratio = 0.45;   ///< contraction across when pulled along; its square < along / across
-    double shear_modulus = 0.0;    ///< [Pa], > 0; 0: the harmonic one, below
+    double along = 1.0e6;         ///< Young's modulus along the fibre [Pa], > 0
+    double across = 1.0e6;        ///< and across it [Pa], > 0
+    double poisson_ratio = 0.45;  ///< contraction across when pulled along; its square < along / across
+    double shear_modulus = 0.0;   ///< [Pa], > 0; 0: the harmonic one, below
 };
 
 /// Isotropic: both moduli the same, shear modulus E / (2 (1 + nu)).

@@ -7,16 +7,14 @@
 namespace rhexis {
 namespace {
 
-constexpr int most_turns = 30;       // Newton steps for the direction of the wrinkles
-constexpr double sharp = 1e-24;      // square of the last one [rad^2]
+constexpr int most_turns = 30;   // Newton steps for the direction of the wrinkles
+constexpr double sharp = 1e-24;  // square of the last one [rad^2]
 
 /// n n as a strain.
 Vec3 spread(const Vec2& n) { return {n.x() * n.x(), n.y() * n.y(), 2.0 * n.x() * n.y()}; }
 
 /// n t + t n as a strain, t = (-n_y, n_x): the change of n n with the angle of n.
-Vec3 turn(const Vec2& n) {
-    return {-2.0 * n.x() * n.y(), 2.0 * n.x() * n.y(), 2.0 * (n.x() * n.x() - n.y() * n.y())};
-}
+Vec3 turn(const Vec2& n) { return {-2.0 * n.x() * n.y(), 2.0 * n.x() * n.y(), 2.0 * (n.x() * n.x() - n.y() * n.y())}; }
 
 /// Least eigenvalue of a stress and its direction.
 double least_stress(const Vec3& stress, Vec2& direction) {
@@ -33,9 +31,9 @@ double least_stress(const Vec3& stress, Vec2& direction) {
 
 /// Wrinkles of direction n, as deep as takes the stress along n away.
 struct Wrinkles {
-    double depth = 0.0;             ///< b
+    double depth = 0.0;  ///< b
     Vec3 stress = Vec3::Zero();
-    double stiffness = 0.0;         ///< nn K nn
+    double stiffness = 0.0;  ///< nn K nn
 };
 
 Wrinkles wrinkles_along(const Vec2& n, const Vec3& stress, const Mat3& stiffness) {

@@ -23,7 +23,8 @@ Status check_sheet(const MembraneModel& model) {
     for (std::size_t t = 0; t < count; ++t) {
         const std::string of = " of triangle " + std::to_string(t);
         const Vec3& fibre = sheet.fibre[t];
-        if (!(std::abs(fibre.norm() - 1.0) < 1e-6) || !(std::abs(fibre.dot(front_of(sheet.mesh, static_cast<int>(t)))) < 1e-6)) {
+        if (!(std::abs(fibre.norm() - 1.0) < 1e-6) ||
+            !(std::abs(fibre.dot(front_of(sheet.mesh, static_cast<int>(t)))) < 1e-6)) {
             return Error{"fibre" + of + " is no unit vector in its plane", model.name,
                          "a direction that is not zero and not at a right angle to the sheet"};
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thin sheet that stretches, wrinkles and tears: what it is (model), what changes (state). Its connectivity is a value
-// of its own, because it changes while a scene runs: a sheet is never altered, a tear makes the next one.
+// A thin sheet that stretches, wrinkles and tears: what it is (model), what changes (state). Its connectivity is a
+// value of its own, because it changes while a scene runs: a sheet is never altered, a tear makes the next one.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,8 @@ struct MembraneSheet {
     std::vector<double> stiffness;  ///< per triangle: factor on the material's moduli
 };
 
-/// Energy that a tear takes per area that it opens [uN/mm], that is mJ/m^2. Running at an angle a to the fibres it takes
+/// Energy that a tear takes per area that it opens [uN/mm], that is mJ/m^2. Running at an angle a to the fibres it
+/// takes
 ///   along + (across - along) sin^2 a.
 struct Toughness {
     double along = 1.0e6;

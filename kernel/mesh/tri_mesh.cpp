@@ -37,9 +37,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriMesh& mesh) {
     return edges;
 }
 
-std::string edge_name(const HalfEdge& e) {
-    return "edge " + std::to_string(e.from) + "-" + std::to_string(e.to);
-}
+std::string edge_name(const HalfEdge& e) { return "edge " + std::to_string(e.from) + "-" + std::to_string(e.to); }
 
 /// The first triangle that runs from one node to another, or -1.
 int triangle_with(const TriMesh& mesh, const TriNeighbours& around, int from, int to) {

@@ -14,7 +14,8 @@ public:
     void describe(ObservationSchema& schema) const override {
         schema.push_back({"lens.displacement_mm", "mm", "How far the lens as a whole has been shifted."});
         schema.push_back({"lens.peak_displacement_mm", "mm", "The most it has been shifted so far."});
-        schema.push_back({"lens.removed_mm3", "mm^3", "Volume that has left the lens so far: emulsified, or loose as crumbs."});
+        schema.push_back(
+            {"lens.removed_mm3", "mm^3", "Volume that has left the lens so far: emulsified, or loose as crumbs."});
         schema.push_back({"lens.removed_mg", "mg", "Mass emulsified so far."});
         schema.push_back({"lens.removal_rate_mm3_s", "mm^3/s", "Volume that leaves the lens per second now."});
         schema.push_back({"lens.ablation_mJ", "mJ", "Ultrasound energy spent in the lens so far."});

@@ -21,9 +21,9 @@ public:
     [[nodiscard]] virtual const std::vector<int>& row_of() const = 0;   ///< per node
     /// Per row 1, or 0 for nodes that are fixed or have lost their elements.
     [[nodiscard]] virtual const std::vector<std::uint8_t>& moves() const = 0;
-    [[nodiscard]] virtual const NodeMass& mass() const = 0;          ///< per row
-    [[nodiscard]] virtual double damping_mass() const = 0;           ///< Rayleigh damping, share of the mass [1/s]
-    [[nodiscard]] virtual double damping_stiffness() const = 0;      ///< Rayleigh damping, share of the stiffness [s]
+    [[nodiscard]] virtual const NodeMass& mass() const = 0;      ///< per row
+    [[nodiscard]] virtual double damping_mass() const = 0;       ///< Rayleigh damping, share of the mass [1/s]
+    [[nodiscard]] virtual double damping_stiffness() const = 0;  ///< Rayleigh damping, share of the stiffness [s]
     [[nodiscard]] int rows() const { return static_cast<int>(node_of().size()); }
 
     /// Elastic forces [uN] at positions [mm]; both 3 per row and one number of padding.

@@ -42,7 +42,10 @@ Quat turned(const Quat& orientation, const Vec3& angle) {
 // Vectors hold three numbers per row (nodes in the order of elimination), then six per body.
 struct ImplicitStep::Parts {
     Parts(std::unique_ptr<ElasticBody> owned, const linear_kernel::Kernel& kernel)
-        : body(std::move(owned)), elastic(*body), matrix(elastic.pattern(), kernel), solver(elastic.pattern(), kernel) {}
+        : body(std::move(owned)),
+          elastic(*body),
+          matrix(elastic.pattern(), kernel),
+          solver(elastic.pattern(), kernel) {}
 
     /// What a step is asked to do.
     struct Task {

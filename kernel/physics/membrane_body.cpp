@@ -86,8 +86,8 @@ SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
     }
     const Vec3 along = way / length;
     pull.force = spring.stiffness * stretch * along;
-    pull.stiffness = spring.stiffness * (along * along.transpose() +
-                                         stretch / length * (Mat3::Identity() - along * along.transpose()));
+    pull.stiffness = spring.stiffness *
+                     (along * along.transpose() + stretch / length * (Mat3::Identity() - along * along.transpose()));
     return pull;
 }
 
@@ -112,10 +112,9 @@ double elastic_energy(const MembraneModel& model, const MembraneState& state) {
     const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const std::array<int, 3>& n = state.sheet->mesh.triangles[t];
-        sum += triangles[t].volume *
-               membrane_state(triangles[t], {state.position[at(n[0])], state.position[at(n[1])],
-                                             state.position[at(n[2])]})
-                   .energy;
+        sum += triangles[t].volume * membrane_state(triangles[t], {state.position[at(n[0])], state.position[at(n[1])],
+                                                                   state.position[at(n[2])]})
+                                         .energy;
     }
     return sum;
 }
@@ -130,8 +129,8 @@ Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const std::array<int, 3>& n = state.sheet->mesh.triangles[t];
         TrianglePoints force;
-        membrane_forces(triangles[t],
-                        {state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]}, force);
+        membrane_forces(triangles[t], {state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]},
+                        force);
         for (std::size_t a = 0; a < 3; ++a) {
             sum += wanted[at(n[a])] != 0 ? force[a] : Vec3(Vec3::Zero());
         }

@@ -33,8 +33,7 @@ void MembraneStepper::follow(const MembraneState& state) {
     if (step_ && body_->sheet() == state.sheet) {
         return;
     }
-    std::unique_ptr<MembraneBody> body =
-        std::make_unique<MembraneBody>(*model_, state.sheet, step_ ? body_ : nullptr);
+    std::unique_ptr<MembraneBody> body = std::make_unique<MembraneBody>(*model_, state.sheet, step_ ? body_ : nullptr);
     body_ = body.get();
     step_.emplace(std::move(body), *kernel_);
 }

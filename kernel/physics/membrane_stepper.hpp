@@ -24,7 +24,8 @@ public:
 
     /// A step of dt [s] with the state's loads, redone in smaller steps where numbers run away. False where that does
     /// not help: next is then the state at rest where it was.
-    bool advance(const MembraneState& state, double dt, MembraneState& next, MembraneStepReport& report, int& rollbacks);
+    bool advance(const MembraneState& state, double dt, MembraneState& next, MembraneStepReport& report,
+                 int& rollbacks);
 
     /// Forgets what is kept of earlier steps, the order of elimination too.
     void drop_caches() { step_.reset(); }

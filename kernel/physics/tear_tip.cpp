@@ -157,8 +157,7 @@ Vec3 release_at(const MembraneModel& model, const MembraneState& state, int node
         if (slope.isZero()) {
             continue;
         }
-        const Vec2 own =
-            patch.triangle.volume * (energy_momentum(patch.triangle, now(state, patch.nodes)) * slope);
+        const Vec2 own = patch.triangle.volume * (energy_momentum(patch.triangle, now(state, patch.nodes)) * slope);
         sum += patch.frame.to_space(own);
         thickness += patch.triangle.volume;
         weight += patch.triangle.volume / sheet.thickness[at(near.triangle)];

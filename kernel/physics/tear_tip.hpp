@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside physics: whether a tear goes on, and which way.
 //
-// Which way: of the stress about the tip, weighted by (1 - r / tear_radius) and taken only ahead of it, the direction of
-// opening u in which it is largest against the strength,
+// Which way: of the stress about the tip, weighted by (1 - r / tear_radius) and taken only ahead of it, the direction
+// of opening u in which it is largest against the strength,
 //   max over u of u.S u / u.A u,  A = s_along I + (s_across - s_along) f f^T,
 // a generalised eigenvalue problem of 2x2 [Dequidt2013] eqs. 1 to 4 with the strength as a quadratic form. Strengths
-// follow from toughness, s ~ sqrt(Gc) (Irwin), so only their ratio counts. The tear runs at a right angle to u, within a
-// cone about the way it came.
+// follow from toughness, s ~ sqrt(Gc) (Irwin), so only their ratio counts. The tear runs at a right angle to u, within
+// a cone about the way it came.
 //
 // Whether: the energy that comes free per area, by the domain integral of the energy-momentum tensor [Eshelby1975],
 // [LiShihNeedleman1985] over the sheet at rest,
@@ -34,16 +34,16 @@ Vec3 release_at(const MembraneModel& model, const MembraneState& state, int node
 
 /// Stress about a tip and the plane in which it is given.
 struct TipStress {
-    PlaneFrame frame;              ///< of the sheet at rest there
-    Mat2 stress = Mat2::Zero();    ///< weighted mean [Pa]
-    Vec2 fibre = Vec2::Zero();     ///< unit
+    PlaneFrame frame;            ///< of the sheet at rest there
+    Mat2 stress = Mat2::Zero();  ///< weighted mean [Pa]
+    Vec2 fibre = Vec2::Zero();   ///< unit
 };
 /// direction: the way that the tear came, or zero: all around.
 TipStress stress_at(const MembraneModel& model, const MembraneState& state, int node, const Vec3& direction);
 
-/// The direction of a tear, unit, in the plane: at a right angle to the opening that the stress overcomes first. within:
-/// unit, or zero: any; cosine: of the widest angle from it. ratio: strength across the fibres over that along them.
-/// Nothing where no direction within the cone is pulled open.
+/// The direction of a tear, unit, in the plane: at a right angle to the opening that the stress overcomes first.
+/// within: unit, or zero: any; cosine: of the widest angle from it. ratio: strength across the fibres over that along
+/// them. Nothing where no direction within the cone is pulled open.
 std::optional<Vec2> tear_direction(const Mat2& stress, const Vec2& fibre, double ratio, const Vec2& within,
                                    double cosine);
 

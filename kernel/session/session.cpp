@@ -408,16 +408,11 @@ Frame Session::frame() const {
         anatomy.iris_z = p.state.iris->z;
         anatomy.pupil_radius = p.state.iris->pupil_radius;
     }
-    return {p.world,
-            std::make_shared<const EyeAnatomy>(anatomy),
-            p.state.solids,
-            p.state.membranes,
-            p.state.bags,
-            p.tools,
-            p.state.capsule,
-            p.state.iris,
-            p.state.debris,
-            p.state.time_s};
+    return {p.world,         std::make_shared<const EyeAnatomy>(anatomy),
+            p.state.solids,  p.state.membranes,
+            p.state.bags,    p.tools,
+            p.state.capsule, p.state.iris,
+            p.state.debris,  p.state.time_s};
 }
 
 Snapshot Session::snapshot() const {

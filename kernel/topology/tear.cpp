@@ -133,8 +133,7 @@ void count(const MembraneModel& model, const MembraneSheet& sheet, const SheetEd
     const double area = way.norm() * editor.thickness_along(a, b);
     double toughness = 0.0;
     for (const int t : {editor.triangle_with(a, b), editor.triangle_with(b, a)}) {
-        toughness +=
-            0.5 * toughness_along(model.toughness, sheet.fibre[at(editor.parent_of(t))], way.normalized());
+        toughness += 0.5 * toughness_along(model.toughness, sheet.fibre[at(editor.parent_of(t))], way.normalized());
     }
     cost.torn_area += area;
     cost.torn_energy += area * toughness;

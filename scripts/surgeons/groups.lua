@@ -34,8 +34,8 @@ groups.parameters = {
         meaning = "spread of where a movement ends, as a share of its length, each direction",
         source = "noise grows with the motor command: Harris & Wolpert 1998; values are a proposal" },
     { name = "planning_error", unit = "1", a = 0.50, b = 0.30, c = 0.15, d = 0.10,
-        meaning = "spread of chosen speed, power and thickness of a layer about the plan (of their logarithm), and of a "
-            .. "chosen direction (15 degrees for 1)",
+        meaning = "spread of chosen speed, power and thickness of a layer about the plan (of their logarithm), and "
+            .. "of a chosen direction (15 degrees for 1)",
         source = "proposal" },
     { name = "lapses_per_min", unit = "1/min", a = 2.0, b = 1.0, c = 0.4, d = 0.2,
         meaning = "moments in which hand and foot go on without heeding what is seen", source = "proposal" },

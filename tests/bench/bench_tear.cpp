@@ -34,7 +34,8 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
 
 /// The load at which each criterion starts the tear of a middle crack, over that of the finest mesh's energy.
 nlohmann::json run_load(const BenchOptions& options) {
-    const std::vector<int> meshes = options.quick ? std::vector<int>{400, 1600} : std::vector<int>{400, 1600, 6400, 25600};
+    const std::vector<int> meshes =
+        options.quick ? std::vector<int>{400, 1600} : std::vector<int>{400, 1600, 6400, 25600};
     std::vector<double> edge, ring, radius, energy;
     nlohmann::json rows = nlohmann::json::array();
     for (const int triangles : meshes) {
@@ -133,11 +134,10 @@ Path tear_path(TriMesh mesh, const Vec3& fibre, double across) {
             path.simulated_s += 0.01;
         }
         scenes::tear_once(held.model(), held.state());
-        const auto right = std::max_element(held.state().tips.begin(), held.state().tips.end(),
-                                            [&](const TearTip& a, const TearTip& b) {
-                                                return held.state().sheet->mesh.nodes[at(a.node)].x() <
-                                                       held.state().sheet->mesh.nodes[at(b.node)].x();
-                                            });
+        const auto right = std::max_element(
+            held.state().tips.begin(), held.state().tips.end(), [&](const TearTip& a, const TearTip& b) {
+                return held.state().sheet->mesh.nodes[at(a.node)].x() < held.state().sheet->mesh.nodes[at(b.node)].x();
+            });
         if (right == held.state().tips.end()) {
             break;
         }
@@ -233,7 +233,8 @@ nlohmann::json run_split(const BenchOptions& options) {
                             Vec3::UnitX());
         } else {
             angle += 0.25;
-            edit = tear(model, held.state(), 0, Vec3(std::cos(angle), std::sin(angle), 0.0) + held.state().tips[0].direction);
+            edit = tear(model, held.state(), 0,
+                        Vec3(std::cos(angle), std::sin(angle), 0.0) + held.state().tips[0].direction);
         }
         if (edit.ok()) {
             held.state() = applied(held.state(), edit.value());

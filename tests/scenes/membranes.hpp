@@ -44,16 +44,15 @@ public:
     MembraneState& state() { return state_; }
     [[nodiscard]] const MembraneModel& model() const { return model_; }
 
-    /// Steps of `dt` [s] until no node moves faster than `speed` [mm/s], or `most` steps; false then. external: per node.
+    /// Steps of `dt` [s] until no node moves faster than `speed` [mm/s], or `most` steps; false then. external: per
+    /// node.
     bool settle(std::span<const Vec3> external = {}, double speed = 1e-3, int most = 200, double dt = 0.01);
     /// One step.
     ImplicitReport step(double dt, std::span<const Vec3> external = {}, const ImplicitSettings& settings = {});
 
     [[nodiscard]] double energy() const { return elastic_energy(model_, state_); }
     /// Elastic force on the sheet summed over nodes: what holds them there gives the opposite [uN].
-    [[nodiscard]] Vec3 force_on(const std::vector<int>& nodes) const {
-        return elastic_force(model_, state_, nodes);
-    }
+    [[nodiscard]] Vec3 force_on(const std::vector<int>& nodes) const { return elastic_force(model_, state_, nodes); }
 
 private:
     MembraneModel model_;

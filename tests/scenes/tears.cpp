@@ -63,8 +63,7 @@ void cut_along(const MembraneModel& model, MembraneState& state, int node, doubl
         if (here.x() >= end) {
             return;
         }
-        edit = tear(model, state, static_cast<int>(state.tips.size()) - 1,
-                    Vec3(0.4, line - here.y(), 0.0));
+        edit = tear(model, state, static_cast<int>(state.tips.size()) - 1, Vec3(0.4, line - here.y(), 0.0));
     }
 }
 
@@ -112,10 +111,9 @@ bool tear_once(const MembraneModel& model, MembraneState& state, const TearRules
     if (proposals.empty()) {
         return false;
     }
-    const auto most = std::max_element(proposals.begin(), proposals.end(),
-                                       [](const TearProposal& a, const TearProposal& b) {
-                                           return a.release / a.toughness < b.release / b.toughness;
-                                       });
+    const auto most = std::max_element(
+        proposals.begin(), proposals.end(),
+        [](const TearProposal& a, const TearProposal& b) { return a.release / a.toughness < b.release / b.toughness; });
     const Result<MembraneEdit> edit = tear(model, state, most->tip, most->direction, rules);
     if (!edit.ok()) {
         return false;
@@ -153,8 +151,7 @@ TearLoad pure_shear(int triangles, double toughness) {
         torn = tear_once(held.model(), held.state());
         if (torn) {
             const double tip =
-                held.state().tips.empty() ? width
-                                          : held.state().sheet->mesh.nodes[at(held.state().tips[0].node)].x();
+                held.state().tips.empty() ? width : held.state().sheet->mesh.nodes[at(held.state().tips[0].node)].x();
             if (tip > width - 3.0) {
                 break;
             }
@@ -198,7 +195,7 @@ TearLoad trousers(int triangles, double toughness) {
     TearLoad load;
     load.expected = toughness;
     bool torn = false;
-    for (int i = 0; i < 600 && load.steps < 5; ++i) {
+    for (int i = 0; i < 600 && load.steps < 4; ++i) {
         const double pull = torn ? 0.0 : 0.01;
         for (const int node : low) {
             held.state().position[at(node)].z() += pull;
@@ -254,7 +251,7 @@ MiddleCrack middle_crack(int triangles) {
         edit = tear(model, cut, static_cast<int>(short_tip - cut.tips.begin()), Vec3(way, origin.y() - here.y(), 0.0));
     }
     result.half_length = 0.5 * std::abs(cut.sheet->mesh.nodes[at(cut.tips[0].node)].x() -
-                             cut.sheet->mesh.nodes[at(cut.tips[1].node)].x());
+                                        cut.sheet->mesh.nodes[at(cut.tips[1].node)].x());
     model = with_sheet(model, cut);
     result.sheet = std::make_unique<HeldSheet>(model);
     HeldSheet& held = *result.sheet;
@@ -276,7 +273,8 @@ MiddleCrack middle_crack(int triangles) {
     }
     held.settle(load, 1e-5, 600, 0.02);
     const double ratio = result.half_length / (0.5 * side);
-    const double factor = (1.0 - 0.025 * ratio * ratio + 0.06 * std::pow(ratio, 4)) / std::sqrt(std::cos(0.5 * M_PI * ratio));
+    const double factor =
+        (1.0 - 0.025 * ratio * ratio + 0.06 * std::pow(ratio, 4)) / std::sqrt(std::cos(0.5 * M_PI * ratio));
     result.expected = stress * stress * M_PI * result.half_length / young_modulus * factor * factor;
     for (const TearTip& tip : cut.tips) {
         const Vec3 outward = tip.direction;

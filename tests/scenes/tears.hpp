@@ -15,8 +15,8 @@ struct TearLoad {
     int steps = 0;
 };
 
-/// A strip of 12 x 2 mm with a notch of 4 mm in its middle, gripped along its long edges and pulled apart until it tears:
-/// far ahead of the tip the sheet stores W per volume, and W H0 comes free. toughness [uN/mm].
+/// A strip of 12 x 2 mm with a notch of 4 mm in its middle, gripped along its long edges and pulled apart until it
+/// tears: far ahead of the tip the sheet stores W per volume, and W H0 comes free. toughness [uN/mm].
 TearLoad pure_shear(int triangles, double toughness);
 
 /// A strip of 10 x 4 mm, slit from one end along its middle; its two legs are pulled up and down, out of its plane. Per

@@ -17,7 +17,7 @@ struct Strength {
 double strength_against(const Strength& strength, const Vec2& fibre, const Vec2& u);
 
 struct StrengthAnswer {
-    double ratio = 0.0;              ///< stress over strength, of the best direction: above 1 it tears
+    double ratio = 0.0;             ///< stress over strength, of the best direction: above 1 it tears
     Vec2 direction = Vec2::Zero();  ///< of the tear
 };
 

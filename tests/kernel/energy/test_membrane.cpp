@@ -24,8 +24,8 @@ MembraneTriangle triangle_of(const TrianglePoints& rest, const Vec3& fibre, cons
                              double compression) {
     const PlaneFrame frame = plane_frame(rest);
     const double area = 0.5 * (rest[1] - rest[0]).cross(rest[2] - rest[0]).norm();
-    return {shape_gradients(rest, frame), 0.01 * area,
-            plane_stiffness(material, frame.to_plane(fibre).normalized()), compression};
+    return {shape_gradients(rest, frame), 0.01 * area, plane_stiffness(material, frame.to_plane(fibre).normalized()),
+            compression};
 }
 
 VecX flat(const TrianglePoints& x) {
@@ -34,9 +34,7 @@ VecX flat(const TrianglePoints& x) {
     return result;
 }
 
-TrianglePoints unflat(const VecX& v) {
-    return {Vec3(v.segment<3>(0)), Vec3(v.segment<3>(3)), Vec3(v.segment<3>(6))};
-}
+TrianglePoints unflat(const VecX& v) { return {Vec3(v.segment<3>(0)), Vec3(v.segment<3>(3)), Vec3(v.segment<3>(6))}; }
 
 TrianglePoints moved(const Mat3& map) {
     TrianglePoints x;
@@ -84,6 +82,29 @@ TEST_SUITE("orthotropic sheet") {
                 CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(k).eigenvalues()[0] > 0.0);
             }
         }
+    }
+
+    TEST_CASE("as printed in [Dequidt2013] the matrix gives energy back for some strains") {
+        const double e_f = fibrous.along;
+        const double e_t = fibrous.across;
+        const double g = e_f / (1.0 + fibrous.poisson_ratio);
+        const double n = fibrous.poisson_ratio * e_t;
+        int indefinite = 0;
+        for (int angle = 0; angle <= 90; ++angle) {
+            const double c = at_angle(angle).x();
+            const double s = at_angle(angle).y();
+            const double c2 = c * c;
+            const double s2 = s * s;
+            Mat3 k;
+            k(0, 0) = c2 * c2 * e_f + s2 * s2 * e_t + 2.0 * c2 * s2 * (n + 2.0 * g);
+            k(1, 1) = s2 * s2 * e_f + c2 * c2 * e_t + 2.0 * c2 * s2 * (n + 2.0 * g);
+            k(2, 2) = c2 * s2 * (e_f + e_t - 2.0 * n) + (c2 - s2) * g;
+            k(0, 1) = k(1, 0) = c2 * s2 * (e_f + e_t - 4.0 * g) + (c2 * c2 + s2 * s2) * n;
+            k(0, 2) = k(2, 0) = -c * s * (c2 * e_f - s2 * e_t - (c2 - s2) * (n + 2.0 * g));
+            k(1, 2) = k(2, 1) = -c * s * (s2 * e_f - c2 * e_t + (c2 - s2) * (n + 2.0 * g));
+            indefinite += Eigen::SelfAdjointEigenSolver<Mat3>(k).eigenvalues()[0] < 0.0 ? 1 : 0;
+        }
+        CHECK(indefinite > 30);
     }
 
     TEST_CASE("modulus off the fibre's axis: the closed form, and its table") {

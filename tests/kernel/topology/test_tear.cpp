@@ -66,8 +66,8 @@ TEST_SUITE("tear") {
         CHECK(boundary_loops(state.sheet->mesh, state.sheet->neighbours).size() == 2);
         int steps = 0;
         for (; !state.tips.empty() && steps < 100; ++steps) {
-            edit = tear(model, state, 0, state.tips[0].direction.dot(at_angle(33.0)) > 0.0 ? at_angle(33.0)
-                                                                                          : -at_angle(33.0));
+            edit = tear(model, state, 0,
+                        state.tips[0].direction.dot(at_angle(33.0)) > 0.0 ? at_angle(33.0) : -at_angle(33.0));
             REQUIRE(edit.ok());
             state = applied(state, edit.value());
             check_sound(state);
@@ -97,8 +97,8 @@ TEST_SUITE("tear") {
                 const Vec3 origin = state.sheet->mesh.nodes[at(start.value().nodes.back().a)];
                 double off = 0.0;
                 while (!state.tips.empty()) {
-                    const Vec3 way = state.tips[0].direction.dot(at_angle(angle)) > 0.0 ? at_angle(angle)
-                                                                                        : -at_angle(angle);
+                    const Vec3 way =
+                        state.tips[0].direction.dot(at_angle(angle)) > 0.0 ? at_angle(angle) : -at_angle(angle);
                     const Vec3 here = state.sheet->mesh.nodes[at(state.tips[0].node)] - origin;
                     const Vec3 aside = here - here.dot(way) * way;
                     const Result<MembraneEdit> edit = tear(model, state, 0, way);
@@ -115,13 +115,13 @@ TEST_SUITE("tear") {
         const MembraneModel model = membrane("sheet", square_sheet(4.0, 600), fibrous);
         MembraneState state = rest_state(model);
         const TearRules rules{.existing_edges = true};
-        Result<MembraneEdit> edit = puncture(model, state, triangle_at(model.sheet->mesh, Vec3(2, 2, 0)),
-                                             Vec3(2, 2, 0), at_angle(20.0), rules);
+        Result<MembraneEdit> edit =
+            puncture(model, state, triangle_at(model.sheet->mesh, Vec3(2, 2, 0)), Vec3(2, 2, 0), at_angle(20.0), rules);
         while (edit.ok() && !edit.value().tips.empty()) {
             state = applied(state, edit.value());
             check_sound(state);
-            edit = tear(model, state, 0,
-                        state.tips[0].direction.x() > 0.0 ? at_angle(20.0) : Vec3(-at_angle(20.0)), rules);
+            edit = tear(model, state, 0, state.tips[0].direction.x() > 0.0 ? at_angle(20.0) : Vec3(-at_angle(20.0)),
+                        rules);
         }
         REQUIRE(edit.ok());
         state = applied(state, edit.value());
@@ -144,8 +144,7 @@ TEST_SUITE("tear") {
                     edit = puncture(model, state, triangle,
                                     state.sheet->mesh.nodes[at(state.sheet->mesh.triangles[at(triangle)][0])], way);
                 } else {
-                    const int tip =
-                        static_cast<int>(rng.uniform() * 0.999 * static_cast<double>(state.tips.size()));
+                    const int tip = static_cast<int>(rng.uniform() * 0.999 * static_cast<double>(state.tips.size()));
                     edit = tear(model, state, tip, state.tips[at(tip)].direction + 0.8 * way);
                 }
                 if (edit.ok()) {
