@@ -199,14 +199,12 @@ end
 --- its floor, recover = function(me, eye) that ends a stroke which went wrong, also = function(seen): more that stops a
 --- stroke, depth = to begin with }; in a lens that turns easily also { return_height = over
 --- the lens on the way back, entry_speed, half_width = of the groove, without the tip's own, pushed = shift
---- of the lens that ends a stroke, before = function(me, eye): done before each layer }.
+--- of the lens that ends a stroke, before = function(me, eye): done before each stroke }.
 function sculpting.sculpt(me, eye, groove, state)
     state.depth, state.pace = state.depth or 0, 1
     for number = 1, 80 do
-        if number % 2 == 1 then
-            if state.before then state.before(me, eye) end
-            state.depth = state.depth + me.about(layer)
-        end
+        if state.before then state.before(me, eye) end
+        if number % 2 == 1 then state.depth = state.depth + me.about(layer) end
         local side = (number % 2 == 1 and -1 or 1) * (state.half_width or half_width)
         local reason = (state.return_height and careful_stroke or stroke)(me, eye, groove, state, side)
         if reason == "pushing" then
