@@ -17,7 +17,8 @@ local hold_arm = 1.5          -- of the spatula that keeps the lens from turning
 local far_off = 7             -- of the first groove from lying across, at which it is turned back there [deg]
 local led = 0.5               -- share of the thickness from which on the second groove leads the tip
 local most_corrections = 6
-local most_lean = 12          -- of the second groove from the line of sight [deg]
+local most_lean = 15          -- of the second groove from the line of sight [deg]
+local put_right = 0.7         -- share of what it is askew by that the next stroke leans against
 local held = 0.48              -- depth of its end then
 local engaged = 0.55          -- depth of the spatula's end in the groove
 local deeper = 0.15           -- the same, more each time that the lens did not turn
@@ -229,20 +230,27 @@ local function hold(me, eye)
     me.left.go(place(held), turn_speed)
 end
 
--- The next layer goes across the first groove as that lies now.
-local function lean_across(me, groove, first)
-    local off = me.towards(first.direction % 180 - goal_turn)
+-- The next stroke goes across the first groove as that lies now, and beyond by what the second one is off that.
+local function lean_across(me, groove, seen, first)
+    local off = first.direction % 180 - goal_turn
+    for _, second in ipairs(grooves_seen(seen)) do
+        if off_sight(second.direction) < 40 then
+            off = off + put_right * (off - ((second.direction + 90) % 180 - 90))
+            break
+        end
+    end
+    off = me.towards(off)
     groove.lean = math.tan(math.rad(math.max(-most_lean, math.min(most_lean, off))))
 end
 
--- What a surgeon does before each layer of the second groove: while it is shallow, the first is kept across; a spatula
+-- What a surgeon does before each stroke of the second groove: while it is shallow, the first is kept across; a spatula
 -- that was lifted is put back, unless it lay on the capsule too often.
 local function keep_across(groove)
     local state = { lifted = false, times = 0 }
     local function before(me, eye)
         local seen = me.see()
         local first = first_groove(seen, true)
-        if first then lean_across(me, groove, first) end
+        if first then lean_across(me, groove, seen, first) end
         local shallow = sculpting.seen_share(eye, floor_ahead(seen)) < led
         local astray = first and shallow and me.notices(function()
             return math.abs(first.direction % 180 - goal_turn) > far_off
