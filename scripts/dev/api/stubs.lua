@@ -6,7 +6,7 @@
 
 local stubs = {}
 
-local files = { "rhexis", "mesh", "scene", "render", "eye" }
+local files = { "rhexis", "mesh", "scene", "membrane", "tool", "render", "eye" }
 
 local function read_lines(path)
     local lines = {}
