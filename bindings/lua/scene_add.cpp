@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Making a scene and adding bodies, tools and planes to it.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -147,7 +148,8 @@ int add_membrane(lua_State* L) {
     model.toughness.along = options.number("toughness_along", model.toughness.along, {1e-3, 1e12, "mJ/m^2"});
     model.toughness.across = options.number("toughness_across", model.toughness.along, {1e-3, 1e12, "mJ/m^2"});
     model.tear_radius = options.number("tear_radius", model.tear_radius, {1e-4, 100.0, "mm"});
-    model.sharpest_turn = options.number("sharpest_turn", 90.0, {0.0, 180.0, "degrees"}) * M_PI / 180.0;
+    const double turn = options.number("sharpest_turn", 90.0, {0.0, 180.0, "degrees"});
+    model.turn_cosine = turn == 90.0 ? 0.0 : std::cos(turn * M_PI / 180.0);
     model.density = options.number("density", model.density, {1e-7, 1.0, "g/mm^3"});
     model.damping_mass = options.number("damping_mass", 0.0, {0.0, 1e6, "1/s"});
     model.damping_stiffness = options.number("damping_stiffness", 0.0, {0.0, 10.0, "s"});

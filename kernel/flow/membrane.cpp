@@ -50,7 +50,7 @@ Status check_numbers(const MembraneModel& model) {
                             {"toughness along the fibres", model.toughness.along, 1e-3, 1e12, " uN/mm"},
                             {"toughness across the fibres", model.toughness.across, 1e-3, 1e12, " uN/mm"},
                             {"tear_radius", model.tear_radius, 1e-4, 100.0, " mm"},
-                            {"sharpest_turn", model.sharpest_turn, 0.0, 3.15, " rad"},
+                            {"turn_cosine", model.turn_cosine, -1.0, 1.0, ""},
                             {"damping_mass", model.damping_mass, 0.0, 1e6, " 1/s"},
                             {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
                             {"slack_share", model.slack_share, 1e-9, 1.0, ""}};

@@ -45,7 +45,7 @@ struct MembraneModel {
     Orthotropic material;
     Toughness toughness;
     double tear_radius = 0.4;        ///< about the tip of a tear, of what decides on its way [mm]
-    double sharpest_turn = 1.5708;   ///< of a tear from the way it came [rad]
+    double turn_cosine = 0.0;        ///< of the sharpest turn of a tear from the way it came
     double density = 1.05e-3;        ///< [g/mm^3]
     double damping_mass = 0.0;       ///< Rayleigh damping, share of the mass [1/s]
     double damping_stiffness = 0.0;  ///< Rayleigh damping, share of the stiffness [s]

@@ -35,6 +35,18 @@ void fill_between(const Rows& rows, TriMesh& mesh) {
     }
 }
 
+/// The direction at so many sixths of a turn from +x. Without trigonometry, so the same bits on every machine: along
+/// the side of a hexagon, spaced by a rational tangent (to 1e-4 of an angle), then drawn to the circle.
+Vec3 at_sixths(int sector, double share) {
+    const double h = 0.5 * std::sqrt(3.0);
+    const Vec3 corner[7] = {Vec3(1.0, 0.0, 0.0), Vec3(0.5, h, 0.0),  Vec3(-0.5, h, 0.0), Vec3(-1.0, 0.0, 0.0),
+                            Vec3(-0.5, -h, 0.0), Vec3(0.5, -h, 0.0), Vec3(1.0, 0.0, 0.0)};
+    constexpr double sixth = 1.0471975511965977;  // [rad]
+    const double x = sixth * (share - 0.5);
+    const double along = 0.5 + h * x * (15.0 - x * x) / (15.0 - 6.0 * x * x);
+    return (corner[sector] + along * (corner[sector + 1] - corner[sector])).normalized();
+}
+
 }  // namespace
 
 TriMesh square_sheet(double side, int triangles) {
@@ -71,8 +83,7 @@ TriMesh round_sheet(double radius, int triangles) {
     const auto node = [](int ring, int i) { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + i % (6 * ring); };
     for (int ring = 1; ring <= rings; ++ring) {
         for (int i = 0; i < 6 * ring; ++i) {
-            const double angle = 2.0 * M_PI * i / (6 * ring);
-            mesh.nodes.push_back(radius * ring / rings * Vec3(std::cos(angle), std::sin(angle), 0.0));
+            mesh.nodes.push_back(radius * ring / rings * at_sixths(i / ring, static_cast<double>(i % ring) / ring));
         }
         for (int sector = 0; sector < 6; ++sector) {
             for (int i = 0; i < ring; ++i) {

@@ -182,9 +182,15 @@ double mesh_area(const TriMesh& mesh) {
     return sum;
 }
 
+double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto cosine = [](const Vec3& u, const Vec3& v) {
+        return u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm());
+    };
+    return std::max({cosine(b - a, c - a), cosine(c - b, a - b), cosine(a - c, b - c)});
+}
+
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto angle = [](const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
-    return std::min({angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)});
+    return std::acos(std::min(1.0, largest_cosine(a, b, c)));
 }
 
 double smallest_angle(const TriMesh& mesh) {

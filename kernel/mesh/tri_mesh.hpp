@@ -31,7 +31,9 @@ std::vector<std::uint8_t> on_boundary(const TriMesh& mesh, const TriNeighbours& 
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);  ///< [mm^2]
 double mesh_area(const TriMesh& mesh);                              ///< [mm^2]
 
-/// Smallest angle [rad].
+/// Cosine of the smallest angle.
+double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Smallest angle [rad]; for people, not for decisions: it depends on the C library.
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 double smallest_angle(const TriMesh& mesh);
 

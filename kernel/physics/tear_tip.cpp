@@ -238,7 +238,7 @@ std::vector<TearProposal> propose_tears(const MembraneModel& model, const Membra
         Vec2 came = about.frame.to_plane(tip.direction);
         came.normalize();
         const std::optional<Vec2> way =
-            tear_direction(about.stress, about.fibre, ratio, came, std::cos(model.sharpest_turn));
+            tear_direction(about.stress, about.fibre, ratio, came, model.turn_cosine);
         if (!way) {
             continue;
         }

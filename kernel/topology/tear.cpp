@@ -39,7 +39,11 @@ Fan fan_at(const SheetEditor& editor, int node) {
 }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(std::abs(cross(a, b)), a.dot(b)); }
+
+/// Whether the angle between them has a smaller tangent.
+bool within(const Vec2& a, const Vec2& b, double tangent) {
+    return a.dot(b) > 0.0 && std::abs(cross(a, b)) < tangent * a.dot(b);
+}
 
 Error leads_out(int node) {
     return {"the tear's direction leads out of the sheet at node " + std::to_string(node), "tear",
@@ -60,15 +64,16 @@ bool inner_edge(const SheetEditor& editor, int a, int b) {
 /// The neighbour whose edge is inside the sheet and nearest to the direction; -1: none within a right angle.
 int nearest_edge(const SheetEditor& editor, const Fan& fan, int node, const Vec2& way) {
     int best = -1;
-    double least = 0.5 * M_PI;
+    double most = 0.0;  // cosine
     for (const int t : editor.star(node)) {
         for (const int other : editor.mesh().triangles[at(t)]) {
             if (other == node || !inner_edge(editor, node, other)) {
                 continue;
             }
-            const double angle = angle_between(way, fan.flat(editor.mesh().nodes[at(other)]));
-            if (angle < least) {
-                least = angle;
+            const Vec2 edge = fan.flat(editor.mesh().nodes[at(other)]);
+            const double cosine = way.dot(edge) / edge.norm();
+            if (cosine > most) {
+                most = cosine;
                 best = other;
             }
         }
@@ -76,12 +81,12 @@ int nearest_edge(const SheetEditor& editor, const Fan& fan, int node, const Vec2
     return best;
 }
 
-/// Whether all triangles at a node have angles of at least that.
-bool well_shaped(const SheetEditor& editor, int node, double least_angle) {
+/// Whether no triangle at a node has an angle of a greater cosine.
+bool well_shaped(const SheetEditor& editor, int node, double most_cosine) {
     const TriMesh& mesh = editor.mesh();
     for (const int t : editor.star(node)) {
         const std::array<int, 3>& n = mesh.triangles[at(t)];
-        if (smallest_angle(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]) < least_angle) {
+        if (largest_cosine(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]) > most_cosine) {
             return false;
         }
     }
@@ -107,12 +112,12 @@ Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, cons
             continue;
         }
         const double share = cross(to_p, way) / (cross(to_p, way) - cross(to_q, way));
-        const bool near_p = angle_between(way, to_p) < rules.snap_angle || share < rules.snap_share;
-        const bool near_q = angle_between(way, to_q) < rules.snap_angle || share > 1.0 - rules.snap_share;
+        const bool near_p = within(way, to_p, rules.snap_tangent) || share < rules.snap_share;
+        const bool near_q = within(way, to_q, rules.snap_tangent) || share > 1.0 - rules.snap_share;
         if (!rules.existing_edges && !near_p && !near_q) {
             SheetEditor tried = editor;
             const int middle = tried.split_edge(p, q, share);
-            if (well_shaped(tried, middle, rules.least_angle)) {
+            if (well_shaped(tried, middle, rules.most_cosine)) {
                 editor = std::move(tried);
                 return middle;
             }
