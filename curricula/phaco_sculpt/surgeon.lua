@@ -17,7 +17,7 @@ local hold_arm = 1.5          -- of the spatula that keeps the lens from turning
 local far_off = 7             -- of the first groove from lying across, at which it is turned back there [deg]
 local led = 0.5               -- share of the thickness from which on the second groove leads the tip
 local most_corrections = 6
-local most_lean = 15          -- of the second groove from the line of sight [deg]
+local most_lean = 15          -- of a groove from the line of sight [deg]
 local put_right = 0.7         -- share of what it is askew by that the next stroke leans against
 local held = 0.48              -- depth of its end then
 local engaged = 0.55          -- depth of the spatula's end in the groove
@@ -230,6 +230,19 @@ local function hold(me, eye)
     me.left.go(place(held), turn_speed)
 end
 
+-- The next stroke of the first groove follows it as it lies now: the lens turns a little under each.
+local function follow(groove)
+    return function(me)
+        for _, seen in ipairs(grooves_seen(me.see())) do
+            if off_sight(seen.direction) < 40 and seen.length > 2 then
+                local off = me.towards((seen.direction + 90) % 180 - 90)
+                groove.lean = math.tan(math.rad(math.max(-most_lean, math.min(most_lean, off))))
+                return
+            end
+        end
+    end
+end
+
 -- The next stroke goes across the first groove as that lies now, and beyond by what the second one is off that.
 local function lean_across(me, groove, seen, first)
     local off = first.direction % 180 - goal_turn
@@ -305,7 +318,7 @@ return function(me)
     local eye = sculpting.look_around(me)
     local groove = sculpting.plan_groove(eye)
     sculpting.enter(me, eye, groove)
-    sculpt(me, eye, groove, 90)
+    sculpt(me, eye, groove, 90, follow(groove))
     rest_phaco(me, eye, groove)
     bring_spatula(me, eye)
     rotate(me, eye)
