@@ -10,11 +10,12 @@
 namespace rhexis {
 
 /// The rigid side of a contact.
-enum class ContactPartner { tool, bag, plane, dome };
+enum class ContactPartner { tool, bag, plane, dome, support };
 
-/// A surface point of a solid against a rigid partner. The point is a weighted mean of up to three coarse nodes.
+/// A surface point of a solid or a membrane against a rigid partner. The point is a weighted mean of up to three nodes.
 struct Contact {
-    int solid = 0;
+    int solid = 0;                        ///< -1: of a membrane
+    int membrane = -1;                    ///< -1: of a solid
     std::array<int, 3> nodes{0, -1, -1};  ///< coarse nodes; -1: unused
     std::array<double, 3> weights{1.0, 0.0, 0.0};
     ContactPartner partner = ContactPartner::tool;

@@ -4,10 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "energy/orthotropic.hpp"
+#include "flow/bag.hpp"
+#include "flow/contact.hpp"
 #include "mesh/tri_mesh.hpp"
 
 namespace rhexis {
@@ -38,6 +41,12 @@ struct NodeSpring {
     double slack = 0.0;          ///< length below which it does not pull [mm]
 };
 
+/// A fixed smooth body that a membrane lies on: the lens under its capsule. In the eye's frame.
+struct SupportModel {
+    BagShape shape;
+    double friction = 0.05;  ///< Coulomb coefficient
+};
+
 /// Constant while a scene runs.
 struct MembraneModel {
     std::string name;
@@ -52,6 +61,7 @@ struct MembraneModel {
     double slack_share = 1e-3;       ///< of its stiffness that is left in compression
     std::vector<int> fixed_nodes;    ///< move only by hand of the caller, ascending
     std::vector<NodeSpring> springs;
+    std::optional<SupportModel> support;
 };
 
 /// The end of a tear, which may go on.
@@ -59,6 +69,15 @@ struct TearTip {
     int node = 0;
     Vec3 direction = Vec3::Zero();  ///< the way it came: unit, in the sheet's plane at rest
     Vec3 owed = Vec3::Zero();       ///< from the node, where the mesh allowed it to go, to where it ought to be [mm]
+};
+
+/// What friction remembers of a contact from step to step.
+struct SheetTouch {
+    int triangle = -1;  ///< that touches; -1: the node does
+    int node = -1;
+    ContactPartner partner = ContactPartner::tool;
+    int index = 0;
+    Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is, in the partner's frame [mm]
 };
 
 /// What physics proposes: the tear goes on from a tip, because more energy comes free than it takes.
@@ -82,8 +101,9 @@ struct MembraneState {
     std::vector<Vec3> velocity;  ///< [mm/s]
     std::vector<TearTip> tips;
     std::vector<SheetLoad> loads;
-    double torn_area = 0.0;    ///< that tears have opened so far: length times thickness [mm^2]
-    double torn_energy = 0.0;  ///< that they took [nJ]
+    std::vector<SheetTouch> touches;  ///< in the order in which they were found
+    double torn_area = 0.0;           ///< that tears have opened so far: length times thickness [mm^2]
+    double torn_energy = 0.0;         ///< that they took [nJ]
 };
 
 /// Fibres all one way and the same thickness everywhere. fibre: need not lie in the sheet; not at a right angle to it.

@@ -187,6 +187,7 @@ Pose PartnerPoses::of(ContactPartner partner, int index) const {
         case ContactPartner::bag:
             return bags[index];
         case ContactPartner::plane:
+        case ContactPartner::support:
         case ContactPartner::dome:
             break;
     }

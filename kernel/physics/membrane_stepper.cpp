@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/membrane_stepper.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "physics/tool_shape.hpp"
 
 namespace rhexis {
 namespace {
@@ -13,6 +16,33 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Forces of a scene are some 1,000 uN.
 const ImplicitSettings scene_settings{
     .tolerance = 1e-4, .max_newton = 6, .newton_tolerance = 1e-3, .force_tolerance = 0.5};
+
+constexpr double farthest = 0.1;  // that an instrument near the sheet goes in a substep [mm]
+constexpr int most_substeps = 10;
+
+Box box_of(const std::vector<Vec3>& nodes) {
+    Box box;
+    for (const Vec3& node : nodes) {
+        box.add(node, 0.0);
+    }
+    return box;
+}
+
+/// As many as the fastest of the instruments needs whose way comes near the sheet.
+int substeps_for(const MembraneStepper::Task& task) {
+    const Box sheet = box_of(task.state.position);
+    double way = 0.0;
+    for (std::size_t k = 0; k < task.tools.size(); ++k) {
+        if (!task.tools[k].present) {
+            continue;
+        }
+        const Box swept = swept_box(task.world.tools[k], task.tools[k]);
+        if ((swept.low.array() <= sheet.high.array()).all() && (swept.high.array() >= sheet.low.array()).all()) {
+            way = std::max(way, travel(task.world.tools[k], task.tools[k]));
+        }
+    }
+    return std::clamp(static_cast<int>(std::ceil(way / farthest)), 1, most_substeps);
+}
 
 }  // namespace
 
@@ -50,8 +80,7 @@ ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const
     return report;
 }
 
-bool MembraneStepper::run(const MembraneState& state, double dt, int divisions, MembraneState& next,
-                          MembraneStepReport& report) {
+void MembraneStepper::load(const MembraneState& state) {
     external_.clear();
     if (!state.loads.empty()) {
         external_.assign(state.position.size(), Vec3::Zero());
@@ -61,12 +90,40 @@ bool MembraneStepper::run(const MembraneState& state, double dt, int divisions, 
             external_[at(node)] += load.total / static_cast<double>(load.nodes.size());
         }
     }
+}
+
+/// Substep i of a step: the instruments go on along their way.
+ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, const MembraneState& from,
+                                        MembraneState& next, ContactSet& contacts) {
+    const double dt = task.dt / divisions;
+    tools_.assign(task.tools.begin(), task.tools.end());
+    for (std::size_t k = 0; k < tools_.size(); ++k) {
+        tools_[k].previous_pose = pose_within(task.tools[k], static_cast<double>(i) / divisions);
+        tools_[k].pose = pose_within(task.tools[k], static_cast<double>(i + 1) / divisions);
+    }
+    touching_.look(task.world, task.membrane, from, tools_, dt);
+    place_tools(tools_, 1.0, poses_);
+    CouplingFunction coupling;
+    if (!touching_.empty()) {
+        coupling = [this](const std::vector<Vec3>& position, std::span<const RigidUnknown>,
+                          std::vector<ContactTerm>& terms,
+                          std::vector<RigidTerm>&) { touching_.terms(position, poses_, terms); };
+    }
+    const ImplicitReport report = step(from, external_, dt, scene_settings, coupling, next);
+    touching_.settle(next.position, poses_, dt);
+    touching_.report(task.dt, contacts);
+    next.touches = touching_.touches();
+    return report;
+}
+
+bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report,
+                          ContactSet& contacts) {
     report = MembraneStepReport{};
     report.substeps = divisions;
-    next = state;
+    next = task.state;
     for (int i = 0; i < divisions; ++i) {
         std::swap(between_, next);
-        const ImplicitReport one = step(between_, external_, dt / divisions, scene_settings, {}, next);
+        const ImplicitReport one = substep(task, i, divisions, between_, next, contacts);
         report.newton_iterations += one.newton_iterations;
         report.linear_iterations += one.linear_iterations;
         report.force = one.force;
@@ -77,16 +134,20 @@ bool MembraneStepper::run(const MembraneState& state, double dt, int divisions, 
     return true;
 }
 
-bool MembraneStepper::advance(const MembraneState& state, double dt, MembraneState& next, MembraneStepReport& report,
+bool MembraneStepper::advance(const Task& task, MembraneState& next, MembraneStepReport& report, ContactSet& contacts,
                               int& rollbacks) {
-    for (const int divisions : {1, 4, 16}) {
-        if (run(state, dt, divisions, next, report)) {
+    load(task.state);
+    const std::size_t before = contacts.size();
+    const int least = substeps_for(task);
+    for (const int finer : {1, 4, 16}) {
+        if (run(task, least * finer, next, report, contacts)) {
             return true;
         }
+        contacts.resize(before);
         ++rollbacks;
         drop_caches();
     }
-    next = state;
+    next = task.state;
     next.velocity.assign(next.velocity.size(), Vec3::Zero());
     return false;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "base/result.hpp"
@@ -10,6 +11,7 @@
 #include "flow/step_outcome.hpp"
 #include "physics/implicit_step.hpp"
 #include "physics/membrane_body.hpp"
+#include "physics/sheet_contact.hpp"
 
 namespace rhexis {
 
@@ -22,9 +24,19 @@ public:
     ImplicitReport step(const MembraneState& state, std::span<const Vec3> external, double dt,
                         const ImplicitSettings& settings, const CouplingFunction& coupling, MembraneState& next);
 
-    /// A step of dt [s] with the state's loads, redone in smaller steps where numbers run away. False where that does
-    /// not help: next is then the state at rest where it was.
-    bool advance(const MembraneState& state, double dt, MembraneState& next, MembraneStepReport& report,
+    /// What a step is to be made of.
+    struct Task {
+        const WorldModel& world;
+        int membrane;  ///< the world's number of this one
+        const MembraneState& state;
+        std::span<const ToolState> tools;
+        double dt;  ///< [s]
+    };
+
+    /// A step with the state's loads, in contact, in as many substeps as the instruments near it are fast; redone in
+    /// smaller ones where numbers run away. False where that does not help: next is then the state at rest where it
+    /// was. Appends to `contacts`.
+    bool advance(const Task& task, MembraneState& next, MembraneStepReport& report, ContactSet& contacts,
                  int& rollbacks);
 
     /// Forgets what is kept of earlier steps, the order of elimination too.
@@ -34,15 +46,22 @@ private:
     MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel)
         : model_(&model), kernel_(&kernel) {}
     void follow(const MembraneState& state);
-    bool run(const MembraneState& state, double dt, int divisions, MembraneState& next, MembraneStepReport& report);
+    void load(const MembraneState& state);
+    bool run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report, ContactSet& contacts);
+    ImplicitReport substep(const Task& task, int i, int divisions, const MembraneState& from, MembraneState& next,
+                           ContactSet& contacts);
 
     const MembraneModel* model_;
     const linear_kernel::Kernel* kernel_;
     std::optional<ImplicitStep> step_;
     MembraneBody* body_ = nullptr;  ///< of step_
     NodeMotion motion_;
-    MembraneState between_;       ///< scratch of substeps
-    std::vector<Vec3> external_;  ///< scratch
+    // scratch
+    MembraneState between_;
+    std::vector<Vec3> external_;
+    SheetContacts touching_;
+    std::vector<ToolState> tools_;  ///< where they are in a substep
+    PartnerPoses poses_;
     std::vector<RigidUnknown> no_bodies_;
 };
 

@@ -77,7 +77,8 @@ struct Physics::Solvers {
     [[nodiscard]] bool has_fluid() const { return model->chamber || model->capsule || model->iris; }
     void step_solid(const StepTask& task, int solid, StepOutcome& outcome);
     void keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const;
-    void step_membrane(const StepTask& task, std::size_t membrane, WorldState& next, StepOutcome& outcome);
+    void step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,
+                       StepOutcome& outcome);
 };
 
 /// Leaves in `result` the first try that is good, or the last that only inverted something, or the state as it was.
@@ -131,13 +132,14 @@ void Physics::Solvers::keep(const StepTask& task, int solid, WorldState& next, C
     remember_contacts(result.candidates, surface, solid, next.memory);
 }
 
-void Physics::Solvers::step_membrane(const StepTask& task, std::size_t membrane, WorldState& next,
+void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,
                                      StepOutcome& outcome) {
-    const MembraneModel& own = model->membranes[membrane];
+    const std::size_t index = static_cast<std::size_t>(membrane);
+    const MembraneModel& own = model->membranes[index];
     MembraneStepReport& report = outcome.membranes.emplace_back();
     const int before = outcome.rollbacks;
-    if (!membranes[membrane].advance(task.state.membranes[membrane], task.dt, next.membranes[membrane], report,
-                                     outcome.rollbacks)) {
+    if (!membranes[index].advance({*model, membrane, task.state.membranes[index], task.tools, task.dt},
+                                  next.membranes[index], report, contacts, outcome.rollbacks)) {
         outcome.failure = StepFailure::not_finite;
         return;
     }
@@ -145,7 +147,7 @@ void Physics::Solvers::step_membrane(const StepTask& task, std::size_t membrane,
         outcome.notes.push_back(own.name + ": step not finite, redone in steps " + std::to_string(report.substeps) +
                                 " times smaller");
     }
-    report.tears = propose_tears(own, next.membranes[membrane]);
+    report.tears = propose_tears(own, next.membranes[index]);
 }
 
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}
@@ -210,9 +212,9 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
         s.cracks[solid].find(s.model->solids[solid], next.solids[solid], s.steppers[solid].surface(), contacts, solid,
                              outcome.solids.back().broken);
     }
-    for (std::size_t membrane = 0; membrane < s.membranes.size(); ++membrane) {
+    for (int membrane = 0; membrane < static_cast<int>(s.membranes.size()); ++membrane) {
         const ProfileScope scope(profile, s.model->membranes[membrane].name.c_str());
-        s.step_membrane(task, membrane, next, outcome);
+        s.step_membrane(task, membrane, next, contacts, outcome);
     }
     if (s.steppers.empty()) {
         PartnerPoses poses;

@@ -227,6 +227,14 @@ void membrane_fields(auto& io, auto& membrane) {
         inner(load.nodes);
         inner(load.total);
     });
+    io.list(membrane.touches, 40, [](auto& inner, auto& touch) {
+        inner(touch.triangle);
+        inner(touch.node);
+        inner(touch.partner);
+        inner.limit(touch.partner >= ContactPartner::tool && touch.partner <= ContactPartner::support);
+        inner(touch.index);
+        inner(touch.stretch);
+    });
     io(membrane.torn_area);
     io(membrane.torn_energy);
 }

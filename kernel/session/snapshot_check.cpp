@@ -36,6 +36,8 @@ std::size_t partners(const WorldModel& world, ContactPartner partner) {
             return world.planes.size();
         case ContactPartner::dome:
             return world.domes.size();
+        case ContactPartner::support:
+            return 1;
     }
     return 0;
 }
@@ -90,6 +92,12 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state) {
            state.velocity.size() == nodes &&
            std::all_of(state.tips.begin(), state.tips.end(),
                        [&](const TearTip& tip) { return in_sheet(tip.node, state); }) &&
+           std::all_of(state.touches.begin(), state.touches.end(),
+                       [&](const SheetTouch& touch) {
+                           return touch.triangle < static_cast<int>(state.sheet->mesh.triangles.size()) &&
+                                  touch.triangle >= -1 && touch.node >= -1 && touch.index >= 0 &&
+                                  (touch.node < 0 || in_sheet(touch.node, state));
+                       }) &&
            std::all_of(state.loads.begin(), state.loads.end(), [&](const SheetLoad& load) {
                return !load.nodes.empty() && std::all_of(load.nodes.begin(), load.nodes.end(),
                                                          [&](int node) { return in_sheet(node, state); });

@@ -58,6 +58,14 @@ void add(StateHash& hash, const MembraneState& membrane) {
         hash.add_bytes(load.nodes.data(), load.nodes.size() * sizeof(int));
         add(hash, load.total);
     }
+    hash.add(static_cast<std::uint64_t>(membrane.touches.size()));
+    for (const SheetTouch& touch : membrane.touches) {
+        hash.add(static_cast<std::uint64_t>(touch.triangle + 1));
+        hash.add(static_cast<std::uint64_t>(touch.node + 1));
+        hash.add(static_cast<std::uint64_t>(touch.partner));
+        hash.add(static_cast<std::uint64_t>(touch.index));
+        add(hash, touch.stretch);
+    }
     hash.add(membrane.torn_area);
     hash.add(membrane.torn_energy);
 }

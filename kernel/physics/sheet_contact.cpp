@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/sheet_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/tool_shape.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double stiffer = 40.0;  // a contact than the sheet's modulus times thickness
+constexpr double margin = 0.15;   // beyond what moves in a step, within which something may touch [mm]
+constexpr int narrowings = 24;    // of the search along an instrument's axis
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The nearest point of a triangle, by the region of its plane in which the point lies [Ericson2005].
+std::array<double, 3> nearest_to_point(const std::array<Vec3, 3>& t, const Vec3& p) {
+    const Vec3 ab = t[1] - t[0];
+    const Vec3 ac = t[2] - t[0];
+    const Vec3 ap = p - t[0];
+    const double d1 = ab.dot(ap);
+    const double d2 = ac.dot(ap);
+    if (d1 <= 0.0 && d2 <= 0.0) {
+        return {1.0, 0.0, 0.0};
+    }
+    const Vec3 bp = p - t[1];
+    const double d3 = ab.dot(bp);
+    const double d4 = ac.dot(bp);
+    if (d3 >= 0.0 && d4 <= d3) {
+        return {0.0, 1.0, 0.0};
+    }
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        const double v = d1 / (d1 - d3);
+        return {1.0 - v, v, 0.0};
+    }
+    const Vec3 cp = p - t[2];
+    const double d5 = ab.dot(cp);
+    const double d6 = ac.dot(cp);
+    if (d6 >= 0.0 && d5 <= d6) {
+        return {0.0, 0.0, 1.0};
+    }
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        const double w = d2 / (d2 - d6);
+        return {1.0 - w, 0.0, w};
+    }
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0.0, 1.0 - w, w};
+    }
+    const double sum = va + vb + vc;
+    if (!(sum > 0.0)) {
+        return {1.0, 0.0, 0.0};  // crushed to a line
+    }
+    return {va / sum, vb / sum, vc / sum};
+}
+
+Vec3 blend(const std::array<Vec3, 3>& t, const std::array<double, 3>& w) {
+    return w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
+}
+
+Vec3 point_of(const SheetContact& contact, const std::vector<Vec3>& position) {
+    Vec3 point = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (contact.nodes[k] >= 0) {
+            point += contact.weights[k] * position[at(contact.nodes[k])];
+        }
+    }
+    return point;
+}
+
+double mean_thickness(const MembraneSheet& sheet) {
+    double sum = 0.0;
+    for (const double h : sheet.thickness) {
+        sum += h;
+    }
+    return sum / static_cast<double>(sheet.thickness.size());
+}
+
+double friction_of(const WorldModel& world, const MembraneModel& model, const SheetTouch& touch) {
+    switch (touch.partner) {
+        case ContactPartner::tool:
+            return world.tools[at(touch.index)].friction;
+        case ContactPartner::plane:
+            return world.planes[at(touch.index)].friction;
+        default:
+            return model.support ? model.support->friction : 0.0;
+    }
+}
+
+}  // namespace
+
+std::array<double, 3> nearest_to_segment(const std::array<Vec3, 3>& triangle, const Vec3& a, const Vec3& b) {
+    // the distance to a convex set is convex along a line
+    const auto distance = [&](double s) {
+        const Vec3 p = a + s * (b - a);
+        return (blend(triangle, nearest_to_point(triangle, p)) - p).squaredNorm();
+    };
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < narrowings; ++i) {
+        const double left = low + 0.382 * (high - low);
+        const double right = high - 0.382 * (high - low);
+        (distance(left) <= distance(right) ? high : low) = distance(left) <= distance(right) ? right : left;
+    }
+    return nearest_to_point(triangle, a + 0.5 * (low + high) * (b - a));
+}
+
+void SheetContacts::add(SheetContact contact, const MembraneState& state, const Pose& start) {
+    const auto known = std::find_if(state.touches.begin(), state.touches.end(), [&](const SheetTouch& touch) {
+        return touch.triangle == contact.touch.triangle && touch.node == contact.touch.node &&
+               touch.partner == contact.touch.partner && touch.index == contact.touch.index;
+    });
+    contact.touch.stretch = known == state.touches.end() ? Vec3(Vec3::Zero()) : known->stretch;
+    contact.anchor = start.to_body(point_of(contact, state.position)) - contact.touch.stretch;
+    list_.push_back(contact);
+}
+
+void SheetContacts::meet_support(const MembraneState& state, double dt) {
+    const MembraneModel& model = world_->membranes[at(membrane_)];
+    for (int node = 0; model.support && node < static_cast<int>(state.position.size()); ++node) {
+        const double reach = margin + dt * state.velocity[at(node)].norm();
+        if (bag_distance(model.support->shape, state.position[at(node)]).distance < reach) {
+            SheetContact contact;
+            contact.touch.node = contact.nodes[0] = node;
+            contact.touch.partner = ContactPartner::support;
+            add(contact, state, Pose{});
+        }
+    }
+}
+
+void SheetContacts::meet_planes(const MembraneState& state, double dt) {
+    for (int i = 0; i < static_cast<int>(world_->planes.size()); ++i) {
+        const PlaneModel& plane = world_->planes[at(i)];
+        for (int node = 0; node < static_cast<int>(state.position.size()); ++node) {
+            const double reach = margin + dt * state.velocity[at(node)].norm();
+            if (plane.normal.dot(state.position[at(node)] - plane.point) < reach) {
+                SheetContact contact;
+                contact.touch.node = contact.nodes[0] = node;
+                contact.touch.partner = ContactPartner::plane;
+                contact.touch.index = i;
+                add(contact, state, Pose{});
+            }
+        }
+    }
+}
+
+void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool, int index) {
+    const ToolModel& model = world_->tools[at(index)];
+    Box box = swept_box(model, tool);
+    box.low -= Vec3::Constant(margin);
+    box.high += Vec3::Constant(margin);
+    std::vector<Vec3> met;  // points that neighbours share count once
+    for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
+        const std::array<int, 3>& n = state.sheet->mesh.triangles[at(t)];
+        const std::array<Vec3, 3> x{state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]};
+        const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]);
+        const Vec3 high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+        if ((low.array() > box.high.array()).any() || (high.array() < box.low.array()).any()) {
+            continue;
+        }
+        SheetContact best;
+        double least = HUGE_VAL;
+        for (int part = 0; part < static_cast<int>(model.parts.size()); ++part) {
+            const RoundedCone& cone = model.parts[at(part)];
+            const std::array<double, 3> weights =
+                nearest_to_segment(x, tool.pose.to_world(cone.a), tool.pose.to_world(cone.b));
+            const double gap = cone_distance(cone, tool.pose.to_body(blend(x, weights))).distance;
+            if (gap < least) {
+                least = gap;
+                best.part = part;
+                best.weights = weights;
+            }
+        }
+        const Vec3 point = blend(x, best.weights);
+        const bool again =
+            std::any_of(met.begin(), met.end(), [&](const Vec3& other) { return (other - point).norm() < 1e-9; });
+        if (least < margin && !again) {
+            met.push_back(point);
+            best.nodes = n;
+            best.touch.triangle = t;
+            best.touch.index = index;
+            add(best, state, tool.previous_pose);
+        }
+    }
+}
+
+void SheetContacts::look(const WorldModel& world, int membrane, const MembraneState& state,
+                         std::span<const ToolState> tools, double dt) {
+    world_ = &world;
+    membrane_ = membrane;
+    const MembraneModel& model = world.membranes[at(membrane)];
+    stiffness_ = stiffer * std::max(model.material.along, model.material.across) * mean_thickness(*state.sheet);
+    list_.clear();
+    meet_support(state, dt);
+    meet_planes(state, dt);
+    for (int i = 0; i < static_cast<int>(tools.size()); ++i) {
+        if (tools[at(i)].present) {
+            meet_tool(state, tools[at(i)], i);
+        }
+    }
+}
+
+SheetContacts::Answer SheetContacts::answer(const SheetContact& contact, const std::vector<Vec3>& position,
+                                            const PartnerPoses& poses) const {
+    const MembraneModel& model = world_->membranes[at(membrane_)];
+    Answer result;
+    result.point = point_of(contact, position);
+    Vec3 anchor = contact.anchor;
+    if (contact.touch.partner == ContactPartner::tool) {
+        const Pose& pose = poses.tools[at(contact.touch.index)];
+        const ShapeDistance distance =
+            cone_distance(world_->tools[at(contact.touch.index)].parts[at(contact.part)], pose.to_body(result.point));
+        result.gap = distance.distance;
+        result.normal = pose.orientation * distance.normal;
+        anchor = pose.to_world(anchor);
+    } else if (contact.touch.partner == ContactPartner::plane) {
+        const PlaneModel& plane = world_->planes[at(contact.touch.index)];
+        result.gap = plane.normal.dot(result.point - plane.point);
+        result.normal = plane.normal;
+    } else {
+        const SurfaceDistance distance = bag_distance(model.support->shape, result.point);
+        result.gap = distance.distance;
+        result.normal = distance.normal;
+    }
+    const ContactSpring spring{stiffness_, friction_of(*world_, model, contact.touch)};
+    result.spring = spring_contact(spring, result.gap, result.normal, result.point - anchor, true);
+    return result;
+}
+
+void SheetContacts::terms(const std::vector<Vec3>& position, const PartnerPoses& poses,
+                          std::vector<ContactTerm>& terms) const {
+    for (const SheetContact& contact : list_) {
+        const Answer a = answer(contact, position, poses);
+        if (a.gap < 0.0) {
+            ContactTerm& term = terms.emplace_back();
+            term.nodes = contact.nodes;
+            term.weights = contact.weights;
+            term.force = a.spring.force;
+            term.stiffness = a.spring.stiffness;
+        }
+    }
+}
+
+void SheetContacts::settle(const std::vector<Vec3>& position, const PartnerPoses& poses, double dt) {
+    for (SheetContact& contact : list_) {
+        const Answer a = answer(contact, position, poses);
+        contact.point = a.point;
+        contact.normal = a.normal;
+        contact.gap = a.gap;
+        contact.sliding = a.spring.sliding;
+        contact.impulse += dt * a.spring.force;
+        const Pose pose = contact.touch.partner == ContactPartner::tool ? poses.tools[at(contact.touch.index)] : Pose{};
+        const Vec3 here = pose.to_body(a.point);
+        Vec3 stretch = Vec3::Zero();
+        if (a.gap < 0.0) {
+            const Vec3 normal = pose.orientation.conjugate() * a.normal;
+            const Vec3 offset = here - contact.anchor;
+            const Vec3 tangential = offset - normal.dot(offset) * normal;
+            const double size = tangential.norm();
+            stretch = size > 0.0 ? Vec3(std::min(1.0, a.spring.stretch / size) * tangential) : Vec3(Vec3::Zero());
+        }
+        contact.anchor = here - stretch;
+        contact.touch.stretch = stretch;
+    }
+}
+
+void SheetContacts::report(double dt, ContactSet& contacts) const {
+    for (const SheetContact& contact : list_) {
+        if (contact.impulse.isZero()) {
+            continue;
+        }
+        Contact& result = contacts.emplace_back();
+        result.solid = -1;
+        result.membrane = membrane_;
+        result.nodes = contact.nodes;
+        result.weights = contact.weights;
+        result.partner = contact.touch.partner;
+        result.partner_index = contact.touch.index;
+        result.point = contact.point;
+        result.normal = contact.normal;
+        result.gap = contact.gap;
+        result.force = contact.impulse / dt;
+        result.sliding = contact.sliding;
+    }
+}
+
+std::vector<SheetTouch> SheetContacts::touches() const {
+    std::vector<SheetTouch> result;
+    for (const SheetContact& contact : list_) {
+        if (contact.gap < 0.0 && !contact.impulse.isZero()) {
+            result.push_back(contact.touch);
+        }
+    }
+    return result;
+}
+
+}  // namespace rhexis
