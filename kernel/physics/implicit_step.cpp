@@ -72,6 +72,7 @@ struct ImplicitStep::Parts {
     void full_residual(const Task& task);
     void build_tangent(const Task& task, Mode mode);
     bool solve(const Task& task, ImplicitReport& report);
+    [[nodiscard]] double largest_step(const Task& task) const;
     void search(const Task& task);
     void iterate(const Task& task, ImplicitReport& report);
     void newton(const Task& task, ImplicitReport& report);
@@ -303,11 +304,24 @@ bool ImplicitStep::Parts::solve(const Task& task, ImplicitReport& report) {
     return outcome.converged;
 }
 
+/// Share of `change` that keeps every node within the settings' most_travel.
+double ImplicitStep::Parts::largest_step(const Task& task) const {
+    if (!(task.settings.most_travel > 0.0)) {
+        return 1.0;
+    }
+    double most = 0.0;
+    for (std::size_t i = 0; i < matrix.solid_size(); i += 3) {
+        most = std::max(most, Eigen::Map<const Vec3>(change.data() + i).squaredNorm());
+    }
+    const double travel = task.dt * std::sqrt(most);
+    return travel > task.settings.most_travel ? task.settings.most_travel / travel : 1.0;
+}
+
 /// Goes along `change` until the residual's component along it has fallen; leaves `velocity` and `residual` there.
 void ImplicitStep::Parts::search(const Task& task) {
     const std::vector<double> start = velocity;
     const double slope = dot(residual, change);
-    double step = 1.0;
+    double step = largest_step(task);
     for (int halving = 0;; ++halving) {
         for (std::size_t i = 0; i < velocity.size(); ++i) {
             velocity[i] = start[i] + step * change[i];

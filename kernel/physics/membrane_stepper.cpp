@@ -15,10 +15,11 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Forces of a scene are some 1,000 uN.
 const ImplicitSettings scene_settings{
-    .tolerance = 1e-4, .max_newton = 6, .newton_tolerance = 1e-3, .force_tolerance = 0.5};
+    .tolerance = 1e-4, .max_newton = 15, .newton_tolerance = 1e-3, .force_tolerance = 0.5, .most_travel = 0.2};
 
-constexpr double farthest = 0.1;  // that an instrument near the sheet goes in a substep [mm]
-constexpr int most_substeps = 10;
+constexpr double farthest = 0.1;             // that an instrument near the sheet goes in a substep [mm],
+constexpr double farthest_of_radius = 0.25;  // and that of the radius of its thinnest end
+constexpr int most_substeps = 20;
 
 Box box_of(const std::vector<Vec3>& nodes) {
     Box box;
@@ -31,17 +32,18 @@ Box box_of(const std::vector<Vec3>& nodes) {
 /// As many as the fastest of the instruments needs whose way comes near the sheet.
 int substeps_for(const MembraneStepper::Task& task) {
     const Box sheet = box_of(task.state.position);
-    double way = 0.0;
+    double parts = 1.0;
     for (std::size_t k = 0; k < task.tools.size(); ++k) {
         if (!task.tools[k].present) {
             continue;
         }
         const Box swept = swept_box(task.world.tools[k], task.tools[k]);
         if ((swept.low.array() <= sheet.high.array()).all() && (swept.high.array() >= sheet.low.array()).all()) {
-            way = std::max(way, travel(task.world.tools[k], task.tools[k]));
+            const double most = std::min(farthest, farthest_of_radius * thinnest(task.world.tools[k]));
+            parts = std::max(parts, travel(task.world.tools[k], task.tools[k]) / most);
         }
     }
-    return std::clamp(static_cast<int>(std::ceil(way / farthest)), 1, most_substeps);
+    return std::min(static_cast<int>(std::ceil(parts)), most_substeps);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Snapshot torn_sheet() {
         const Result<MembraneEdit> edit = puncture(
             model, sheet, static_cast<int>(t),
             sheet.sheet->mesh.nodes[static_cast<std::size_t>(sheet.sheet->mesh.triangles[t][0])], Vec3(1.0, 0.3, 0.0));
-        if (edit.ok()) {
+        if (edit.ok() && edit.value().tips.size() == 2) {
             sheet = applied(sheet, edit.value());
             break;
         }
