@@ -10,8 +10,8 @@ namespace rhexis {
 namespace {
 
 constexpr double stiffer = 5.0;  // a contact than the sheet's modulus times thickness
-constexpr double margin = 0.4;    // beyond what moves in a step, within which something may touch [mm]
-constexpr int narrowings = 24;    // of the search along an instrument's axis
+constexpr double margin = 0.4;   // beyond what moves in a step, within which something may touch [mm]
+constexpr int narrowings = 24;   // of the search along an instrument's axis
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

@@ -237,8 +237,7 @@ std::vector<TearProposal> propose_tears(const MembraneModel& model, const Membra
         const TipStress about = stress_at(model, state, tip.node, tip.direction);
         Vec2 came = about.frame.to_plane(tip.direction);
         came.normalize();
-        const std::optional<Vec2> way =
-            tear_direction(about.stress, about.fibre, ratio, came, model.turn_cosine);
+        const std::optional<Vec2> way = tear_direction(about.stress, about.fibre, ratio, came, model.turn_cosine);
         if (!way) {
             continue;
         }
