@@ -142,21 +142,10 @@ int puncture(lua_State* L) {
     const Vec3 direction = check_vec3(L, 3);
     const MembranePart membrane = check_membrane_part(L);
     const TriMesh& mesh = membrane.state.sheet->mesh;
-    int nearest = 0;
-    double least = 1e300;
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-        Vec3 middle = Vec3::Zero();
-        for (const int node : mesh.triangles[at(t)]) {
-            middle += mesh.nodes[at(node)] / 3.0;
-        }
-        if ((middle - place).squaredNorm() < least) {
-            least = (middle - place).squaredNorm();
-            nearest = t;
-        }
-    }
+    const int nearest = nearest_triangle(mesh, place);
     const std::array<int, 3>& n = mesh.triangles[at(nearest)];
     const double reach = 2.0 * (mesh.nodes[at(n[1])] - mesh.nodes[at(n[0])]).norm();
-    if (!(std::sqrt(least) < reach)) {
+    if (!((triangle_middle(mesh, nearest) - place).norm() < reach)) {
         raise(L, "puncture: the place is outside the sheet: allowed: a place on it at rest");
     }
     raise_if_failed(L, "puncture", check_own(L, "puncture").puncture(membrane.index, nearest, place, direction));

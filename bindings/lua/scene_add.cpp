@@ -120,12 +120,8 @@ Orthotropic read_orthotropic(Options& options) {
 MembraneSheet with_fibres(TriMesh mesh, bool circles, const Vec3& fibre, double thickness) {
     MembraneSheet sheet = uniform_sheet(std::move(mesh), circles ? Vec3(Vec3::UnitX()) : fibre, thickness);
     for (std::size_t t = 0; circles && t < sheet.fibre.size(); ++t) {
-        Vec3 middle = Vec3::Zero();
-        for (const int node : sheet.mesh.triangles[t]) {
-            middle += sheet.mesh.nodes[static_cast<std::size_t>(node)] / 3.0;
-        }
         const Vec3 front = front_of(sheet.mesh, static_cast<int>(t));
-        const Vec3 round = Vec3::UnitZ().cross(middle);
+        const Vec3 round = Vec3::UnitZ().cross(triangle_middle(sheet.mesh, static_cast<int>(t)));
         if (round.norm() > 1e-9) {
             sheet.fibre[t] = (round - round.dot(front) * front).normalized();
         }

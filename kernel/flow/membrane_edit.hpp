@@ -29,8 +29,6 @@ struct MembraneEdit {
     std::vector<TearTip> tips;             ///< all of them, after the edit
     double torn_area = 0.0;                ///< that it opens: length times thickness [mm^2]
     double torn_energy = 0.0;              ///< that it takes [nJ]
-
-    [[nodiscard]] bool empty() const { return triangles.empty(); }
 };
 
 }  // namespace rhexis

@@ -17,7 +17,6 @@ struct HalfEdge {
     int from;
     int to;
     int triangle;
-    int local;
 
     [[nodiscard]] std::array<int, 2> key() const { return {std::min(from, to), std::max(from, to)}; }
 };
@@ -28,7 +27,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriMesh& mesh) {
     edges.reserve(3 * mesh.triangles.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
         for (int k = 0; k < 3; ++k) {
-            edges.push_back({mesh.triangles[at(t)][at((k + 1) % 3)], mesh.triangles[at(t)][at((k + 2) % 3)], t, k});
+            edges.push_back({mesh.triangles[at(t)][at((k + 1) % 3)], mesh.triangles[at(t)][at((k + 2) % 3)], t});
         }
     }
     std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
@@ -170,6 +169,24 @@ std::vector<std::uint8_t> on_boundary(const TriMesh& mesh, const TriNeighbours& 
         }
     }
     return result;
+}
+
+Vec3 triangle_middle(const TriMesh& mesh, int triangle) {
+    const std::array<int, 3>& n = mesh.triangles[at(triangle)];
+    return (mesh.nodes[at(n[0])] + mesh.nodes[at(n[1])] + mesh.nodes[at(n[2])]) / 3.0;
+}
+
+int nearest_triangle(const TriMesh& mesh, const Vec3& place) {
+    int nearest = 0;
+    double least = HUGE_VAL;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        const double distance = (triangle_middle(mesh, t) - place).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            nearest = t;
+        }
+    }
+    return nearest;
 }
 
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * (b - a).cross(c - a).norm(); }

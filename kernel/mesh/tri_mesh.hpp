@@ -28,6 +28,9 @@ TriNeighbours tri_neighbours(const TriMesh& mesh);
 /// Whether any edge at the node has a triangle on one side only.
 std::vector<std::uint8_t> on_boundary(const TriMesh& mesh, const TriNeighbours& neighbours);
 
+Vec3 triangle_middle(const TriMesh& mesh, int triangle);  ///< [mm]
+/// The triangle whose middle is nearest to a place.
+int nearest_triangle(const TriMesh& mesh, const Vec3& place);
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);  ///< [mm^2]
 double mesh_area(const TriMesh& mesh);                              ///< [mm^2]
 

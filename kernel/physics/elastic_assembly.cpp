@@ -43,7 +43,10 @@ Result<ElasticAssembly> ElasticAssembly::create(const SolidModel& model, const e
 }
 
 ElasticAssembly::ElasticAssembly(const SolidModel& model, const elastic_kernel::Kernel& kernel)
-    : model_(&model), kernel_(&kernel), domains_(element_domains(model.coarse, model.formulation)) {
+    : ElasticBody(model.damping_mass, model.damping_stiffness),
+      model_(&model),
+      kernel_(&kernel),
+      domains_(element_domains(model.coarse, model.formulation)) {
     elements_ = make_elements(model.coarse, domains_, std::vector<TetStiffness>(model.coarse.tets.size()));
     number_rows();
     moves_.assign(model.coarse.nodes.size(), 0);
@@ -61,7 +64,7 @@ void ElasticAssembly::number_rows() {
     for (const int node : elements_.node) {
         element_rows.push_back(row_of_[at(node)]);
     }
-    pattern_ = std::make_unique<BlockPattern>(block_pattern(nodes, elements_.first, element_rows));
+    pattern_ = block_pattern(nodes, elements_.first, element_rows);
 }
 
 void ElasticAssembly::pack_groups() {
@@ -122,7 +125,7 @@ void ElasticAssembly::fill_data() {
 /// Rows of the nodes, and where the blocks of their pairs go; those of nodes that do not move are dropped.
 void ElasticAssembly::fill_places() {
     int* index = index_.data();
-    const int dropped = 9 * pattern_->blocks();
+    const int dropped = 9 * pattern_.blocks();
     std::vector<int> rows;
     for (std::size_t i = 0; i < groups_.size() * lanes; ++i) {
         const Group& group = groups_[i / lanes];
@@ -141,7 +144,7 @@ void ElasticAssembly::fill_places() {
             own[lanes * b] = b < count ? rows[at(b)] : (count > 0 ? rows[0] : 0);
             for (int a = 0; a <= b; ++a, place += lanes) {
                 const bool kept = b < count && moves_[at(rows[at(a)])] != 0 && moves_[at(rows[at(b)])] != 0;
-                own[place] = kept ? 9 * pattern_->slot(rows[at(a)], rows[at(b)]) : dropped;
+                own[place] = kept ? 9 * pattern_.slot(rows[at(a)], rows[at(b)]) : dropped;
             }
         }
         if (i % lanes == lanes - 1) {
@@ -208,8 +211,8 @@ void ElasticAssembly::forces(const std::vector<double>& position, std::vector<do
 
 void ElasticAssembly::forces_and_stiffness(const std::vector<double>& position, Mode mode, double scale,
                                            std::vector<double>& force, BlockValues& stiffness) {
-    RHEXIS_ASSERT(mode != Mode::forces && stiffness.size() == 9 * at(pattern_->blocks() + 1) + 1);
-    clear_upper(*pattern_, stiffness);
+    RHEXIS_ASSERT(mode != Mode::forces && stiffness.size() == 9 * at(pattern_.blocks() + 1) + 1);
+    clear_upper(pattern_, stiffness);
     elastic_kernel::Task task;
     task.mode = mode;
     task.scale = scale;

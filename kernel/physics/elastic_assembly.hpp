@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "base/result.hpp"
@@ -22,13 +21,6 @@ public:
     /// Takes over which elements are there and how much of each is left. True if anything changed since the last call.
     bool load(const SolidState& state);
 
-    [[nodiscard]] const BlockPattern& pattern() const override { return *pattern_; }
-    [[nodiscard]] const std::vector<int>& node_of() const override { return node_of_; }
-    [[nodiscard]] const std::vector<int>& row_of() const override { return row_of_; }
-    [[nodiscard]] const std::vector<std::uint8_t>& moves() const override { return moves_; }
-    [[nodiscard]] const NodeMass& mass() const override { return mass_; }
-    [[nodiscard]] double damping_mass() const override { return model_->damping_mass; }
-    [[nodiscard]] double damping_stiffness() const override { return model_->damping_stiffness; }
     void forces(const std::vector<double>& position, std::vector<double>& force) override;
     void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
                               std::vector<double>& force, BlockValues& stiffness) override;
@@ -46,15 +38,11 @@ private:
     const elastic_kernel::Kernel* kernel_;
     ElementDomains domains_;
     GradientElements elements_;
-    std::unique_ptr<BlockPattern> pattern_;
-    std::vector<int> node_of_, row_of_;
     std::vector<int> order_;  ///< elements as they are packed into lanes
     std::vector<elastic_kernel::Group> groups_;
     std::vector<double> data_;
     std::vector<int> index_;
     std::vector<double> buffer_;
-    std::vector<std::uint8_t> moves_;
-    NodeMass mass_;
     std::vector<TetStiffness> stiffness_;
     std::vector<std::uint8_t> present_;  ///< of the state loaded last
     std::vector<double> fraction_;

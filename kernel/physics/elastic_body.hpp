@@ -16,15 +16,15 @@ class ElasticBody {
 public:
     virtual ~ElasticBody() = default;
 
-    [[nodiscard]] virtual const BlockPattern& pattern() const = 0;
-    [[nodiscard]] virtual const std::vector<int>& node_of() const = 0;  ///< per row
-    [[nodiscard]] virtual const std::vector<int>& row_of() const = 0;   ///< per node
+    [[nodiscard]] const BlockPattern& pattern() const { return pattern_; }
+    [[nodiscard]] const std::vector<int>& node_of() const { return node_of_; }  ///< per row
+    [[nodiscard]] const std::vector<int>& row_of() const { return row_of_; }    ///< per node
     /// Per row 1, or 0 for nodes that are fixed or have lost their elements.
-    [[nodiscard]] virtual const std::vector<std::uint8_t>& moves() const = 0;
-    [[nodiscard]] virtual const NodeMass& mass() const = 0;      ///< per row
-    [[nodiscard]] virtual double damping_mass() const = 0;       ///< Rayleigh damping, share of the mass [1/s]
-    [[nodiscard]] virtual double damping_stiffness() const = 0;  ///< Rayleigh damping, share of the stiffness [s]
-    [[nodiscard]] int rows() const { return static_cast<int>(node_of().size()); }
+    [[nodiscard]] const std::vector<std::uint8_t>& moves() const { return moves_; }
+    [[nodiscard]] const NodeMass& mass() const { return mass_; }                   ///< per row
+    [[nodiscard]] double damping_mass() const { return damping_mass_; }            ///< Rayleigh, of the mass [1/s]
+    [[nodiscard]] double damping_stiffness() const { return damping_stiffness_; }  ///< Rayleigh, of the stiffness [s]
+    [[nodiscard]] int rows() const { return static_cast<int>(node_of_.size()); }
 
     /// Elastic forces [uN] at positions [mm]; both 3 per row and one number of padding.
     virtual void forces(const std::vector<double>& position, std::vector<double>& force) = 0;
@@ -32,6 +32,22 @@ public:
     /// rows and columns of nodes that do not move. mode: not forces; all but consistent are positive semidefinite.
     virtual void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
                                       std::vector<double>& force, BlockValues& stiffness) = 0;
+
+protected:
+    ElasticBody(double damping_mass, double damping_stiffness)
+        : damping_mass_(damping_mass), damping_stiffness_(damping_stiffness) {}
+    ElasticBody(ElasticBody&&) = default;
+    ElasticBody& operator=(ElasticBody&&) = default;
+
+    BlockPattern pattern_;
+    std::vector<int> node_of_;
+    std::vector<int> row_of_;
+    std::vector<std::uint8_t> moves_;
+    NodeMass mass_;
+
+private:
+    double damping_mass_;
+    double damping_stiffness_;
 };
 
 }  // namespace rhexis

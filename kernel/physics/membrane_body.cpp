@@ -14,9 +14,9 @@ using elastic_kernel::Mode;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-TrianglePoints points_of(const TriMesh& mesh, std::size_t t) {
-    const std::array<int, 3>& n = mesh.triangles[t];
-    return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]};
+TrianglePoints points_of(const std::vector<Vec3>& nodes, const TriMesh& mesh, int triangle) {
+    const std::array<int, 3>& n = mesh.triangles[at(triangle)];
+    return {nodes[at(n[0])], nodes[at(n[1])], nodes[at(n[2])]};
 }
 
 BlockPattern pattern_by(const TriMesh& mesh, const std::vector<int>& row_of) {
@@ -93,28 +93,34 @@ SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
 
 }  // namespace
 
+PlaneFrame frame_of(const TriMesh& mesh, int triangle) { return plane_frame(points_of(mesh.nodes, mesh, triangle)); }
+
+MembraneTriangle membrane_triangle(const MembraneModel& model, const MembraneSheet& sheet, int triangle,
+                                   const PlaneFrame& frame) {
+    const TrianglePoints rest = points_of(sheet.mesh.nodes, sheet.mesh, triangle);
+    const Vec2 fibre = frame.to_plane(sheet.fibre[at(triangle)]).normalized();
+    return {shape_gradients(rest, frame), triangle_area(rest[0], rest[1], rest[2]) * sheet.thickness[at(triangle)],
+            sheet.stiffness[at(triangle)] * plane_stiffness(model.material, fibre), model.slack_share};
+}
+
 std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, const MembraneSheet& sheet) {
     std::vector<MembraneTriangle> result;
     result.reserve(sheet.mesh.triangles.size());
-    for (std::size_t t = 0; t < sheet.mesh.triangles.size(); ++t) {
-        const TrianglePoints rest = points_of(sheet.mesh, t);
-        const PlaneFrame frame = plane_frame(rest);
-        const Mat3 stiffness =
-            sheet.stiffness[t] * plane_stiffness(model.material, frame.to_plane(sheet.fibre[t]).normalized());
-        result.push_back({shape_gradients(rest, frame), triangle_area(rest[0], rest[1], rest[2]) * sheet.thickness[t],
-                          stiffness, model.slack_share});
+    for (int t = 0; t < static_cast<int>(sheet.mesh.triangles.size()); ++t) {
+        result.push_back(membrane_triangle(model, sheet, t, frame_of(sheet.mesh, t)));
     }
     return result;
+}
+
+TrianglePoints points_now(const MembraneState& state, int triangle) {
+    return points_of(state.position, state.sheet->mesh, triangle);
 }
 
 double elastic_energy(const MembraneModel& model, const MembraneState& state) {
     double sum = 0.0;
     const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const std::array<int, 3>& n = state.sheet->mesh.triangles[t];
-        sum += triangles[t].volume * membrane_state(triangles[t], {state.position[at(n[0])], state.position[at(n[1])],
-                                                                   state.position[at(n[2])]})
-                                         .energy;
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+        sum += triangles[at(t)].volume * membrane_state(triangles[at(t)], points_now(state, t)).energy;
     }
     return sum;
 }
@@ -126,13 +132,11 @@ Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const
     }
     Vec3 sum = Vec3::Zero();
     const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const std::array<int, 3>& n = state.sheet->mesh.triangles[t];
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
         TrianglePoints force;
-        membrane_forces(triangles[t], {state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]},
-                        force);
+        membrane_forces(triangles[at(t)], points_now(state, t), force);
         for (std::size_t a = 0; a < 3; ++a) {
-            sum += wanted[at(n[a])] != 0 ? force[a] : Vec3(Vec3::Zero());
+            sum += wanted[at(state.sheet->mesh.triangles[at(t)][a])] != 0 ? force[a] : Vec3(Vec3::Zero());
         }
     }
     return sum;
@@ -140,7 +144,10 @@ Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const
 
 MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
                            const MembraneBody* before)
-    : model_(&model), sheet_(std::move(sheet)), triangles_(membrane_triangles(model, *sheet_)) {
+    : ElasticBody(model.damping_mass, model.damping_stiffness),
+      model_(&model),
+      sheet_(std::move(sheet)),
+      triangles_(membrane_triangles(model, *sheet_)) {
     number_rows(before);
     find_slots();
     weigh();

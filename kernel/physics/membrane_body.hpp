@@ -10,8 +10,14 @@
 
 namespace rhexis {
 
-/// Triangles of a sheet, ready for forces.
+/// A triangle of a sheet, ready for forces, in its plane frame at rest.
+MembraneTriangle membrane_triangle(const MembraneModel& model, const MembraneSheet& sheet, int triangle,
+                                   const PlaneFrame& frame);
+PlaneFrame frame_of(const TriMesh& mesh, int triangle);
 std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, const MembraneSheet& sheet);
+
+/// Where its corners are now.
+TrianglePoints points_now(const MembraneState& state, int triangle);
 
 /// Elastic energy of a state, springs left out [nJ].
 double elastic_energy(const MembraneModel& model, const MembraneState& state);
@@ -26,13 +32,6 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
 
-    [[nodiscard]] const BlockPattern& pattern() const override { return pattern_; }
-    [[nodiscard]] const std::vector<int>& node_of() const override { return node_of_; }
-    [[nodiscard]] const std::vector<int>& row_of() const override { return row_of_; }
-    [[nodiscard]] const std::vector<std::uint8_t>& moves() const override { return moves_; }
-    [[nodiscard]] const NodeMass& mass() const override { return mass_; }
-    [[nodiscard]] double damping_mass() const override { return model_->damping_mass; }
-    [[nodiscard]] double damping_stiffness() const override { return model_->damping_stiffness; }
     void forces(const std::vector<double>& position, std::vector<double>& force) override;
     void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
                               std::vector<double>& force, BlockValues& stiffness) override;
@@ -47,10 +46,6 @@ private:
     std::vector<MembraneTriangle> triangles_;  ///< corners by ascending row
     std::vector<std::array<int, 3>> corner_;   ///< rows per triangle
     std::vector<std::array<int, 6>> slot_;     ///< per triangle and pair a <= b: upper slot; negative: not to be added
-    BlockPattern pattern_;
-    std::vector<int> node_of_, row_of_;
-    std::vector<std::uint8_t> moves_;
-    NodeMass mass_;
 };
 
 }  // namespace rhexis

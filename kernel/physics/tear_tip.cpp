@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "energy/metric_strain.hpp"
+#include "physics/membrane_body.hpp"
 
 namespace rhexis {
 namespace {
@@ -13,35 +14,6 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double least_radius = 2.0;  // of the domain of the integral, in edges at the tip
-
-struct Patch {
-    MembraneTriangle triangle;
-    PlaneFrame frame;
-    std::array<int, 3> nodes;
-};
-
-Patch patch_of(const MembraneModel& model, const MembraneSheet& sheet, int t) {
-    Patch patch;
-    patch.nodes = sheet.mesh.triangles[at(t)];
-    const TrianglePoints rest{sheet.mesh.nodes[at(patch.nodes[0])], sheet.mesh.nodes[at(patch.nodes[1])],
-                              sheet.mesh.nodes[at(patch.nodes[2])]};
-    patch.frame = plane_frame(rest);
-    patch.triangle.gradient = shape_gradients(rest, patch.frame);
-    patch.triangle.volume = triangle_area(rest[0], rest[1], rest[2]) * sheet.thickness[at(t)];
-    patch.triangle.stiffness =
-        sheet.stiffness[at(t)] * plane_stiffness(model.material, patch.frame.to_plane(sheet.fibre[at(t)]).normalized());
-    patch.triangle.rest = model.slack_share;
-    return patch;
-}
-
-TrianglePoints now(const MembraneState& state, const std::array<int, 3>& nodes) {
-    return {state.position[at(nodes[0])], state.position[at(nodes[1])], state.position[at(nodes[2])]};
-}
-
-Vec3 middle_of(const TriMesh& mesh, int t) {
-    const std::array<int, 3>& n = mesh.triangles[at(t)];
-    return (mesh.nodes[at(n[0])] + mesh.nodes[at(n[1])] + mesh.nodes[at(n[2])]) / 3.0;
-}
 
 double mean_edge_at(const MembraneSheet& sheet, int node) {
     const TriNeighbours& around = sheet.neighbours;
@@ -124,7 +96,7 @@ std::vector<NearTriangle> near_tip(const MembraneSheet& sheet, int node, double 
     const auto take = [&](int t) {
         if (std::find(seen.begin(), seen.end(), t) == seen.end()) {
             seen.push_back(t);
-            result.push_back({t, (middle_of(sheet.mesh, t) - origin).norm()});
+            result.push_back({t, (triangle_middle(sheet.mesh, t) - origin).norm()});
         }
     };
     for (int i = around.offset[at(node)]; i < around.offset[at(node) + 1]; ++i) {
@@ -132,7 +104,7 @@ std::vector<NearTriangle> near_tip(const MembraneSheet& sheet, int node, double 
     }
     for (std::size_t next = 0; next < result.size(); ++next) {
         for (const int other : around.across[at(result[next].triangle)]) {
-            if (other >= 0 && (middle_of(sheet.mesh, other) - origin).norm() < radius) {
+            if (other >= 0 && (triangle_middle(sheet.mesh, other) - origin).norm() < radius) {
                 take(other);
             }
         }
@@ -148,19 +120,21 @@ Vec3 release_at(const MembraneModel& model, const MembraneState& state, int node
     double thickness = 0.0;
     double weight = 0.0;
     for (const NearTriangle& near : near_tip(sheet, node, 1.5 * reach)) {
-        const Patch patch = patch_of(model, sheet, near.triangle);
+        const PlaneFrame frame = frame_of(sheet.mesh, near.triangle);
+        const MembraneTriangle triangle = membrane_triangle(model, sheet, near.triangle, frame);
         Vec2 slope = Vec2::Zero();
         for (std::size_t a = 0; a < 3; ++a) {
-            const double distance = (sheet.mesh.nodes[at(patch.nodes[a])] - origin).norm();
-            slope += std::max(0.0, 1.0 - distance / reach) * patch.triangle.gradient[a];
+            const int corner = sheet.mesh.triangles[at(near.triangle)][a];
+            const double distance = (sheet.mesh.nodes[at(corner)] - origin).norm();
+            slope += std::max(0.0, 1.0 - distance / reach) * triangle.gradient[a];
         }
         if (slope.isZero()) {
             continue;
         }
-        const Vec2 own = patch.triangle.volume * (energy_momentum(patch.triangle, now(state, patch.nodes)) * slope);
-        sum += patch.frame.to_space(own);
-        thickness += patch.triangle.volume;
-        weight += patch.triangle.volume / sheet.thickness[at(near.triangle)];
+        const Vec2 own = triangle.volume * (energy_momentum(triangle, points_now(state, near.triangle)) * slope);
+        sum += frame.to_space(own);
+        thickness += triangle.volume;
+        weight += triangle.volume / sheet.thickness[at(near.triangle)];
     }
     return weight > 0.0 ? Vec3(sum * (weight / thickness)) : Vec3(Vec3::Zero());
 }
@@ -174,18 +148,19 @@ TipStress stress_at(const MembraneModel& model, const MembraneState& state, int 
     Mat2 fibres = Mat2::Zero();
     double whole = 0.0;
     for (const NearTriangle& near : near_tip(sheet, node, reach)) {
-        const Vec3 way = middle_of(sheet.mesh, near.triangle) - origin;
+        const Vec3 way = triangle_middle(sheet.mesh, near.triangle) - origin;
         const double weight = std::max(0.0, 1.0 - near.distance / reach);
         if (weight == 0.0 || way.dot(direction) < 0.0) {
             continue;
         }
-        const Patch patch = patch_of(model, sheet, near.triangle);
-        const TensionField field = membrane_state(patch.triangle, now(state, patch.nodes));
+        const PlaneFrame frame = frame_of(sheet.mesh, near.triangle);
+        const MembraneTriangle triangle = membrane_triangle(model, sheet, near.triangle, frame);
+        const TensionField field = membrane_state(triangle, points_now(state, near.triangle));
         // from the triangle's frame to that of the tip
         Mat2 turn;
-        turn << result.frame.e1.dot(patch.frame.e1), result.frame.e1.dot(patch.frame.e2),
-            result.frame.e2.dot(patch.frame.e1), result.frame.e2.dot(patch.frame.e2);
-        const double share = weight * patch.triangle.volume;
+        turn << result.frame.e1.dot(frame.e1), result.frame.e1.dot(frame.e2), result.frame.e2.dot(frame.e1),
+            result.frame.e2.dot(frame.e2);
+        const double share = weight * triangle.volume;
         const Vec2 fibre = result.frame.to_plane(sheet.fibre[at(near.triangle)]);
         result.stress += share * (turn * matrix_of(field.stress) * turn.transpose());
         fibres += share * (fibre * fibre.transpose());
@@ -202,7 +177,7 @@ std::optional<Vec2> tear_direction(const Mat2& stress, const Vec2& fibre, double
                                    double cosine) {
     const Mat2 strength = Mat2::Identity() + (ratio - 1.0) * fibre * fibre.transpose();
     const auto in_cone = [&](const Vec2& d) { return within.isZero() || d.dot(within) >= cosine - 1e-12; };
-    std::array<Vec2, 6> candidates;
+    std::array<Vec2, 4> candidates;
     std::size_t count = 0;
     const Vec2 best = across(largest_opening(stress, strength));
     candidates[count++] = best;

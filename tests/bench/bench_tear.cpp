@@ -106,9 +106,7 @@ Path tear_path(TriMesh mesh, const Vec3& fibre, double across) {
             (x.y() < 0.0 ? low : high).push_back(n);
         }
     }
-    model.fixed_nodes = low;
-    model.fixed_nodes.insert(model.fixed_nodes.end(), high.begin(), high.end());
-    std::sort(model.fixed_nodes.begin(), model.fixed_nodes.end());
+    scenes::hold(model, low, high);
     scenes::HeldSheet held(model);
     int middle = 0;
     for (int n = 0; n < static_cast<int>(rest.nodes.size()); ++n) {

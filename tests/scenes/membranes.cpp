@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes/membranes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -38,6 +39,12 @@ std::vector<int> nodes_at(const TriMesh& mesh, int axis, double value) {
         }
     }
     return nodes;
+}
+
+void hold(MembraneModel& model, const std::vector<int>& some, const std::vector<int>& others) {
+    model.fixed_nodes = some;
+    model.fixed_nodes.insert(model.fixed_nodes.end(), others.begin(), others.end());
+    std::sort(model.fixed_nodes.begin(), model.fixed_nodes.end());
 }
 
 Result<PulledSheet> pulled_sheet(bool fibrous, const std::string& folder) {

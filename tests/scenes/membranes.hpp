@@ -19,6 +19,9 @@ MembraneModel membrane(const std::string& name, TriMesh mesh, const Orthotropic&
 /// Nodes with x[axis] within 1e-9 mm of a value, ascending.
 std::vector<int> nodes_at(const TriMesh& mesh, int axis, double value);
 
+/// These nodes and those are moved by hand only.
+void hold(MembraneModel& model, const std::vector<int>& some, const std::vector<int>& others);
+
 /// The square of 1,516 triangles that other programs were timed with: held at its left edge, pulled at its right one.
 struct PulledSheet {
     MembraneModel model;

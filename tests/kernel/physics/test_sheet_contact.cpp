@@ -167,10 +167,7 @@ TEST_SUITE("sheet contact") {
 
     TEST_CASE("friction drags a loose sheet along, and lets it go at Coulomb's limit") {
         MembraneModel sheet = scenes::membrane("sheet", square_sheet(2.0, 200), isotropic(1e6, 0.3));
-        sheet.fixed_nodes = scenes::nodes_at(sheet.sheet->mesh, 0, 0.0);
-        const std::vector<int> right = scenes::nodes_at(sheet.sheet->mesh, 0, 2.0);
-        sheet.fixed_nodes.insert(sheet.fixed_nodes.end(), right.begin(), right.end());
-        std::sort(sheet.fixed_nodes.begin(), sheet.fixed_nodes.end());
+        scenes::hold(sheet, scenes::nodes_at(sheet.sheet->mesh, 0, 0.0), scenes::nodes_at(sheet.sheet->mesh, 0, 2.0));
         sheet.damping_mass = 200.0;
         Scene scene(sheet, ball(0.3, 0.3), Vec3(1.0, 1.0, 0.3));
         for (int i = 0; i < 40; ++i) {

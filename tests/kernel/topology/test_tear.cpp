@@ -19,22 +19,6 @@ const Orthotropic fibrous{1.0e6, 2.5e5, 0.45, 0.0};
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-int triangle_at(const TriMesh& mesh, const Vec3& place) {
-    int best = 0;
-    double least = 1e9;
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-        Vec3 middle = Vec3::Zero();
-        for (const int node : mesh.triangles[at(t)]) {
-            middle += mesh.nodes[at(node)] / 3.0;
-        }
-        if ((middle - place).norm() < least) {
-            least = (middle - place).norm();
-            best = t;
-        }
-    }
-    return best;
-}
-
 void check_sound(const MembraneState& state) {
     const Status status = validate_tri_mesh(state.sheet->mesh);
     CHECK_MESSAGE(status.ok(), (status.ok() ? std::string() : status.error().text()));
@@ -58,7 +42,7 @@ TEST_SUITE("tear") {
         before.state() = state;
         const double energy = before.energy();
         Result<MembraneEdit> edit =
-            puncture(model, state, triangle_at(model.sheet->mesh, Vec3(2, 2, 0)), Vec3(2, 2, 0), at_angle(33.0));
+            puncture(model, state, nearest_triangle(model.sheet->mesh, Vec3(2, 2, 0)), Vec3(2, 2, 0), at_angle(33.0));
         REQUIRE(edit.ok());
         state = applied(state, edit.value());
         check_sound(state);
@@ -91,7 +75,7 @@ TEST_SUITE("tear") {
                 const MembraneModel model = membrane("sheet", mesh, fibrous);
                 MembraneState state = rest_state(model);
                 const Result<MembraneEdit> start =
-                    puncture(model, state, triangle_at(mesh, Vec3(2, 2, 0)), Vec3(2, 2, 0), at_angle(angle));
+                    puncture(model, state, nearest_triangle(mesh, Vec3(2, 2, 0)), Vec3(2, 2, 0), at_angle(angle));
                 REQUIRE(start.ok());
                 state = applied(state, start.value());
                 const Vec3 origin = state.sheet->mesh.nodes[at(start.value().nodes.back().a)];
@@ -115,8 +99,8 @@ TEST_SUITE("tear") {
         const MembraneModel model = membrane("sheet", square_sheet(4.0, 600), fibrous);
         MembraneState state = rest_state(model);
         const TearRules rules{.existing_edges = true};
-        Result<MembraneEdit> edit =
-            puncture(model, state, triangle_at(model.sheet->mesh, Vec3(2, 2, 0)), Vec3(2, 2, 0), at_angle(20.0), rules);
+        Result<MembraneEdit> edit = puncture(model, state, nearest_triangle(model.sheet->mesh, Vec3(2, 2, 0)),
+                                             Vec3(2, 2, 0), at_angle(20.0), rules);
         while (edit.ok() && !edit.value().tips.empty()) {
             state = applied(state, edit.value());
             check_sound(state);
@@ -173,7 +157,7 @@ TEST_SUITE("tear") {
         refused(tear(model, state, 0, Vec3::UnitX()), "no tip 0");
         refused(puncture(model, state, 9999, Vec3(1, 1, 0), Vec3::UnitX()), "no triangle 9999");
         refused(puncture(model, state, -1, Vec3(1, 1, 0), Vec3::UnitX()), "no triangle -1");
-        const int middle = triangle_at(model.sheet->mesh, Vec3(1, 1, 0));
+        const int middle = nearest_triangle(model.sheet->mesh, Vec3(1, 1, 0));
         refused(puncture(model, state, middle, Vec3(1, 1, 0), Vec3::Zero()), "no direction");
         refused(puncture(model, state, middle, Vec3(1, 1, 0), Vec3(std::nan(""), 0, 0)), "no direction");
         refused(puncture(model, state, middle, Vec3(1, std::nan(""), 0), Vec3::UnitX()), "not finite");
