@@ -111,7 +111,7 @@ int move(lua_State* L) {
     const Vec3 by = check_vec3(L, 3);
     const MembranePart membrane = check_membrane_part(L);
     for (const int node : nodes) {
-        if (!std::binary_search(membrane.model.fixed_nodes.begin(), membrane.model.fixed_nodes.end(), node)) {
+        if (!is_fixed(membrane.model, *membrane.state.sheet, node)) {
             raise(L, "move: node " + std::to_string(node + 1) + " is free: allowed: fixed nodes");
         }
     }

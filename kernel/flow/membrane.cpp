@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/membrane.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/numbers.hpp"
@@ -19,6 +21,11 @@ Status check_sheet(const MembraneModel& model) {
     if (sheet.fibre.size() != count || sheet.thickness.size() != count || sheet.stiffness.size() != count) {
         return Error{"fibre, thickness and stiffness must have one entry per triangle", model.name,
                      std::to_string(count)};
+    }
+    const int nodes = static_cast<int>(sheet.mesh.nodes.size());
+    if (sheet.origin.size() != at(nodes) ||
+        std::any_of(sheet.origin.begin(), sheet.origin.end(), [&](int node) { return node < -1 || node >= nodes; })) {
+        return Error{"origin must name a node per node, or -1", model.name, "-1 to " + std::to_string(nodes - 1)};
     }
     for (std::size_t t = 0; t < count; ++t) {
         const std::string of = " of triangle " + std::to_string(t);
@@ -76,6 +83,9 @@ Status check_holds(const MembraneModel& model) {
             return s;
         }
     }
+    if (!std::is_sorted(model.fixed_nodes.begin(), model.fixed_nodes.end())) {
+        return Error{"fixed_nodes are out of order", model.name, "ascending numbers"};
+    }
     for (const NodeSpring& spring : model.springs) {
         if (Status s = known(spring.node, "a spring"); !s) {
             return s;
@@ -102,6 +112,8 @@ MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness) {
     MembraneSheet sheet;
     sheet.mesh = std::move(mesh);
     sheet.neighbours = tri_neighbours(sheet.mesh);
+    sheet.origin.resize(sheet.mesh.nodes.size());
+    std::iota(sheet.origin.begin(), sheet.origin.end(), 0);
     for (std::size_t t = 0; t < sheet.mesh.triangles.size(); ++t) {
         const Vec3 front = front_of(sheet.mesh, static_cast<int>(t));
         sheet.fibre.push_back((fibre - fibre.dot(front) * front).normalized());
@@ -132,6 +144,10 @@ MembraneState rest_state(const MembraneModel& model) {
     state.position = model.sheet->mesh.nodes;
     state.velocity.assign(state.position.size(), Vec3::Zero());
     return state;
+}
+
+bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node) {
+    return std::binary_search(model.fixed_nodes.begin(), model.fixed_nodes.end(), sheet.origin[at(node)]);
 }
 
 double toughness_along(const Toughness& toughness, const Vec3& fibre, const Vec3& direction) {

@@ -20,6 +20,7 @@ namespace rhexis {
 struct MembraneSheet {
     TriMesh mesh;                   ///< at rest [mm]
     TriNeighbours neighbours;       ///< of the mesh
+    std::vector<int> origin;        ///< per node: that of the model's sheet of which it is a copy; -1: none, on an edge
     std::vector<Vec3> fibre;        ///< per triangle: unit, in its plane at rest
     std::vector<double> thickness;  ///< per triangle [mm]
     std::vector<double> stiffness;  ///< per triangle: factor on the material's moduli
@@ -33,7 +34,7 @@ struct Toughness {
     double across = 1.0e6;
 };
 
-/// Holds a node elastically to a fixed place.
+/// Holds a node elastically to a fixed place. Copies of the node that a tear makes share it.
 struct NodeSpring {
     int node = 0;
     Vec3 anchor = Vec3::Zero();  ///< [mm]
@@ -59,7 +60,7 @@ struct MembraneModel {
     double damping_mass = 0.0;       ///< Rayleigh damping, share of the mass [1/s]
     double damping_stiffness = 0.0;  ///< Rayleigh damping, share of the stiffness [s]
     double slack_share = 1e-3;       ///< of its stiffness that is left in compression
-    std::vector<int> fixed_nodes;    ///< move only by hand of the caller, ascending
+    std::vector<int> fixed_nodes;    ///< move only by hand of the caller, with their copies; ascending
     std::vector<NodeSpring> springs;
     std::optional<SupportModel> support;
 };
@@ -113,6 +114,9 @@ MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness);
 Status check_membrane(const MembraneModel& model);
 
 MembraneState rest_state(const MembraneModel& model);
+
+/// Whether a node moves only by hand of the caller.
+bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node);
 
 /// Unit vector to the front of a triangle at rest.
 Vec3 front_of(const TriMesh& mesh, int triangle);

@@ -149,6 +149,7 @@ MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const Mem
       sheet_(std::move(sheet)),
       triangles_(membrane_triangles(model, *sheet_)) {
     number_rows(before);
+    hang();
     find_slots();
     weigh();
 }
@@ -166,9 +167,24 @@ void MembraneBody::number_rows(const MembraneBody* before) {
     }
     row_of_ = inverse(node_of_);
     pattern_ = pattern_by(mesh, row_of_);
-    moves_.assign(mesh.nodes.size(), 1);
-    for (const int node : model_->fixed_nodes) {
-        moves_[at(row_of_[at(node)])] = 0;
+    moves_.resize(mesh.nodes.size());
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        moves_[at(row_of_[at(node)])] = is_fixed(*model_, *sheet_, node) ? 0 : 1;
+    }
+}
+
+/// Copies of a node share its spring.
+void MembraneBody::hang() {
+    const std::vector<int>& origin = sheet_->origin;
+    for (const NodeSpring& spring : model_->springs) {
+        const std::ptrdiff_t copies = std::count(origin.begin(), origin.end(), spring.node);
+        for (int node = 0; node < static_cast<int>(origin.size()); ++node) {
+            if (origin[at(node)] == spring.node) {
+                springs_.push_back(spring);
+                springs_.back().node = row_of_[at(node)];
+                springs_.back().stiffness /= static_cast<double>(copies);
+            }
+        }
     }
 }
 
@@ -223,8 +239,8 @@ void MembraneBody::forces(const std::vector<double>& position, std::vector<doubl
             Eigen::Map<Vec3>(force.data() + 3 * at(corner_[t][a])) += f[a];
         }
     }
-    for (const NodeSpring& spring : model_->springs) {
-        const std::size_t row = at(row_of_[at(spring.node)]);
+    for (const NodeSpring& spring : springs_) {
+        const std::size_t row = at(spring.node);
         Eigen::Map<Vec3>(force.data() + 3 * row) +=
             pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * row)).force;
     }
@@ -252,8 +268,8 @@ void MembraneBody::forces_and_stiffness(const std::vector<double>& position, Mod
             }
         }
     }
-    for (const NodeSpring& spring : model_->springs) {
-        const int row = row_of_[at(spring.node)];
+    for (const NodeSpring& spring : springs_) {
+        const int row = spring.node;
         const SpringPull pull = pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * at(row)));
         Eigen::Map<Vec3>(force.data() + 3 * at(row)) += pull.force;
         if (moves_[at(row)] != 0) {

@@ -38,12 +38,14 @@ public:
 
 private:
     void number_rows(const MembraneBody* before);
+    void hang();
     void find_slots();
     void weigh();
 
     const MembraneModel* model_;
     std::shared_ptr<const MembraneSheet> sheet_;
     std::vector<MembraneTriangle> triangles_;  ///< corners by ascending row
+    std::vector<NodeSpring> springs_;          ///< of rows
     std::vector<std::array<int, 3>> corner_;   ///< rows per triangle
     std::vector<std::array<int, 6>> slot_;     ///< per triangle and pair a <= b: upper slot; negative: not to be added
 };

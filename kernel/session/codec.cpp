@@ -196,6 +196,7 @@ void sheet_fields(auto& io, auto& sheet) {
             inner(node);
         }
     });
+    io(sheet.origin);
     io(sheet.fibre);
     io(sheet.thickness);
     io(sheet.stiffness);

@@ -44,6 +44,7 @@ void add(StateHash& hash, const MembraneState& membrane) {
     for (const std::array<int, 3>& triangle : membrane.sheet->mesh.triangles) {
         hash.add_bytes(triangle.data(), sizeof triangle);
     }
+    hash.add_bytes(membrane.sheet->origin.data(), membrane.sheet->origin.size() * sizeof(int));
     add(hash, membrane.sheet->fibre);
     hash.add(std::span<const double>(membrane.sheet->thickness));
     hash.add(std::span<const double>(membrane.sheet->stiffness));

@@ -315,6 +315,13 @@ MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
         sheet->mesh.nodes.push_back(between(sheet->mesh.nodes));
         next.position.push_back(between(next.position));
         next.velocity.push_back(between(next.velocity));
+        const bool copy = node.share == 0.0;
+        sheet->origin.push_back(copy ? sheet->origin[at(node.a)] : -1);
+        for (SheetLoad& load : next.loads) {
+            if (copy && std::find(load.nodes.begin(), load.nodes.end(), node.a) != load.nodes.end()) {
+                load.nodes.push_back(static_cast<int>(next.position.size()) - 1);
+            }
+        }
     }
     for (const SheetTriangle& change : edit.triangles) {
         if (change.triangle >= 0) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/shapes.hpp"
 #include "physics/tear_tip.hpp"
@@ -80,7 +81,9 @@ double leg_of(const MembraneSheet& sheet, int node, double middle) {
 
 /// A model whose sheet already has the state's tears: fixed nodes of it can be copies too.
 MembraneModel with_sheet(MembraneModel model, const MembraneState& state) {
-    model.sheet = state.sheet;
+    MembraneSheet sheet = *state.sheet;
+    std::iota(sheet.origin.begin(), sheet.origin.end(), 0);
+    model.sheet = std::make_shared<const MembraneSheet>(std::move(sheet));
     return model;
 }
 

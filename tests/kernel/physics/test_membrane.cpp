@@ -161,6 +161,8 @@ TEST_SUITE("membrane") {
         bad = model;
         bad.fixed_nodes = {-1};
         refused(bad, "node -1");
+        bad.fixed_nodes = {3, 1};
+        refused(bad, "out of order");
         bad = model;
         bad.toughness.along = std::nan("");
         refused(bad, "toughness along");

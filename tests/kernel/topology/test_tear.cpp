@@ -6,6 +6,7 @@
 
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
+#include "physics/membrane_body.hpp"
 #include "scenes/membranes.hpp"
 #include "topology/tear.hpp"
 
@@ -143,6 +144,44 @@ TEST_SUITE("tear") {
             CHECK(state.sheet->mesh.nodes.size() < model.sheet->mesh.nodes.size() + 4 * 400);
         }
         CHECK(splits > 1000);
+    }
+
+    TEST_CASE("copies of a node are held, hung and loaded as it was") {
+        MembraneModel model = membrane("sheet", square_sheet(2.0, 100), fibrous);
+        const std::vector<int> low = nodes_at(model.sheet->mesh, 1, 0.0);
+        const int held_node = low[low.size() / 2];
+        const int hung = nodes_at(model.sheet->mesh, 1, 2.0)[2];
+        model.fixed_nodes = low;
+        model.springs = {{hung, model.sheet->mesh.nodes[at(hung)] + Vec3(0.0, 0.5, 0.0), 40.0, 0.1}};
+        MembraneState state = rest_state(model);
+        state.loads = {{{held_node, hung}, Vec3(0.0, 0.0, 3.0)}};
+        const auto forces = [&](const MembraneState& of) {
+            MembraneBody body(model, of.sheet, nullptr);
+            std::vector<double> position;
+            for (const int node : body.node_of()) {
+                position.insert(position.end(), of.position[at(node)].begin(), of.position[at(node)].end());
+            }
+            position.push_back(0.0);
+            std::vector<double> force;
+            body.forces(position, force);
+            Vec3 sum = Vec3::Zero();
+            for (std::size_t row = 0; row < body.node_of().size(); ++row) {
+                sum += Eigen::Map<const Vec3>(force.data() + 3 * row);
+            }
+            return sum;
+        };
+        CHECK(forces(state).y() == doctest::Approx(40.0 * 0.4));
+        for (const int node : {held_node, hung}) {
+            const Vec3 way(0.0, node == hung ? -1.0 : 1.0, 0.0);
+            const Result<MembraneEdit> edit = notch(model, state, node, way);
+            REQUIRE(edit.ok());
+            state = applied(state, edit.value());
+            const int copy = static_cast<int>(state.sheet->mesh.nodes.size()) - 1;
+            CHECK(state.sheet->origin[at(copy)] == node);
+            CHECK(is_fixed(model, *state.sheet, copy) == (node == held_node));
+        }
+        CHECK(forces(state).y() == doctest::Approx(40.0 * 0.4));
+        CHECK(state.loads[0].nodes.size() == 4);
     }
 
     TEST_CASE("what cannot be torn is refused") {
