@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace rhexis {
 namespace {
@@ -16,6 +17,7 @@ constexpr int most_bands = 6;            ///< looked at, pits and scratches amon
 constexpr double margin = 0.2;           ///< beside a band: its ragged edge, no other groove [mm]
 constexpr double least_length = 2.0;     ///< [mm]
 constexpr double least_slimness = 1.3;   ///< length over width
+constexpr double stout = 2.2;            ///< slimness below which one groove may be two that cross
 constexpr double least_own_area = 0.6;   ///< outside all bands found before [mm^2]
 constexpr double least_spread = 2.0;     ///< of slices that tell a direction: sum of squares [mm^2]
 constexpr double steepest = 0.2;         ///< by which their line may leave the band's direction
@@ -34,10 +36,15 @@ std::array<Vec2, directions> make_directions() {
     return list;
 }
 
-/// By which bands are compared: where slim grooves cross at a small angle, a wide band over their middle is worth as
-/// much as one of them.
-double rank(const GrooveBand& band) {
-    return band.worth * band.worth * (band.high - band.low) / (band.right - band.left);
+double slimness(const GrooveBand& band) { return (band.high - band.low) / (band.right - band.left); }
+
+/// How much slimness counts.
+enum class Slim { little, more, most };
+
+/// By which bands are compared.
+double rank(const GrooveBand& band, Slim slim) {
+    const double root = std::sqrt(slimness(band));
+    return band.worth * (slim == Slim::little ? root : slim == Slim::more ? root * std::sqrt(root) : root * root);
 }
 
 bool is_long(const GrooveBand& band) {
@@ -86,20 +93,21 @@ public:
         side_ = 2 * static_cast<int>(std::ceil(reach_ / grid.cell)) + 1;
     }
 
+    /// Over the middle of a cross lies a wide band that may hold more than each of its grooves. What is found depends
+    /// on how much slimness counts against what a band holds: the bands that together hold most, and are slim, are
+    /// taken.
     std::vector<GrooveBand> bands() {
-        std::vector<GrooveBand> found;
-        for (int i = 0; i < most_bands && found.size() < most_grooves && own_area() >= least_own_area; ++i) {
-            const GrooveBand band = best_band();
-            if (is_groove(band)) {
-                found.push_back(band);
-            }
-            for (const int cell : cells_) {
-                if (band.holds(grid_.centre(cell), margin)) {
-                    columns_[cell] = Column::explained;
-                }
+        std::vector<GrooveBand> best = one_by_one(Slim::little);
+        if (best.empty() || (best.size() == 1 && slimness(best[0]) > stout)) {
+            return best;
+        }
+        for (const Slim slim : {Slim::more, Slim::most}) {
+            std::vector<GrooveBand> found = one_by_one(slim);
+            if (together(found) > together(best)) {
+                best = std::move(found);
             }
         }
-        return found;
+        return best;
     }
 
 private:
@@ -107,7 +115,9 @@ private:
     [[nodiscard]] double own_area() const {
         return area(static_cast<double>(std::count(columns_.begin(), columns_.end(), Column::lost)));
     }
-    [[nodiscard]] GrooveBand best_band();
+    std::vector<GrooveBand> one_by_one(Slim slim);
+    [[nodiscard]] double together(const std::vector<GrooveBand>& bands) const;
+    [[nodiscard]] GrooveBand best_band(Slim slim);
     [[nodiscard]] GrooveBand best_in_direction(const Vec2& along);
     void look_along(const Vec2& along);
     [[nodiscard]] bool is_groove(const GrooveBand& band) const;
@@ -122,9 +132,46 @@ private:
     std::vector<double> sums_;
 };
 
+/// The best band; then, with what that holds counting no more, the next.
+std::vector<GrooveBand> ArmFinder::one_by_one(Slim slim) {
+    for (const int cell : cells_) {
+        columns_[cell] = Column::lost;
+    }
+    std::vector<GrooveBand> found;
+    for (int i = 0; i < most_bands && found.size() < most_grooves && own_area() >= least_own_area; ++i) {
+        const GrooveBand band = best_band(slim);
+        if (is_groove(band)) {
+            found.push_back(band);
+        }
+        for (const int cell : cells_) {
+            if (band.holds(grid_.centre(cell), margin)) {
+                columns_[cell] = Column::explained;
+            }
+        }
+    }
+    return found;
+}
+
+/// What the first two of some bands hold, less what whole columns in them cost; the stouter of them counts.
+double ArmFinder::together(const std::vector<GrooveBand>& bands) const {
+    const std::span<const GrooveBand> two(bands.data(), std::min<std::size_t>(2, bands.size()));
+    double stoutest = HUGE_VAL;
+    for (const GrooveBand& band : two) {
+        stoutest = std::min(stoutest, slimness(band));
+    }
+    double sum = 0.0;
+    for (int cell = 0; cell < grid_.cells(); ++cell) {
+        const Vec2 place = grid_.centre(cell);
+        if (std::any_of(two.begin(), two.end(), [&](const GrooveBand& band) { return band.holds(place, 0.0); })) {
+            sum += columns_[cell] == Column::whole ? -whole_cost : 1.0;
+        }
+    }
+    return two.empty() ? 0.0 : sum * std::sqrt(stoutest);
+}
+
 /// Coarsely over all directions, then finely about the best. Long ones go before others: a cross of stout grooves holds
 /// a large diamond.
-GrooveBand ArmFinder::best_band() {
+GrooveBand ArmFinder::best_band(Slim slim) {
     static const std::array<Vec2, directions> tried = make_directions();
     GrooveBand best;
     int best_at = 0;
@@ -132,7 +179,8 @@ GrooveBand ArmFinder::best_band() {
         const int index = (at + directions) % directions;
         const GrooveBand band = best_in_direction(tried[index]);
         const bool longer = is_long(band) && !is_long(best);
-        const bool better = is_long(band) == is_long(best) && (best.worth <= 0.0 || rank(band) > rank(best));
+        const bool better =
+            is_long(band) == is_long(best) && (best.worth <= 0.0 || rank(band, slim) > rank(best, slim));
         if (band.worth > 0.0 && (longer || better)) {
             best = band;
             best_at = index;

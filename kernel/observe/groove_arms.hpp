@@ -3,9 +3,10 @@
 // alone, in the lens's own frame, so that turning the lens changes nothing.
 //
 // Over all directions, the rectangle is found that covers most lost columns and fewest whole ones; then, with the
-// columns that it explains counting no more, the next. In one direction the best rectangle follows from sums along rows
-// and columns in turn, each time the stretch with the greatest sum. Where bands cross they share columns; the depth of
-// each counts outside the others.
+// columns that it explains counting no more, the next. So again with slimness counting more, because the one that
+// covers most may lie askew over the middle of a stout cross; the two that do best together are taken. In one direction
+// the best rectangle follows from sums along rows and columns in turn, each time the stretch with the greatest sum.
+// Where bands cross they share columns; the depth of each counts outside the others.
 #pragma once
 
 #include "observe/groove_shape.hpp"
