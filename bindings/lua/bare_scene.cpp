@@ -185,7 +185,7 @@ Result<StepOutcome> BareScene::advance(std::span<const DeviceSample> samples) {
         tools_ = std::move(moved).value();
         remove_spent();
         for (std::size_t k = 0; k < outcome.membranes.size(); ++k) {
-            carry_out(model_->membranes[k], outcome.membranes[k].tears, state_.membranes[k], rules_[k]);
+            carry_out(model_->membranes[k], outcome.membranes[k], state_.membranes[k], rules_[k]);
         }
     } else {
         contacts_.clear();

@@ -6,6 +6,9 @@
 
 namespace rhexis {
 
+/// Young's modulus of the capsule [Pa], by age: measured on anterior capsules [Krag1997]; recalled.
+double capsule_modulus(double age);
+
 /// age: [years], 20 to 95.
 CapsuleModel make_capsule(double age);
 

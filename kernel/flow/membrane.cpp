@@ -57,8 +57,9 @@ Status check_numbers(const MembraneModel& model) {
                             {"toughness along the fibres", model.toughness.along, 1e-3, 1e12, " uN/mm"},
                             {"toughness across the fibres", model.toughness.across, 1e-3, 1e12, " uN/mm"},
                             {"tear_radius", model.tear_radius, 1e-4, 100.0, " mm"},
+                            {"piercing", model.piercing, 1e-3, 1e15, " uN/mm"},
                             {"turn_cosine", model.turn_cosine, -1.0, 1.0, ""},
-                            {"damping_mass", model.damping_mass, 0.0, 1e6, " 1/s"},
+                            {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
                             {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
                             {"slack_share", model.slack_share, 1e-9, 1.0, ""}};
     for (const Field& f : fields) {
@@ -100,6 +101,21 @@ Status check_holds(const MembraneModel& model) {
     return success();
 }
 
+Status check_support(const MembraneModel& model) {
+    if (!model.support) {
+        return success();
+    }
+    const SupportModel& support = *model.support;
+    if (Status s = check_range("friction of the support", support.friction, 0.0, 2.0, model.name); !s) {
+        return s;
+    }
+    if (Status s = check_range("stiffness of the support", support.stiffness, 0.0, 1e9, model.name, " uN/mm"); !s) {
+        return s;
+    }
+    const double least = support.stiffness > 0.0 ? 1e-6 : 0.0;
+    return check_range("damping of the support", support.damping, least, 1e9, model.name, " uN s/mm");
+}
+
 }  // namespace
 
 Vec3 front_of(const TriMesh& mesh, int triangle) {
@@ -130,7 +146,7 @@ Status check_membrane(const MembraneModel& model) {
     if (Status s = check_orthotropic(model.material, model.name); !s) {
         return s;
     }
-    for (const auto& check : {check_sheet, check_numbers, check_holds}) {
+    for (const auto& check : {check_sheet, check_numbers, check_holds, check_support}) {
         if (Status s = check(model); !s) {
             return s;
         }

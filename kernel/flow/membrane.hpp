@@ -42,10 +42,17 @@ struct NodeSpring {
     double slack = 0.0;          ///< length below which it does not pull [mm]
 };
 
-/// A fixed smooth body that a membrane lies on: the lens under its capsule. In the eye's frame.
+/// A smooth rigid body that a membrane lies on: the lens under its capsule. It stays where it is, or moves along z.
 struct SupportModel {
-    BagShape shape;
+    BagShape shape;          ///< where it rests, in the eye's frame
     double friction = 0.05;  ///< Coulomb coefficient
+    double stiffness = 0.0;  ///< of what holds it along z besides the membrane [uN/mm]; 0: it does not move
+    double damping = 0.0;    ///< of that motion [uN s/mm]; > 0 where it moves
+};
+
+struct SupportState {
+    double lift = 0.0;  ///< along z, from where it rests [mm]
+    double push = 0.0;  ///< along z, from behind [uN]
 };
 
 /// Constant while a scene runs.
@@ -56,6 +63,7 @@ struct MembraneModel {
     Toughness toughness;
     double tear_radius = 0.4;        ///< about the tip of a tear, of what decides on its way [mm]
     double turn_cosine = 0.0;        ///< of the sharpest turn of a tear from the way it came
+    double piercing = 1.0e12;        ///< force of a needle's end per thickness at which it goes through [uN/mm]
     double density = 1.05e-3;        ///< [g/mm^3]
     double damping_mass = 0.0;       ///< Rayleigh damping, share of the mass [1/s]
     double damping_stiffness = 0.0;  ///< Rayleigh damping, share of the stiffness [s]
@@ -81,6 +89,20 @@ struct SheetTouch {
     Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is, in the partner's frame [mm]
 };
 
+/// A node that the jaws of an instrument hold.
+struct SheetGrip {
+    int tool = 0;
+    int node = 0;
+    Vec3 place = Vec3::Zero();  ///< where they hold it, in the tool's frame [mm]
+};
+
+/// What physics proposes: a needle goes through.
+struct PunctureProposal {
+    int triangle = 0;
+    Vec3 place = Vec3::Zero();      ///< of it at rest [mm]
+    Vec3 direction = Vec3::Zero();  ///< of the slit that its edge cuts, in the sheet at rest
+};
+
 /// What physics proposes: the tear goes on from a tip, because more energy comes free than it takes.
 struct TearProposal {
     int tip = 0;                    ///< index into the state's tips
@@ -103,8 +125,10 @@ struct MembraneState {
     std::vector<TearTip> tips;
     std::vector<SheetLoad> loads;
     std::vector<SheetTouch> touches;  ///< in the order in which they were found
-    double torn_area = 0.0;           ///< that tears have opened so far: length times thickness [mm^2]
-    double torn_energy = 0.0;         ///< that they took [nJ]
+    std::vector<SheetGrip> grips;     ///< by tools
+    SupportState support;
+    double torn_area = 0.0;    ///< that tears have opened so far: length times thickness [mm^2]
+    double torn_energy = 0.0;  ///< that they took [nJ]
 };
 
 /// Fibres all one way and the same thickness everywhere. fibre: need not lie in the sheet; not at a right angle to it.

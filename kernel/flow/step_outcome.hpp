@@ -29,6 +29,7 @@ struct MembraneStepReport {
     int linear_iterations = 0;
     double force = 0.0;               ///< norm of the forces that do not balance at the end [uN]
     std::vector<TearProposal> tears;  ///< proposals to topology, by tips
+    std::vector<PunctureProposal> punctures;
 };
 
 /// What made a step unacceptable.

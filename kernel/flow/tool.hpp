@@ -9,7 +9,9 @@
 
 namespace rhexis {
 
-enum class ToolKind { probe, phaco };  ///< probe: a blunt rod or ball that only pushes
+/// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold one;
+/// cannula: what the hand presses out of its syringe comes out of its end.
+enum class ToolKind { probe, phaco, cystotome, forceps, cannula };
 
 /// A cone with round ends, in the tool's frame; equal ends make a ball.
 struct RoundedCone {
@@ -28,6 +30,8 @@ struct ToolModel {
     double bore_radius = 0.0;        ///< phaco: inner radius of the tip [mm]
     double edge_radius = 0.0;        ///< roundness of its sharpest edge [mm]; 0: that of its end
     double bevel = 0.0;              ///< phaco: angle of the opening from square [rad]
+    double reach = 0.0;              ///< forceps: radius of the ball about the tip that its jaws close on [mm]
+    double hold = 0.0;               ///< forceps: most that closed jaws hold before it slips [uN]
     double max_power = 0.0;          ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
 };
 
@@ -50,7 +54,8 @@ struct ToolState {
     Pose previous_pose;            ///< at the end of the previous step; equal to pose on the step in which it appears
     Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
-    double jaw = 0.0;
+    double jaw = 0.0;           ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1
+    double previous_jaw = 0.0;  ///< at the end of the previous step
     double pedal = 0.0;          ///< 0 to 3
     bool irrigation = false;     ///< pedal at 1 or more
     double aspiration = 0.0;     ///< share of the set vacuum, 0 to 1 (pedal 2)

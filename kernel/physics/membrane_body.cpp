@@ -79,6 +79,9 @@ struct SpringPull {
 SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
     SpringPull pull;
     const Vec3 way = spring.anchor - x;
+    if (spring.slack == 0.0) {
+        return {spring.stiffness * way, spring.stiffness * Mat3::Identity()};
+    }
     const double length = way.norm();
     const double stretch = length - spring.slack;
     if (!(stretch > 0.0) || !(length > 0.0)) {

@@ -15,7 +15,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Forces of a scene are some 1,000 uN.
 const ImplicitSettings scene_settings{
-    .tolerance = 1e-4, .max_newton = 15, .newton_tolerance = 1e-3, .force_tolerance = 0.5, .most_travel = 0.2};
+    .tolerance = 1e-4, .max_newton = 8, .newton_tolerance = 1e-3, .force_tolerance = 10.0, .most_travel = 0.2};
 
 constexpr double farthest = 0.1;             // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.25;  // and that of the radius of its thinnest end
@@ -44,6 +44,17 @@ int substeps_for(const MembraneStepper::Task& task) {
         }
     }
     return std::min(static_cast<int>(std::ceil(parts)), most_substeps);
+}
+
+/// Slowly enough to be a state of rest at any time: what it is pushed by, less what holds it.
+void move_support(const MembraneModel& model, double force, double dt, SupportState& support) {
+    if (!model.support || model.support->stiffness == 0.0) {
+        return;
+    }
+    // the sheet's own answer is that of the step before, the spring's that of this one
+    const SupportModel& own = *model.support;
+    const double speed = (support.push - own.stiffness * support.lift + force) / (own.damping + dt * own.stiffness);
+    support.lift += dt * speed;
 }
 
 }  // namespace
@@ -104,17 +115,24 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
         tools_[k].pose = pose_within(task.tools[k], static_cast<double>(i + 1) / divisions);
     }
     touching_.look(task.world, task.membrane, from, tools_, dt);
+    held_.look(task.world, task.membrane, from, touching_.stiffness());
     place_tools(tools_, 1.0, poses_);
     CouplingFunction coupling;
-    if (!touching_.empty()) {
+    if (!touching_.empty() || !held_.empty()) {
         coupling = [this](const std::vector<Vec3>& position, std::span<const RigidUnknown>,
-                          std::vector<ContactTerm>& terms,
-                          std::vector<RigidTerm>&) { touching_.terms(position, poses_, terms); };
+                          std::vector<ContactTerm>& terms, std::vector<RigidTerm>&) {
+            touching_.terms(position, poses_, terms);
+            held_.terms(position, poses_, terms);
+        };
     }
     const ImplicitReport report = step(from, external_, dt, scene_settings, coupling, next);
     touching_.settle(next.position, poses_, dt);
     touching_.report(task.dt, contacts);
     next.touches = touching_.touches();
+    held_.settle(next.position, poses_, dt);
+    held_.report(task.dt, contacts);
+    next.grips = held_.kept();
+    move_support(*model_, touching_.impulse_on_support() / dt, dt, next.support);
     return report;
 }
 
@@ -123,6 +141,7 @@ bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, 
     report = MembraneStepReport{};
     report.substeps = divisions;
     next = task.state;
+    move_jaws(task.world, task.tools, next);
     for (int i = 0; i < divisions; ++i) {
         std::swap(between_, next);
         const ImplicitReport one = substep(task, i, divisions, between_, next, contacts);

@@ -12,6 +12,7 @@
 #include "physics/implicit_step.hpp"
 #include "physics/membrane_body.hpp"
 #include "physics/sheet_contact.hpp"
+#include "physics/sheet_grip.hpp"
 
 namespace rhexis {
 
@@ -60,6 +61,7 @@ private:
     MembraneState between_;
     std::vector<Vec3> external_;
     SheetContacts touching_;
+    SheetGrips held_;
     std::vector<ToolState> tools_;  ///< where they are in a substep
     PartnerPoses poses_;
     std::vector<RigidUnknown> no_bodies_;

@@ -12,6 +12,7 @@
 #include "physics/debris_motion.hpp"
 #include "physics/fluid_step.hpp"
 #include "physics/membrane_stepper.hpp"
+#include "physics/puncture.hpp"
 #include "physics/sculpt.hpp"
 #include "physics/solid_stepper.hpp"
 #include "physics/tear_tip.hpp"
@@ -148,6 +149,7 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
                                 " times smaller");
     }
     report.tears = propose_tears(own, next.membranes[index]);
+    report.punctures = propose_punctures(*model, membrane, next.membranes[index], task.tools, contacts);
 }
 
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}

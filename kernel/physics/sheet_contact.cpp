@@ -92,6 +92,26 @@ double friction_of(const WorldModel& world, const MembraneModel& model, const Sh
     }
 }
 
+/// Whether a needle that goes on along its axis meets a place with its end.
+bool under_point(const ToolModel& model, const Pose& pose, const Vec3& place) {
+    const Vec3 own = pose.to_body(place);
+    return std::hypot(own.x(), own.y()) < model.parts[0].radius_a && own.z() < model.parts[0].b.z();
+}
+
+/// Whether the sheet ends or is torn at a triangle: a needle that is through it touches what is left with its side.
+bool at_tear(const MembraneSheet& sheet, int triangle) {
+    const TriNeighbours& near = sheet.neighbours;
+    for (const int node : sheet.mesh.triangles[at(triangle)]) {
+        for (int i = near.offset[at(node)]; i < near.offset[at(node) + 1]; ++i) {
+            const std::array<int, 3>& across = near.across[at(near.triangles[at(i)])];
+            if (std::find(across.begin(), across.end(), -1) != across.end()) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 std::array<double, 3> nearest_to_segment(const std::array<Vec3, 3>& triangle, const Vec3& a, const Vec3& b) {
@@ -124,13 +144,25 @@ void SheetContacts::meet_support(const MembraneState& state, double dt) {
     const MembraneModel& model = world_->membranes[at(membrane_)];
     for (int node = 0; model.support && node < static_cast<int>(state.position.size()); ++node) {
         const double reach = margin + dt * state.velocity[at(node)].norm();
-        if (bag_distance(model.support->shape, state.position[at(node)]).distance < reach) {
+        if (to_support(state.position[at(node)]).distance < reach) {
             SheetContact contact;
             contact.touch.node = contact.nodes[0] = node;
             contact.touch.partner = ContactPartner::support;
-            add(contact, state, Pose{});
+            add(contact, state, support_);
         }
     }
+}
+
+SurfaceDistance SheetContacts::to_support(const Vec3& point) const {
+    return bag_distance(world_->membranes[at(membrane_)].support->shape, support_.to_body(point));
+}
+
+double SheetContacts::impulse_on_support() const {
+    double sum = 0.0;
+    for (const SheetContact& contact : list_) {
+        sum -= contact.touch.partner == ContactPartner::support ? contact.impulse.z() : 0.0;
+    }
+    return sum;
 }
 
 void SheetContacts::meet_planes(const MembraneState& state, double dt) {
@@ -177,6 +209,8 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
             }
         }
         const Vec3 point = blend(x, best.weights);
+        best.under_point = model.kind == ToolKind::cystotome && under_point(model, tool.previous_pose, point) &&
+                           !at_tear(*state.sheet, t);
         const bool again =
             std::any_of(met.begin(), met.end(), [&](const Vec3& other) { return (other - point).norm() < 1e-9; });
         if (least < margin && !again) {
@@ -195,6 +229,7 @@ void SheetContacts::look(const WorldModel& world, int membrane, const MembraneSt
     membrane_ = membrane;
     const MembraneModel& model = world.membranes[at(membrane)];
     stiffness_ = stiffer * std::max(model.material.along, model.material.across) * mean_thickness(*state.sheet);
+    support_.position = state.support.lift * Vec3::UnitZ();
     list_.clear();
     meet_support(state, dt);
     meet_planes(state, dt);
@@ -218,12 +253,18 @@ SheetContacts::Answer SheetContacts::answer(const SheetContact& contact, const s
         result.gap = distance.distance;
         result.normal = pose.orientation * distance.normal;
         anchor = pose.to_world(anchor);
+        if (contact.under_point) {
+            // a needle's end presses along the needle, however far it dents the sheet
+            result.gap = -pose.to_body(result.point).z();
+            result.normal = pose.orientation * -Vec3::UnitZ();
+        }
     } else if (contact.touch.partner == ContactPartner::plane) {
         const PlaneModel& plane = world_->planes[at(contact.touch.index)];
         result.gap = plane.normal.dot(result.point - plane.point);
         result.normal = plane.normal;
     } else {
-        const SurfaceDistance distance = bag_distance(model.support->shape, result.point);
+        const SurfaceDistance distance = to_support(result.point);
+        anchor = support_.to_world(anchor);
         result.gap = distance.distance;
         result.normal = distance.normal;
     }
@@ -254,7 +295,9 @@ void SheetContacts::settle(const std::vector<Vec3>& position, const PartnerPoses
         contact.gap = a.gap;
         contact.sliding = a.spring.sliding;
         contact.impulse += dt * a.spring.force;
-        const Pose pose = contact.touch.partner == ContactPartner::tool ? poses.tools[at(contact.touch.index)] : Pose{};
+        const Pose pose = contact.touch.partner == ContactPartner::tool      ? poses.tools[at(contact.touch.index)]
+                          : contact.touch.partner == ContactPartner::support ? support_
+                                                                             : Pose{};
         const Vec3 here = pose.to_body(a.point);
         Vec3 stretch = Vec3::Zero();
         if (a.gap < 0.0) {

@@ -18,6 +18,7 @@ struct SheetContact {
     std::array<int, 3> nodes{0, -1, -1};
     std::array<double, 3> weights{1.0, 0.0, 0.0};
     int part = 0;                 ///< of an instrument
+    bool under_point = false;     ///< of a needle
     Vec3 anchor = Vec3::Zero();   ///< where friction holds it, in the partner's frame [mm]
     Vec3 impulse = Vec3::Zero();  ///< on the sheet, summed over the step [uN s]
     Vec3 point = Vec3::Zero();    ///< at the end [mm]
@@ -35,6 +36,9 @@ public:
     void look(const WorldModel& world, int membrane, const MembraneState& state, std::span<const ToolState> tools,
               double dt);
     [[nodiscard]] bool empty() const { return list_.empty(); }
+    [[nodiscard]] double stiffness() const { return stiffness_; }  ///< of a contact [uN/mm]
+    /// Impulse on the body under the sheet, along z [uN s].
+    [[nodiscard]] double impulse_on_support() const;
 
     /// Forces and stiffness at an iterate; poses: of the instruments at the end of the substep.
     void terms(const std::vector<Vec3>& position, const PartnerPoses& poses, std::vector<ContactTerm>& terms) const;
@@ -61,7 +65,9 @@ private:
 
     const WorldModel* world_ = nullptr;
     int membrane_ = 0;
-    double stiffness_ = 0.0;  ///< of a contact [uN/mm]
+    [[nodiscard]] SurfaceDistance to_support(const Vec3& point) const;
+    double stiffness_ = 0.0;
+    Pose support_;  ///< where the body under the sheet is
     std::vector<SheetContact> list_;
 };
 

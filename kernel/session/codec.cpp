@@ -236,6 +236,13 @@ void membrane_fields(auto& io, auto& membrane) {
         inner(touch.index);
         inner(touch.stretch);
     });
+    io.list(membrane.grips, 32, [](auto& inner, auto& grip) {
+        inner(grip.tool);
+        inner(grip.node);
+        inner(grip.place);
+    });
+    io(membrane.support.lift);
+    io(membrane.support.push);
     io(membrane.torn_area);
     io(membrane.torn_energy);
 }
@@ -292,6 +299,7 @@ void snapshot_fields(auto& io, auto& snapshot) {
         inner(tool.velocity);
         inner(tool.angular_velocity);
         inner(tool.jaw);
+        inner(tool.previous_jaw);
         inner(tool.pedal);
         inner(tool.irrigation);
         inner(tool.aspiration);

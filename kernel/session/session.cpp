@@ -317,7 +317,7 @@ void Session::Parts::follow_model() {
 void Session::Parts::change_topology(const StepOutcome& outcome) {
     const ProfileScope scope(profile, "topology");
     for (std::size_t i = 0; outcome.failure == StepFailure::none && i < outcome.membranes.size(); ++i) {
-        carry_out(world->membranes[i], outcome.membranes[i].tears, state.membranes[i]);
+        carry_out(world->membranes[i], outcome.membranes[i], state.membranes[i]);
     }
     bool split = false;
     for (int i = 0; i < static_cast<int>(world->solids.size()); ++i) {

@@ -84,7 +84,7 @@ bool in_sheet(int node, const MembraneState& state) {
     return node >= 0 && node < static_cast<int>(state.sheet->mesh.nodes.size());
 }
 
-bool membrane_fits(const MembraneModel& base, const MembraneState& state) {
+bool membrane_fits(const MembraneModel& base, const MembraneState& state, int tools) {
     const std::size_t nodes = state.sheet->mesh.nodes.size();
     MembraneModel model = base;
     model.sheet = state.sheet;
@@ -98,6 +98,12 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state) {
                                   touch.triangle >= -1 && touch.node >= -1 && touch.index >= 0 &&
                                   (touch.node < 0 || in_sheet(touch.node, state));
                        }) &&
+           std::all_of(state.grips.begin(), state.grips.end(),
+                       [&](const SheetGrip& grip) {
+                           return in_sheet(grip.node, state) && grip.tool >= 0 && grip.tool < tools &&
+                                  grip.place.allFinite();
+                       }) &&
+           std::isfinite(state.support.lift) && std::isfinite(state.support.push) &&
            std::all_of(state.loads.begin(), state.loads.end(), [&](const SheetLoad& load) {
                return !load.nodes.empty() && std::all_of(load.nodes.begin(), load.nodes.end(),
                                                          [&](int node) { return in_sheet(node, state); });
@@ -109,7 +115,7 @@ Status membranes_fit(const WorldState& state, const WorldModel& world) {
         return misfit("the number of membranes");
     }
     for (std::size_t i = 0; i < world.membranes.size(); ++i) {
-        if (!membrane_fits(world.membranes[i], state.membranes[i])) {
+        if (!membrane_fits(world.membranes[i], state.membranes[i], static_cast<int>(world.tools.size()))) {
             return misfit(world.membranes[i].name);
         }
     }

@@ -67,6 +67,14 @@ void add(StateHash& hash, const MembraneState& membrane) {
         hash.add(static_cast<std::uint64_t>(touch.index));
         add(hash, touch.stretch);
     }
+    hash.add(static_cast<std::uint64_t>(membrane.grips.size()));
+    for (const SheetGrip& grip : membrane.grips) {
+        hash.add(static_cast<std::uint64_t>(grip.tool));
+        hash.add(static_cast<std::uint64_t>(grip.node));
+        add(hash, grip.place);
+    }
+    hash.add(membrane.support.lift);
+    hash.add(membrane.support.push);
     hash.add(membrane.torn_area);
     hash.add(membrane.torn_energy);
 }
@@ -103,7 +111,7 @@ void add(StateHash& hash, const ToolState& tool) {
     add(hash, tool.previous_pose);
     add(hash, tool.velocity);
     add(hash, tool.angular_velocity);
-    for (const double value : {tool.jaw, tool.pedal, tool.aspiration, tool.power, tool.ultrasound_s, tool.bottle_height,
+    for (const double value : {tool.jaw, tool.previous_jaw, tool.pedal, tool.aspiration, tool.power, tool.ultrasound_s, tool.bottle_height,
                                tool.pump_flow, tool.vacuum_limit}) {
         hash.add(value);
     }

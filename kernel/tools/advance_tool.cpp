@@ -74,6 +74,7 @@ void apply_pedal(const ToolModel& model, double pedal, double dt, const ToolSett
 ToolState hold_tool(const ToolState& previous) {
     ToolState state = previous;
     state.previous_pose = previous.pose;
+    state.previous_jaw = previous.jaw;
     state.velocity.setZero();
     state.angular_velocity.setZero();
     return state;
@@ -95,6 +96,7 @@ ToolStep next_tool(const ToolModel& model, const ToolState& previous, const Devi
     state.velocity = (state.pose.position - state.previous_pose.position) / dt;
     state.angular_velocity = turn_between(state.previous_pose.orientation, state.pose.orientation) / dt;
     state.jaw = std::clamp(sample.jaw, 0.0, 1.0);
+    state.previous_jaw = previous.present ? previous.jaw : state.jaw;
     state.ultrasound_s = previous.present ? previous.ultrasound_s : 0.0;
     apply_pedal(model, sample.pedal, dt, settings, state);
     return {state, {}};

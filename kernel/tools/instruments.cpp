@@ -4,11 +4,12 @@
 #include "base/near_names.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
+#include "tools/rhexis_tools.hpp"
 #include "tools/spatula.hpp"
 
 namespace rhexis {
 
-std::vector<std::string> tool_names() { return {"phaco", "probe", "spatula"}; }
+std::vector<std::string> tool_names() { return {"cannula", "cystotome", "forceps", "phaco", "probe", "spatula"}; }
 
 Result<ToolModel> make_tool(std::string_view name) {
     if (name == "phaco") {
@@ -20,8 +21,17 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "spatula") {
         return spatula();
     }
+    if (name == "cystotome") {
+        return cystotome();
+    }
+    if (name == "forceps") {
+        return capsulorhexis_forceps();
+    }
+    if (name == "cannula") {
+        return viscoelastic_cannula();
+    }
     return Error{"there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-                 "phaco, probe, spatula"};
+                 "cannula, cystotome, forceps, phaco, probe, spatula"};
 }
 
 }  // namespace rhexis

@@ -282,8 +282,9 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     return finished(editor, cost, std::move(tips));
 }
 
-int carry_out(const MembraneModel& model, const std::vector<TearProposal>& proposals, MembraneState& state,
+int carry_out(const MembraneModel& model, const MembraneStepReport& report, MembraneState& state,
               const TearRules& rules) {
+    const std::vector<TearProposal>& proposals = report.tears;
     std::vector<int> nodes;  // an edit renumbers the tips, but no node
     for (const TearProposal& proposal : proposals) {
         nodes.push_back(state.tips[at(proposal.tip)].node);
@@ -297,6 +298,16 @@ int carry_out(const MembraneModel& model, const std::vector<TearProposal>& propo
         }
         const Result<MembraneEdit> edit =
             tear(model, state, static_cast<int>(tip - state.tips.begin()), proposals[i].direction, rules);
+        if (edit.ok()) {
+            state = applied(state, edit.value());
+            ++done;
+        }
+    }
+    // tears renumber triangles: a needle that still presses goes through in the next step
+    for (std::size_t i = 0; i < report.punctures.size() && done == 0; ++i) {
+        const PunctureProposal& proposal = report.punctures[i];
+        const Result<MembraneEdit> edit =
+            puncture(model, state, proposal.triangle, proposal.place, proposal.direction, rules);
         if (edit.ok()) {
             state = applied(state, edit.value());
             ++done;
@@ -317,6 +328,12 @@ MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
         next.velocity.push_back(between(next.velocity));
         const bool copy = node.share == 0.0;
         sheet->origin.push_back(copy ? sheet->origin[at(node.a)] : -1);
+        for (std::size_t i = 0, count = next.grips.size(); copy && i < count; ++i) {
+            if (next.grips[i].node == node.a) {
+                next.grips.push_back(next.grips[i]);
+                next.grips.back().node = static_cast<int>(next.position.size()) - 1;
+            }
+        }
         for (SheetLoad& load : next.loads) {
             if (copy && std::find(load.nodes.begin(), load.nodes.end(), node.a) != load.nodes.end()) {
                 load.nodes.push_back(static_cast<int>(next.position.size()) - 1);

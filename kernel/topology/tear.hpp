@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "flow/membrane_edit.hpp"
+#include "flow/step_outcome.hpp"
 
 namespace rhexis {
 
@@ -34,9 +35,9 @@ Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& stat
 /// The state with the edit made. Positions and velocities of new nodes follow from those that they lie between.
 MembraneState applied(const MembraneState& state, const MembraneEdit& edit);
 
-/// Carries out what physics proposes, one edge per tip; what cannot be done in the mesh is left out. Returns how many
-/// tears went on.
-int carry_out(const MembraneModel& model, const std::vector<TearProposal>& proposals, MembraneState& state,
+/// Carries out what physics proposes, one edge per tip and one slit per needle; what cannot be done in the mesh is left
+/// out. Returns how much was done.
+int carry_out(const MembraneModel& model, const MembraneStepReport& report, MembraneState& state,
               const TearRules& rules = {});
 
 }  // namespace rhexis

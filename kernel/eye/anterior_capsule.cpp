@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "eye/anterior_capsule.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "eye/anatomy.hpp"
+#include "eye/posterior_capsule.hpp"
+#include "eye/table.hpp"
+#include "mesh/shapes.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double extent = 0.9;           ///< of the sheet, share of the equator's radius: beyond, it bends back
+constexpr double jitter = 0.2;           ///< of the nodes, share of an edge
+constexpr double poisson_ratio = 0.47;   ///< [Krag1997]
+constexpr double across_share = 0.5;     ///< of the modulus along fibres, where there are any. Proposal
+constexpr double fibre_toughness = 4.0;  ///< across them, over that along: as strong as [Dequidt2013] shows. Proposal
+constexpr double standard_toughness = 1.4e6;  ///< 0.7 to 2.7 kJ/m^2 from tear forces of 5 to 19 mN [uN/mm]
+constexpr double piercing_force = 22000.0;    ///< needles went through at 15 to 35 mN [uN]
+constexpr double piercing_thickness = 0.015;  ///< of what they went through [mm]
+constexpr double zonule_stretch = 0.25;       ///< of the anterior zonules at rest [mm]. Proposal: some 10 mN in all
+constexpr double vitreous_stiffness = 1.5e5;  ///< [uN/mm], as where the chamber is simulated. Proposal
+constexpr double settling = 0.02;             ///< time in which lens and capsule come to rest [s]
+constexpr double drag = 3e6;                  ///< of the viscoelastic, share of the mass [1/s]. Proposal
+constexpr double insertion_width = 0.25;      ///< of the ring in which the zonules insert, each way [mm]
+
+constexpr std::array<TableRow, 2> pole{{{0.0, 0.011}, {98.0, 0.015}}};
+constexpr std::array<TableRow, 2> mid_periphery{{{0.0, 0.0135}, {98.0, 0.016}}};
+constexpr double mid_share = 0.55;  ///< of the way to the equator, where it is thickest
+constexpr double at_equator = 0.007;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double across(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
+
+TriMesh cap(const HalfEllipsoids& lens, int triangles) {
+    // rings of nodes would lead a tear round
+    TriMesh mesh = jittered(round_sheet(extent * lens.radius, triangles), jitter, 1);
+    for (Vec3& node : mesh.nodes) {
+        node.z() = anterior_z(lens, across(node));
+    }
+    return mesh;
+}
+
+MembraneSheet sheet_of(const HalfEllipsoids& lens, double age, const AnteriorCapsuleSettings& settings) {
+    MembraneSheet sheet = uniform_sheet(cap(lens, settings.triangles), Vec3::UnitX(), at_equator);
+    for (int t = 0; t < static_cast<int>(sheet.fibre.size()); ++t) {
+        const Vec3 middle = triangle_middle(sheet.mesh, t);
+        sheet.thickness[at(t)] = anterior_thickness(age, across(middle), lens.radius);
+        const Vec3 round = Vec3::UnitZ().cross(middle);
+        if (settings.circles && round.norm() > 1e-9) {
+            const Vec3 front = front_of(sheet.mesh, t);
+            sheet.fibre[at(t)] = (round - round.dot(front) * front).normalized();
+        }
+    }
+    return sheet;
+}
+
+/// Where the line from the axis through a node meets the ring of the ciliary body.
+Vec3 ciliary_place(const Vec3& node, const ZonuleSpring& zonule) {
+    return across(zonule.on_ciliary) / across(node) * Vec3(node.x(), node.y(), 0.0) +
+           zonule.on_ciliary.z() * Vec3::UnitZ();
+}
+
+/// Springs that together are as stiff as those of the bag's zonules on one side of it.
+void hang(const BagModel& bag, MembraneModel& model) {
+    const TriMesh& mesh = model.sheet->mesh;
+    const std::vector<std::uint8_t> edge = on_boundary(mesh, model.sheet->neighbours);
+    double anterior = 0.0;
+    double posterior = 0.0;
+    const ZonuleSpring* inserted = nullptr;
+    for (const ZonuleSpring& zonule : bag.zonules) {
+        const bool front = zonule.on_bag.z() > 0.0;
+        (front ? anterior : posterior) += zonule.stiffness;
+        inserted = front ? &zonule : inserted;
+    }
+    std::vector<int> insertion;
+    std::vector<int> rim;
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        if (edge[at(node)] != 0) {
+            rim.push_back(node);
+        } else if (std::abs(across(mesh.nodes[at(node)]) - across(inserted->on_bag)) < insertion_width) {
+            insertion.push_back(node);
+        }
+    }
+    for (const int node : insertion) {
+        const Vec3 anchor = ciliary_place(mesh.nodes[at(node)], *inserted);
+        const double length = (anchor - mesh.nodes[at(node)]).norm();
+        model.springs.push_back(
+            {node, anchor, anterior / static_cast<double>(insertion.size()), length - zonule_stretch});
+    }
+    for (const int node : rim) {
+        model.springs.push_back({node, mesh.nodes[at(node)], posterior / static_cast<double>(rim.size()), 0.0});
+    }
+    model.support->stiffness = vitreous_stiffness;
+    model.support->damping = settling * (vitreous_stiffness + anterior + posterior);
+}
+
+}  // namespace
+
+double anterior_thickness(double age, double rho, double equator) {
+    const std::array<TableRow, 3> rows{{{0.0, linear_between(pole, age)},
+                                        {mid_share * equator, linear_between(mid_periphery, age)},
+                                        {equator, at_equator}}};
+    return linear_between(rows, rho);
+}
+
+MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& bag, double age,
+                                    const AnteriorCapsuleSettings& settings) {
+    const double modulus = capsule_modulus(age);
+    MembraneModel model;
+    model.name = anterior_capsule_name;
+    model.sheet = std::make_shared<const MembraneSheet>(sheet_of(lens, age, settings));
+    model.material = settings.circles ? Orthotropic{modulus, across_share * modulus, poisson_ratio, 0.0}
+                                      : isotropic(modulus, poisson_ratio);
+    const double toughness = settings.toughness * standard_toughness;
+    model.toughness = {toughness, settings.circles ? fibre_toughness * toughness : toughness};
+    model.piercing = piercing_force / piercing_thickness;
+    model.damping_mass = drag;
+    model.support = SupportModel{{lens.radius, lens.anterior, lens.posterior}, 0.05, 0.0, 0.0};
+    hang(bag, model);
+    return model;
+}
+
+}  // namespace rhexis

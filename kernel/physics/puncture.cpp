@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/puncture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rhexis {
+namespace {
+
+constexpr double end_length = 0.25;  ///< of a needle from its point: what presses there is pierced [mm]
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The triangle with these corners, or -1.
+int triangle_of(const MembraneSheet& sheet, const std::array<int, 3>& nodes) {
+    const auto& triangles = sheet.mesh.triangles;
+    const auto found = std::find(triangles.begin(), triangles.end(), nodes);
+    return found == triangles.end() ? -1 : static_cast<int>(found - triangles.begin());
+}
+
+/// A direction now, as it lies in the sheet at rest: the same combination of two edges of the triangle.
+Vec3 at_rest(const MembraneState& state, const std::array<int, 3>& n, const Vec3& direction) {
+    const auto edge = [&n](const std::vector<Vec3>& of, std::size_t k) { return Vec3(of[at(n[k])] - of[at(n[0])]); };
+    const Vec3 a = edge(state.position, 1);
+    const Vec3 b = edge(state.position, 2);
+    Eigen::Matrix2d gram;
+    gram << a.dot(a), a.dot(b), a.dot(b), b.dot(b);
+    if (!(gram.determinant() > 1e-12 * gram.trace() * gram.trace())) {
+        return Vec3::Zero();  // crushed to a line
+    }
+    const Vec2 share = gram.inverse() * Vec2(a.dot(direction), b.dot(direction));
+    const std::vector<Vec3>& rest = state.sheet->mesh.nodes;
+    return share.x() * edge(rest, 1) + share.y() * edge(rest, 2);
+}
+
+}  // namespace
+
+std::vector<PunctureProposal> propose_punctures(const WorldModel& world, int membrane, const MembraneState& state,
+                                                std::span<const ToolState> tools, const ContactSet& contacts) {
+    std::vector<PunctureProposal> proposals;
+    for (int k = 0; k < static_cast<int>(tools.size()); ++k) {
+        if (world.tools[at(k)].kind != ToolKind::cystotome || !tools[at(k)].present) {
+            continue;
+        }
+        Vec3 force = Vec3::Zero();
+        const Contact* hardest = nullptr;
+        for (const Contact& contact : contacts) {
+            const bool own = contact.membrane == membrane && contact.partner == ContactPartner::tool &&
+                             contact.partner_index == k && contact.nodes[2] >= 0;
+            if (own && tools[at(k)].pose.to_body(contact.point).norm() < end_length) {
+                force += contact.force;
+                const bool harder = hardest == nullptr || contact.force.norm() > hardest->force.norm();
+                hardest = harder ? &contact : hardest;
+            }
+        }
+        const int triangle = hardest == nullptr ? -1 : triangle_of(*state.sheet, hardest->nodes);
+        if (triangle < 0 ||
+            force.norm() < world.membranes[at(membrane)].piercing * state.sheet->thickness[at(triangle)]) {
+            continue;
+        }
+        PunctureProposal proposal;
+        proposal.triangle = triangle;
+        for (std::size_t i = 0; i < 3; ++i) {
+            proposal.place += hardest->weights[i] * state.sheet->mesh.nodes[at(hardest->nodes[i])];
+        }
+        proposal.direction = at_rest(state, hardest->nodes, tools[at(k)].pose.orientation * Vec3::UnitX());
+        proposals.push_back(proposal);
+    }
+    return proposals;
+}
+
+}  // namespace rhexis
