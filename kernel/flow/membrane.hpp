@@ -99,7 +99,7 @@ struct MembraneState {
     std::shared_ptr<const MembraneSheet> sheet;
     std::vector<Vec3> position;  ///< [mm]
     std::vector<Vec3> velocity;  ///< [mm/s]
-    std::vector<TearTip> tips;
+    std::vector<TearTip> tips;   ///< those that went on last at the end
     std::vector<SheetLoad> loads;
     std::vector<SheetTouch> touches;  ///< in the order in which they were found
     double torn_area = 0.0;           ///< that tears have opened so far: length times thickness [mm^2]
