@@ -223,6 +223,20 @@ std::pair<int, int> leading_tip(const std::vector<TearTip>& tips, const std::vec
     return {-1, -1};
 }
 
+/// Null: there is none.
+const Stretch* longest_of(const TriMesh& mesh, const std::vector<Stretch>& stretches) {
+    double longest = 0.0;
+    const Stretch* found = nullptr;
+    for (const Stretch& stretch : stretches) {
+        const double length = ring_length(places_of(mesh, stretch.nodes));
+        if (length > longest) {
+            longest = length;
+            found = &stretch;
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
@@ -233,15 +247,7 @@ Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
     Opening opening;
     const std::vector<Stretch> stretches = open_edges(*state.sheet, loops, outer, opening.run_out);
     opening.torn = std::max(0.0, 0.5 * (boundary_length(mesh, loops) - boundary_length(start.mesh, before)));
-    double longest = 0.0;
-    const Stretch* chosen = nullptr;
-    for (const Stretch& stretch : stretches) {
-        const double length = ring_length(places_of(mesh, stretch.nodes));
-        if (length > longest) {
-            longest = length;
-            chosen = &stretch;
-        }
-    }
+    const Stretch* const chosen = longest_of(mesh, stretches);
     if (chosen == nullptr) {
         return opening;
     }
