@@ -122,7 +122,7 @@ struct MembraneState {
     std::shared_ptr<const MembraneSheet> sheet;
     std::vector<Vec3> position;  ///< [mm]
     std::vector<Vec3> velocity;  ///< [mm/s]
-    std::vector<TearTip> tips;
+    std::vector<TearTip> tips;   ///< those that went on last at the end
     std::vector<SheetLoad> loads;
     std::vector<SheetTouch> touches;  ///< in the order in which they were found
     std::vector<SheetGrip> grips;     ///< by tools

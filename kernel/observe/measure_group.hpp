@@ -17,6 +17,7 @@
 #include "observe/lens_motion.hpp"
 #include "observe/lens_pieces.hpp"
 #include "observe/reflex.hpp"
+#include "observe/rim.hpp"
 
 namespace rhexis {
 
@@ -30,7 +31,7 @@ struct ObserveInput {
     double dt = 0.01;  ///< [s]
 };
 
-/// What several groups need of the lens, made once per step. Null pointers: the scene has no lens.
+/// What groups need of the lens and its capsule, made once per step. Null pointers: the scene has no such tissue.
 struct LensView {
     const SolidModel* model = nullptr;
     const ColumnGrid* grid = nullptr;
@@ -40,6 +41,7 @@ struct LensView {
     const LensMotion* motion = nullptr;
     const std::vector<LensPiece>* pieces = nullptr;
     const Reflex* reflex = nullptr;
+    const RhexisShape* rhexis = nullptr;  ///< of the membrane that is the anterior capsule; null: there is none
 };
 
 class MeasureGroup {
@@ -77,5 +79,6 @@ std::unique_ptr<MeasureGroup> crack_measures();
 std::unique_ptr<MeasureGroup> chamber_measures();
 std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
+std::unique_ptr<MeasureGroup> rhexis_measures();
 
 }  // namespace rhexis

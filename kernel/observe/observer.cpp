@@ -10,6 +10,13 @@ namespace {
 
 constexpr double column_spacing = 0.2;  // [mm], a fifth of the phaco tip's width
 
+/// Number of the membrane, or -1.
+int anterior_capsule(const WorldModel& world) {
+    const auto found = std::find_if(world.membranes.begin(), world.membranes.end(),
+                                    [](const MembraneModel& membrane) { return membrane.name == "anterior_capsule"; });
+    return found == world.membranes.end() ? -1 : static_cast<int>(found - world.membranes.begin());
+}
+
 std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, const ObservedTissues& tissues,
                                                        double dt) {
     std::vector<std::unique_ptr<MeasureGroup>> groups;
@@ -41,13 +48,16 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.capsule) {
         groups.push_back(capsule_measures());
     }
+    if (anterior_capsule(world) >= 0) {
+        groups.push_back(rhexis_measures());
+    }
     return groups;
 }
 
 }  // namespace
 
 Observer::Observer(const WorldModel& world, const ObservedTissues& tissues, double dt)
-    : tissues_(tissues), groups_(make_groups(world, tissues, dt)) {
+    : tissues_(tissues), groups_(make_groups(world, tissues, dt)), anterior_capsule_(anterior_capsule(world)) {
     for (const std::unique_ptr<MeasureGroup>& group : groups_) {
         first_value_.push_back(schema_.size());
         group->describe(schema_);
@@ -68,8 +78,12 @@ void Observer::follow(const WorldModel& world) {
 }
 
 LensView Observer::view() const {
-    return lens_ == nullptr ? LensView{}
-                            : LensView{lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &pieces_, &reflex_};
+    LensView view;
+    if (lens_ != nullptr) {
+        view = {lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &pieces_, &reflex_};
+    }
+    view.rhexis = anterior_capsule_ >= 0 ? &rhexis_.shape() : nullptr;
+    return view;
 }
 
 void Observer::look_at_lens(const ObserveInput& input) {
@@ -88,6 +102,9 @@ void Observer::look_at_lens(const ObserveInput& input) {
 void Observer::observe(const ObserveInput& input, std::vector<double>& memory, Observation& observation) {
     if (lens_ != nullptr) {
         look_at_lens(input);
+    }
+    if (anterior_capsule_ >= 0) {
+        rhexis_.measure(*input.world.membranes[anterior_capsule_].sheet, input.state.membranes[anterior_capsule_]);
     }
     memory.resize(memory_size_, 0.0);
     observation.time_s = input.state.time_s;

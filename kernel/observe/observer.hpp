@@ -21,7 +21,8 @@ struct ObservedTissues {
 
 class Observer {
 public:
-    /// The lens is solid 0 and the bag is bag 0 of the world. dt: step [s].
+    /// The lens is solid 0 and the bag is bag 0 of the world; the membrane named "anterior_capsule" is what a rhexis is
+    /// torn in. dt: step [s].
     Observer(const WorldModel& world, const ObservedTissues& tissues, double dt);
 
     [[nodiscard]] const ObservationSchema& schema() const { return schema_; }
@@ -58,6 +59,8 @@ private:
     LensMotion motion_;
     std::vector<LensPiece> pieces_;
     Reflex reflex_;
+    int anterior_capsule_ = -1;  ///< number of the membrane; -1: there is none
+    RhexisGauge rhexis_;
 };
 
 }  // namespace rhexis

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "eye/make_eye.hpp"
+#include "mesh/shapes.hpp"
 #include "observe/observer.hpp"
+#include "scenes/membranes.hpp"
+#include "topology/tear.hpp"
 
 using namespace rhexis;
 
@@ -130,6 +134,39 @@ TEST_SUITE("observe") {
         CHECK(bench.value(observer, "zonules.strain") == 0.0);
         CHECK(std::isnan(bench.value(observer, "phaco.tip_depth_mm")));
         CHECK(observer.schema().size() == bench.observation.values.size());
+    }
+
+    TEST_CASE("a world with an anterior capsule has the measures of a rhexis, another has not") {
+        Bench bench;
+        const auto has = [&] {
+            const Observer observer(bench.world, all_tissues, 0.01);
+            return std::any_of(observer.schema().begin(), observer.schema().end(),
+                               [](const MeasureInfo& measure) { return measure.name.starts_with("rhexis."); });
+        };
+        CHECK_FALSE(has());
+        bench.world.membranes.push_back(scenes::membrane("iris", square_sheet(1.0, 8), {1.0e6, 1.0e6, 0.45, 0.0}));
+        CHECK_FALSE(has());
+        const TriMesh sheet = round_sheet(5.0, 600);
+        bench.world.membranes.push_back(scenes::membrane("anterior_capsule", sheet, {1.0e6, 1.0e6, 0.45, 0.0}));
+        bench.state = rest_state(bench.world);
+        Observer observer(bench.world, all_tissues, 0.01);
+        bench.observe(observer);
+        CHECK(bench.value(observer, "rhexis.opened") == 0.0);
+        CHECK(std::isnan(bench.value(observer, "rhexis.tip_radius_mm")));
+        CHECK(std::isnan(bench.value(observer, "rhexis.centre_offset_mm")));
+        const Vec3 place(2.0, 0.0, 0.0);
+        MembraneState& capsule = bench.state.membranes[1];
+        const Result<MembraneEdit> slit =
+            puncture(bench.world.membranes[1], capsule, nearest_triangle(sheet, place), place, Vec3::UnitY());
+        REQUIRE(slit.ok());
+        capsule = applied(capsule, slit.value());
+        bench.observe(observer);
+        CHECK(bench.value(observer, "rhexis.opened") == 1.0);
+        CHECK(bench.value(observer, "rhexis.closed") == 0.0);
+        CHECK(bench.value(observer, "rhexis.torn_mm") > 0.5);
+        CHECK(bench.value(observer, "rhexis.turned_deg") > 10.0);
+        CHECK(bench.value(observer, "rhexis.tip_radius_mm") == doctest::Approx(2.0).epsilon(0.2));
+        CHECK(std::isnan(bench.value(observer, "rhexis.diameter_mm")));
     }
 
     TEST_CASE("a trench is measured as long, wide, deep and turned as it was cut") {
