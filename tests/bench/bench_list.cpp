@@ -3,6 +3,7 @@
 #include "bench/bench_calculix.hpp"
 #include "bench/bench_chamber.hpp"
 #include "bench/bench_explicit.hpp"
+#include "bench/bench_factor_update.hpp"
 #include "bench/bench_implicit.hpp"
 #include "bench/bench_lens_chart.hpp"
 #include "bench/bench_lens_press.hpp"
@@ -29,6 +30,7 @@ std::vector<BenchCase> bench_cases() {
     add(lens_press_cases());
     add(membrane_cases());
     add(tear_cases());
+    add(factor_update_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

@@ -7,6 +7,7 @@
 
 #include "base/clock.hpp"
 #include "bench/methods/tear_strength.hpp"
+#include "bench/split_run.hpp"
 #include "mesh/shapes.hpp"
 #include "scenes/tears.hpp"
 
@@ -203,55 +204,27 @@ nlohmann::json run_path(const BenchOptions& options) {
 
 /// 1 ms steps of a taut sheet of 1,500 triangles that is split in each.
 nlohmann::json run_split(const BenchOptions& options) {
-    MembraneModel model = scenes::membrane("sheet", round_sheet(4.6, 1500), isotropic(1e6, 0.45));
-    model.damping_mass = 50.0;
-    const TriMesh& rest = model.sheet->mesh;
-    for (int n = 0; n < static_cast<int>(rest.nodes.size()); ++n) {
-        if (rest.nodes[at(n)].norm() > 4.59) {
-            model.fixed_nodes.push_back(n);
-        }
-    }
-    scenes::HeldSheet held(model);
-    for (Vec3& x : held.state().position) {
-        x *= 1.03;
-    }
+    SplitRun run(1500);
+    const std::size_t elements = run.state().sheet->mesh.triangles.size();
     const int steps = options.quick ? 20 : 200;
     double seconds = 0.0;
     double worst = 0.0;
     int splits = 0;
-    double angle = 0.0;
     for (int i = 0; i < steps; ++i) {
         const double start = thread_cpu_seconds();
-        // a spiral: a new puncture where the last tear came to an end
-        Result<MembraneEdit> edit = Error{};
-        if (held.state().tips.empty()) {
-            const int triangle = (i * 131) % static_cast<int>(held.state().sheet->mesh.triangles.size());
-            edit = puncture(model, held.state(), triangle,
-                            held.state().sheet->mesh.nodes[at(held.state().sheet->mesh.triangles[at(triangle)][0])],
-                            Vec3::UnitX());
-        } else {
-            angle += 0.25;
-            edit = tear(model, held.state(), 0,
-                        Vec3(std::cos(angle), std::sin(angle), 0.0) + held.state().tips[0].direction);
-        }
-        if (edit.ok()) {
-            held.state() = applied(held.state(), edit.value());
-            ++splits;
-        } else {
-            held.state().tips.clear();
-        }
-        held.step(1e-3, {}, {.tolerance = 1e-4, .max_newton = 1});
-        propose_tears(model, held.state());
+        splits += run.split() ? 1 : 0;
+        run.step();
+        propose_tears(run.model(), run.state());
         const double used = thread_cpu_seconds() - start;
         seconds += used;
         worst = std::max(worst, used);
     }
     return {{"name", "tear_split"},
-            {"elements", rest.triangles.size()},
-            {"elements_at_the_end", held.state().sheet->mesh.triangles.size()},
+            {"elements", elements},
+            {"elements_at_the_end", run.state().sheet->mesh.triangles.size()},
             {"splits_per_step", static_cast<double>(splits) / steps},
             {"steps_per_second", steps / seconds},
-            {"cpu_s_per_s", seconds / (1e-3 * steps)},
+            {"cpu_s_per_s", seconds / (SplitRun::step_s * steps)},
             {"slowest_step_ms", 1e3 * worst}};
 }
 
