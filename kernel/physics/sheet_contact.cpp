@@ -9,9 +9,10 @@
 namespace rhexis {
 namespace {
 
-constexpr double stiffer = 5.0;  // a contact than the sheet's modulus times thickness
-constexpr double margin = 0.4;   // beyond what moves in a step, within which something may touch [mm]
-constexpr int narrowings = 24;   // of the search along an instrument's axis
+constexpr double stiffer = 5.0;       // a contact than the sheet's modulus times thickness
+constexpr double margin = 0.4;        // beyond what moves in a step, within which something may touch [mm]
+constexpr double deepest_dent = 0.3;  // of a needle's end before it is through [mm]
+constexpr int narrowings = 24;        // of the search along an instrument's axis
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -92,10 +93,24 @@ double friction_of(const WorldModel& world, const MembraneModel& model, const Sh
     }
 }
 
+/// Whether a triangle is farther than the margin from a part of an instrument, by the ball about it.
+bool surely_apart(const RoundedCone& cone, const Pose& pose, const std::array<Vec3, 3>& x) {
+    const Vec3 middle = (x[0] + x[1] + x[2]) / 3.0;
+    const double size = std::sqrt(
+        std::max({(x[0] - middle).squaredNorm(), (x[1] - middle).squaredNorm(), (x[2] - middle).squaredNorm()}));
+    const Vec3 a = pose.to_world(cone.a);
+    const Vec3 along = pose.to_world(cone.b) - a;
+    const double square = along.squaredNorm();
+    const double share = square > 0.0 ? std::clamp(along.dot(middle - a) / square, 0.0, 1.0) : 0.0;
+    const double reach = std::max(cone.radius_a, cone.radius_b) + margin + size;
+    return (a + share * along - middle).squaredNorm() > reach * reach;
+}
+
 /// Whether a needle that goes on along its axis meets a place with its end.
 bool under_point(const ToolModel& model, const Pose& pose, const Vec3& place) {
     const Vec3 own = pose.to_body(place);
-    return std::hypot(own.x(), own.y()) < model.parts[0].radius_a && own.z() < model.parts[0].b.z();
+    return std::hypot(own.x(), own.y()) < model.parts[0].radius_a &&
+           own.z() < deepest_dent;  // deeper, it lies beside the needle
 }
 
 /// Whether the sheet ends or is torn at a triangle: a needle that is through it touches what is left with its side.
@@ -144,17 +159,16 @@ void SheetContacts::meet_support(const MembraneState& state, double dt) {
     const MembraneModel& model = world_->membranes[at(membrane_)];
     for (int node = 0; model.support && node < static_cast<int>(state.position.size()); ++node) {
         const double reach = margin + dt * state.velocity[at(node)].norm();
-        if (to_support(state.position[at(node)]).distance < reach) {
+        const SurfaceDistance near = bag_distance(model.support->shape, support_.to_body(state.position[at(node)]));
+        if (near.distance < reach) {
             SheetContact contact;
+            contact.normal = near.normal;
+            contact.foot = state.position[at(node)] - near.distance * near.normal;
             contact.touch.node = contact.nodes[0] = node;
             contact.touch.partner = ContactPartner::support;
             add(contact, state, support_);
         }
     }
-}
-
-SurfaceDistance SheetContacts::to_support(const Vec3& point) const {
-    return bag_distance(world_->membranes[at(membrane_)].support->shape, support_.to_body(point));
 }
 
 double SheetContacts::impulse_on_support() const {
@@ -199,6 +213,9 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
         double least = HUGE_VAL;
         for (int part = 0; part < static_cast<int>(model.parts.size()); ++part) {
             const RoundedCone& cone = model.parts[at(part)];
+            if (surely_apart(cone, tool.pose, x)) {
+                continue;
+            }
             const std::array<double, 3> weights =
                 nearest_to_segment(x, tool.pose.to_world(cone.a), tool.pose.to_world(cone.b));
             const double gap = cone_distance(cone, tool.pose.to_body(blend(x, weights))).distance;
@@ -208,12 +225,15 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
                 best.weights = weights;
             }
         }
+        if (!(least < margin)) {
+            continue;
+        }
         const Vec3 point = blend(x, best.weights);
         best.under_point = model.kind == ToolKind::cystotome && under_point(model, tool.previous_pose, point) &&
                            !at_tear(*state.sheet, t);
         const bool again =
             std::any_of(met.begin(), met.end(), [&](const Vec3& other) { return (other - point).norm() < 1e-9; });
-        if (least < margin && !again) {
+        if (!again) {
             met.push_back(point);
             best.nodes = n;
             best.touch.triangle = t;
@@ -263,10 +283,10 @@ SheetContacts::Answer SheetContacts::answer(const SheetContact& contact, const s
         result.gap = plane.normal.dot(result.point - plane.point);
         result.normal = plane.normal;
     } else {
-        const SurfaceDistance distance = to_support(result.point);
+        // its tangent plane at the start of the substep: it is smooth, and no node goes far
         anchor = support_.to_world(anchor);
-        result.gap = distance.distance;
-        result.normal = distance.normal;
+        result.gap = contact.normal.dot(result.point - contact.foot);
+        result.normal = contact.normal;
     }
     const ContactSpring spring{stiffness_, friction_of(*world_, model, contact.touch)};
     result.spring = spring_contact(spring, result.gap, result.normal, result.point - anchor, true);

@@ -19,6 +19,7 @@ struct SheetContact {
     std::array<double, 3> weights{1.0, 0.0, 0.0};
     int part = 0;                 ///< of an instrument
     bool under_point = false;     ///< of a needle
+    Vec3 foot = Vec3::Zero();     ///< support: the place of it that was nearest at the start of the substep [mm]
     Vec3 anchor = Vec3::Zero();   ///< where friction holds it, in the partner's frame [mm]
     Vec3 impulse = Vec3::Zero();  ///< on the sheet, summed over the step [uN s]
     Vec3 point = Vec3::Zero();    ///< at the end [mm]
@@ -65,7 +66,6 @@ private:
 
     const WorldModel* world_ = nullptr;
     int membrane_ = 0;
-    [[nodiscard]] SurfaceDistance to_support(const Vec3& point) const;
     double stiffness_ = 0.0;
     Pose support_;  ///< where the body under the sheet is
     std::vector<SheetContact> list_;
