@@ -141,7 +141,7 @@ bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, 
     report = MembraneStepReport{};
     report.substeps = divisions;
     next = task.state;
-    move_jaws(task.world, task.tools, next);
+    take_hold(task.world, task.tools, next);
     for (int i = 0; i < divisions; ++i) {
         std::swap(between_, next);
         const ImplicitReport one = substep(task, i, divisions, between_, next, contacts);

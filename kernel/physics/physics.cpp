@@ -148,10 +148,8 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
         outcome.notes.push_back(own.name + ": step not finite, redone in steps " + std::to_string(report.substeps) +
                                 " times smaller");
     }
-    report.tears = propose_tears(own, next.membranes[index],
-                                 cutting_at_tips(*model, membrane, next.membranes[index], contacts));
+    report.tears = propose_tears(own, next.membranes[index]);
     report.punctures = propose_punctures(*model, membrane, next.membranes[index], task.tools, contacts);
-    propose_cuts(*model, next.membranes[index], task.tools, report);
 }
 
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/needle.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
 namespace {
 
-constexpr double stiffer = 5.0;       // a contact than the sheet's modulus times thickness
-constexpr double margin = 0.4;        // beyond what moves in a step, within which something may touch [mm]
-constexpr double deepest_dent = 0.3;  // of a needle's end before it is through [mm]
-constexpr int narrowings = 24;        // of the search along an instrument's axis
+constexpr double stiffer = 5.0;  // a contact than the sheet's modulus times thickness
+constexpr double margin = 0.4;   // beyond what moves in a step, within which something may touch [mm]
+constexpr int narrowings = 24;   // of the search along an instrument's axis
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -162,6 +162,7 @@ void SheetContacts::meet_support(const MembraneState& state, double dt) {
         const SurfaceDistance near = bag_distance(model.support->shape, support_.to_body(state.position[at(node)]));
         if (near.distance < reach) {
             SheetContact contact;
+            contact.plane = true;  // its tangent: it is smooth, and no node goes far in a substep
             contact.normal = near.normal;
             contact.foot = state.position[at(node)] - near.distance * near.normal;
             contact.touch.node = contact.nodes[0] = node;
@@ -200,7 +201,8 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
     Box box = swept_box(model, tool);
     box.low -= Vec3::Constant(margin);
     box.high += Vec3::Constant(margin);
-    std::vector<Vec3> met;  // points that neighbours share count once
+    const bool in_tear = lip_of(model, tool.pose, state).has_value();  // then its end is hooked, or free
+    std::vector<Vec3> met;                                             // points that neighbours share count once
     for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
         const std::array<int, 3>& n = state.sheet->mesh.triangles[at(t)];
         const std::array<Vec3, 3> x{state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]};
@@ -211,7 +213,7 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
         }
         SheetContact best;
         double least = HUGE_VAL;
-        for (int part = 0; part < static_cast<int>(model.parts.size()); ++part) {
+        for (int part = in_tear ? 1 : 0; part < static_cast<int>(model.parts.size()); ++part) {
             const RoundedCone& cone = model.parts[at(part)];
             if (surely_apart(cone, tool.pose, x)) {
                 continue;
@@ -267,26 +269,28 @@ SheetContacts::Answer SheetContacts::answer(const SheetContact& contact, const s
     result.point = point_of(contact, position);
     Vec3 anchor = contact.anchor;
     if (contact.touch.partner == ContactPartner::tool) {
+        anchor = poses.tools[at(contact.touch.index)].to_world(anchor);
+    } else if (contact.touch.partner == ContactPartner::support) {
+        anchor = support_.to_world(anchor);
+    }
+    if (contact.plane) {
+        result.gap = contact.normal.dot(result.point - contact.foot);
+        result.normal = contact.normal;
+    } else if (contact.touch.partner == ContactPartner::tool) {
         const Pose& pose = poses.tools[at(contact.touch.index)];
         const ShapeDistance distance =
             cone_distance(world_->tools[at(contact.touch.index)].parts[at(contact.part)], pose.to_body(result.point));
         result.gap = distance.distance;
         result.normal = pose.orientation * distance.normal;
-        anchor = pose.to_world(anchor);
         if (contact.under_point) {
             // a needle's end presses along the needle, however far it dents the sheet
             result.gap = -pose.to_body(result.point).z();
             result.normal = pose.orientation * -Vec3::UnitZ();
         }
-    } else if (contact.touch.partner == ContactPartner::plane) {
+    } else {
         const PlaneModel& plane = world_->planes[at(contact.touch.index)];
         result.gap = plane.normal.dot(result.point - plane.point);
         result.normal = plane.normal;
-    } else {
-        // its tangent plane at the start of the substep: it is smooth, and no node goes far
-        anchor = support_.to_world(anchor);
-        result.gap = contact.normal.dot(result.point - contact.foot);
-        result.normal = contact.normal;
     }
     const ContactSpring spring{stiffness_, friction_of(*world_, model, contact.touch)};
     result.spring = spring_contact(spring, result.gap, result.normal, result.point - anchor, true);

@@ -19,7 +19,8 @@ struct SheetContact {
     std::array<double, 3> weights{1.0, 0.0, 0.0};
     int part = 0;                 ///< of an instrument
     bool under_point = false;     ///< of a needle
-    Vec3 foot = Vec3::Zero();     ///< support: the place of it that was nearest at the start of the substep [mm]
+    bool plane = false;           ///< against a plane through `foot` with `normal`
+    Vec3 foot = Vec3::Zero();     ///< [mm]
     Vec3 anchor = Vec3::Zero();   ///< where friction holds it, in the partner's frame [mm]
     Vec3 impulse = Vec3::Zero();  ///< on the sheet, summed over the step [uN s]
     Vec3 point = Vec3::Zero();    ///< at the end [mm]

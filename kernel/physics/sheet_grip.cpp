@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "physics/needle.hpp"
 #include "physics/sheet_contact.hpp"
 
 namespace rhexis {
@@ -40,21 +42,54 @@ std::vector<int> between_jaws(const MembraneState& state, const Vec3& place, dou
     return held;
 }
 
+void let_go(int tool, MembraneState& state) {
+    std::erase_if(state.grips, [tool](const SheetGrip& grip) { return grip.tool == tool; });
+}
+
+void close_jaws(const ToolModel& model, const ToolState& tool, int index, MembraneState& state) {
+    if (!tool.present || tool.jaw > closed_jaw) {
+        let_go(index, state);
+    } else if (tool.previous_jaw > closed_jaw) {
+        const Pose& pose = tool.previous_pose;
+        for (const int node : between_jaws(state, pose.position, model.reach)) {
+            state.grips.push_back({index, node, pose.to_body(state.position[at(node)])});
+        }
+    }
+}
+
+/// Whether what a needle has hooked hangs on it still: it is pulled along, and lies above the needle's point.
+bool hangs(const SheetGrip& grip, const ToolState& tool, const MembraneState& state) {
+    const Vec3 place = tool.pose.to_world(grip.place);
+    const Vec3& node = state.position[at(grip.node)];
+    const Vec3 ahead = tool.pose.position - tool.previous_pose.position;
+    return tool.pose.to_body(node).z() > 0.0 && ahead.dot(place - node) >= -1e-4 * ahead.norm();
+}
+
+void hook(const ToolModel& model, const ToolState& tool, int index, MembraneState& state) {
+    const bool hooked = std::any_of(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
+        return grip.tool == index && hangs(grip, tool, state);
+    });
+    if (tool.present && hooked) {
+        return;
+    }
+    let_go(index, state);
+    const std::optional<NeedleLip> lip = tool.present ? lip_of(model, tool.pose, state) : std::nullopt;
+    if (lip && lip->beyond) {
+        for (const int node : lip->nodes) {
+            state.grips.push_back({index, node, tool.pose.to_body(state.position[at(node)])});
+        }
+    }
+}
+
 }  // namespace
 
-void move_jaws(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state) {
+void take_hold(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state) {
     for (int k = 0; k < static_cast<int>(tools.size()); ++k) {
-        const ToolState& tool = tools[at(k)];
-        if (world.tools[at(k)].kind != ToolKind::forceps) {
-            continue;
-        }
-        if (!tool.present || tool.jaw > closed_jaw) {
-            std::erase_if(state.grips, [k](const SheetGrip& grip) { return grip.tool == k; });
-        } else if (tool.previous_jaw > closed_jaw) {
-            const Pose& pose = tool.previous_pose;
-            for (const int node : between_jaws(state, pose.position, world.tools[at(k)].reach)) {
-                state.grips.push_back({k, node, pose.to_body(state.position[at(node)])});
-            }
+        const ToolModel& model = world.tools[at(k)];
+        if (model.kind == ToolKind::forceps) {
+            close_jaws(model, tools[at(k)], k, state);
+        } else if (model.kind == ToolKind::cystotome) {
+            hook(model, tools[at(k)], k, state);
         }
     }
 }
@@ -79,14 +114,20 @@ double SheetGrips::most(const SheetGrip& grip) const {
 
 SheetGrips::Pull SheetGrips::pull(const SheetGrip& grip, const std::vector<Vec3>& position,
                                   const PartnerPoses& poses) const {
-    const Vec3 way = poses.tools[at(grip.tool)].to_world(grip.place) - position[at(grip.node)];
+    const Pose& pose = poses.tools[at(grip.tool)];
+    Mat3 led = Mat3::Identity();
+    if (world_->tools[at(grip.tool)].kind == ToolKind::cystotome) {
+        const Vec3 along = pose.orientation * Vec3::UnitZ();  // a sheet slides along a needle
+        led -= along * along.transpose();
+    }
+    const Vec3 way = led * (pose.to_world(grip.place) - position[at(grip.node)]);
     const double wanted = stiffness_ * way.norm();
     const double limit = most(grip);
     if (wanted <= limit) {
-        return {stiffness_ * way, stiffness_ * Mat3::Identity()};
+        return {stiffness_ * way, stiffness_ * led};
     }
-    const Vec3 along = way.normalized();
-    return {limit * along, limit / way.norm() * (Mat3::Identity() - along * along.transpose())};
+    const Vec3 ahead = way.normalized();
+    return {limit * ahead, limit / way.norm() * (led - ahead * ahead.transpose())};
 }
 
 void SheetGrips::terms(const std::vector<Vec3>& position, const PartnerPoses& poses,

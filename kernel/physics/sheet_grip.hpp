@@ -16,9 +16,10 @@ namespace rhexis {
 /// Opening from which on jaws are closed, 0 to 1.
 constexpr double closed_jaw = 0.25;
 
-/// Takes hold and lets go, by how the jaws moved in the step and where they are at its start. Where some of what lies
-/// between them is folded over, they take only that: it lies on top.
-void move_jaws(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state);
+/// Takes hold and lets go. Jaws: by how they moved in the step, of what lies between them at its start; where some of
+/// that is folded over, only of that: it lies on top. A needle that is through the sheet hooks the lip of the tear when
+/// it goes on into the sheet beyond, and lets go when it is drawn out or goes back.
+void take_hold(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state);
 
 class SheetGrips {
 public:

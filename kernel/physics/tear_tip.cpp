@@ -199,16 +199,14 @@ std::optional<Vec2> tear_direction(const Mat2& stress, const Vec2& fibre, double
     return found;
 }
 
-std::vector<TearProposal> propose_tears(const MembraneModel& model, const MembraneState& state,
-                                        std::span<const double> ease) {
+std::vector<TearProposal> propose_tears(const MembraneModel& model, const MembraneState& state) {
     std::vector<TearProposal> proposals;
     const double ratio = std::sqrt(model.toughness.across / model.toughness.along);
     for (int i = 0; i < static_cast<int>(state.tips.size()); ++i) {
         const TearTip& tip = state.tips[at(i)];
         const Vec3 release = release_at(model, state, tip.node, model.tear_radius);
         const double free = release.dot(tip.direction);
-        const double share = ease.empty() ? 1.0 : ease[at(i)];
-        if (free < share * std::min(model.toughness.along, model.toughness.across)) {
+        if (free < std::min(model.toughness.along, model.toughness.across)) {
             continue;
         }
         const TipStress about = stress_at(model, state, tip.node, tip.direction);
@@ -219,7 +217,7 @@ std::vector<TearProposal> propose_tears(const MembraneModel& model, const Membra
             continue;
         }
         const Vec3 direction = about.frame.to_space(*way);
-        const double toughness = share * toughness_along(model.toughness, about.frame.to_space(about.fibre), direction);
+        const double toughness = toughness_along(model.toughness, about.frame.to_space(about.fibre), direction);
         if (free >= toughness) {
             proposals.push_back({i, direction, free, toughness});
         }

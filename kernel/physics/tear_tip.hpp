@@ -15,7 +15,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "energy/membrane_triangle.hpp"
@@ -48,9 +47,7 @@ TipStress stress_at(const MembraneModel& model, const MembraneState& state, int 
 std::optional<Vec2> tear_direction(const Mat2& stress, const Vec2& fibre, double ratio, const Vec2& within,
                                    double cosine);
 
-/// One proposal per tip at which the energy suffices. ease: share of the toughness that is to be overcome, per tip; or
-/// empty: all of it.
-std::vector<TearProposal> propose_tears(const MembraneModel& model, const MembraneState& state,
-                                        std::span<const double> ease = {});
+/// One proposal per tip at which the energy suffices.
+std::vector<TearProposal> propose_tears(const MembraneModel& model, const MembraneState& state);
 
 }  // namespace rhexis

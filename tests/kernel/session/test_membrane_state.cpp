@@ -30,6 +30,8 @@ Snapshot torn_sheet() {
         }
     }
     sheet.loads.push_back({{0, 1, 2}, Vec3(1.0, 2.0, 3.0)});
+    sheet.grips.push_back({0, 5, Vec3(0.1, 0.2, 0.3)});
+    sheet.support = {0.25, 1000.0};
     return snapshot;
 }
 
@@ -58,6 +60,12 @@ TEST_SUITE("membrane state") {
         CHECK(hash_of(other) != hash_of(whole));
         other = torn_sheet();
         other.world.membranes[0].torn_area += 1e-9;
+        CHECK(hash_of(other) != hash_of(whole));
+        other = torn_sheet();
+        other.world.membranes[0].grips[0].place.z() += 1e-9;
+        CHECK(hash_of(other) != hash_of(whole));
+        other = torn_sheet();
+        other.world.membranes[0].support.lift += 1e-9;
         CHECK(hash_of(other) != hash_of(whole));
         other = torn_sheet();
         std::shared_ptr<MembraneSheet> sheet = std::make_shared<MembraneSheet>(*other.world.membranes[0].sheet);

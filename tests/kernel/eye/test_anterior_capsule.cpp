@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "eye/anatomy.hpp"
+#include "eye/capsular_bag.hpp"
+#include "physics/membrane_body.hpp"
+#include "scenes/capsule_scene.hpp"
+
+using namespace rhexis;
+
+TEST_SUITE("anterior capsule") {
+    TEST_CASE("thin at the pole, thickest in the mid-periphery, thin at the equator, thicker with age") {
+        CHECK(anterior_thickness(68.0, 0.0, 4.8) == doctest::Approx(0.0138).epsilon(0.01));
+        CHECK(anterior_thickness(68.0, 2.64, 4.8) == doctest::Approx(0.0152).epsilon(0.01));
+        CHECK(anterior_thickness(68.0, 4.8, 4.8) == doctest::Approx(0.007));
+        CHECK(anterior_thickness(20.0, 0.0, 4.8) < anterior_thickness(90.0, 0.0, 4.8));
+    }
+
+    TEST_CASE("of patients of every age: on the lens, sound, hung as stiffly as the bag") {
+        for (const double age : {20.0, 45.0, 68.0, 95.0}) {
+            for (const bool circles : {false, true}) {
+                Patient patient;
+                patient.age = age;
+                const HalfEllipsoids lens = lens_shape(patient);
+                const BagModel bag = make_bag(lens, 0.2, age);
+                const MembraneModel capsule = make_anterior_capsule(lens, bag, age, {.circles = circles});
+                CHECK(check_membrane(capsule).ok());
+                CHECK(std::abs(static_cast<int>(capsule.sheet->mesh.triangles.size()) - 1500) < 100);
+                for (const Vec3& node : capsule.sheet->mesh.nodes) {
+                    CHECK(std::abs(surface_level(lens, node) - 1.0) < 1e-9);
+                }
+                double springs = 0.0;
+                for (const NodeSpring& spring : capsule.springs) {
+                    springs += spring.stiffness;
+                }
+                double zonules = 0.0;
+                for (const ZonuleSpring& zonule : bag.zonules) {
+                    zonules += zonule.stiffness;
+                }
+                CHECK(springs == doctest::Approx(zonules));
+                const double along = std::abs(capsule.sheet->fibre[700].dot(
+                    Vec3::UnitZ().cross(triangle_middle(capsule.sheet->mesh, 700)).normalized()));
+                CHECK((along > 0.999) == circles);
+            }
+        }
+    }
+
+    TEST_CASE("quiet on its lens; pressure of the vitreous lifts the lens and stretches the capsule") {
+        double last_lift = -1.0;
+        double last_energy = -1.0;
+        for (const double push : {0.0, 3e4, 1e5}) {
+            scenes::CapsuleScene scene(68.0, {}, {});
+            scene.sheet().support.push = push;
+            for (int i = 0; i < 80; ++i) {
+                REQUIRE(scene.step());
+            }
+            const double lift = scene.sheet().support.lift;
+            const double energy = elastic_energy(scene.model(), scene.sheet());
+            if (push == 0.0) {
+                CHECK(std::abs(lift) < 0.05);  // the zonules' own tension presses it back a little
+                CHECK(scene.sheet().velocity[0].norm() < 0.01);
+            }
+            CHECK(lift > last_lift);
+            CHECK(energy > last_energy);
+            last_lift = lift;
+            last_energy = energy;
+        }
+        CHECK(last_lift > 0.3);
+        CHECK(last_lift < 0.8);
+    }
+}
