@@ -12,8 +12,8 @@ namespace rhexis {
 
 struct SceneDescription {
     Patient patient;
-    std::vector<std::string> tissues;        ///< of "lens", "bag", "capsule", "iris", "cornea", "chamber"
-    std::vector<std::string> instruments;    ///< of "phaco", "probe"; their order is the instrument index
+    std::vector<std::string> tissues;        ///< names: session/scene_check.cpp
+    std::vector<std::string> instruments;    ///< names: tools/instruments.hpp; their order is the instrument index
     double step_s = 0.01;                    ///< [s], 0.001 to 0.02
     Advance advance = Advance::automatic;    ///< of the lens
     int threads = 1;                         ///< 1 to 64

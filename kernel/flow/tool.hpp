@@ -9,8 +9,8 @@
 
 namespace rhexis {
 
-/// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold one;
-/// cannula: what the hand presses out of its syringe comes out of its end.
+/// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
+/// one; cannula: what the hand presses out of its syringe comes out of its end.
 enum class ToolKind { probe, phaco, cystotome, forceps, cannula };
 
 /// A cone with round ends, in the tool's frame; equal ends make a ball.
@@ -54,11 +54,11 @@ struct ToolState {
     Pose previous_pose;            ///< at the end of the previous step; equal to pose on the step in which it appears
     Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
-    double jaw = 0.0;           ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1
-    double previous_jaw = 0.0;  ///< at the end of the previous step
-    double pedal = 0.0;          ///< 0 to 3
-    bool irrigation = false;     ///< pedal at 1 or more
-    double aspiration = 0.0;     ///< share of the set vacuum, 0 to 1 (pedal 2)
+    double jaw = 0.0;                      ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1
+    double previous_jaw = 0.0;             ///< at the end of the previous step
+    double pedal = 0.0;                    ///< 0 to 3
+    bool irrigation = false;               ///< pedal at 1 or more
+    double aspiration = 0.0;               ///< share of the set vacuum, 0 to 1 (pedal 2)
     double power = 0.0;          ///< share of full ultrasound power, 0 to 1 (pedal 3); mean over the step when pulsed
     double ultrasound_s = 0.0;   ///< since the pedal went down to position 3: where a train of pulses is [s]
     double bottle_height = 0.0;  ///< phaco: drip chamber above the eye [mm]

@@ -25,6 +25,10 @@ WorldState rest_state(const WorldModel& model) {
     if (model.iris) {
         state.iris = rest_state(*model.iris);
     }
+    if (model.viscoelastic) {
+        const double fill = model.viscoelastic->start_fill;
+        state.viscoelastic = ViscoelasticState{fill, 0.0, fill};
+    }
     return state;
 }
 

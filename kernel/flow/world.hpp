@@ -14,6 +14,7 @@
 #include "flow/membrane.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
+#include "flow/viscoelastic.hpp"
 
 namespace rhexis {
 
@@ -48,7 +49,8 @@ struct WorldModel {
     std::optional<ChamberModel> chamber;
     std::optional<CapsuleModel> capsule;  ///< the posterior wall of bags[0]
     std::optional<IrisModel> iris;
-    Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
+    std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
+    Vec3 gravity = Vec3(0.0, 0.0, -9810.0);         ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
 
 /// How a resting contact stuck: the anchor that friction remembers. State, because it must survive a snapshot.
@@ -69,6 +71,7 @@ struct WorldState {
     ChamberFlows flows;  ///< of the last step
     std::optional<CapsuleState> capsule;
     std::optional<IrisState> iris;
+    std::optional<ViscoelasticState> viscoelastic;
     std::vector<TipState> tips;  ///< per tool
     std::vector<Debris> debris;
     std::vector<NodeLoad> loads;

@@ -79,6 +79,7 @@ std::unique_ptr<MeasureGroup> crack_measures();
 std::unique_ptr<MeasureGroup> chamber_measures();
 std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
+std::unique_ptr<MeasureGroup> viscoelastic_measures();
 std::unique_ptr<MeasureGroup> rhexis_measures();
 
 }  // namespace rhexis

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "eye/anterior_capsule.hpp"
 #include "observe/seen.hpp"
 
 namespace rhexis {
@@ -13,7 +14,7 @@ constexpr double column_spacing = 0.2;  // [mm], a fifth of the phaco tip's widt
 /// Number of the membrane, or -1.
 int anterior_capsule(const WorldModel& world) {
     const auto found = std::find_if(world.membranes.begin(), world.membranes.end(),
-                                    [](const MembraneModel& membrane) { return membrane.name == "anterior_capsule"; });
+                                    [](const MembraneModel& membrane) { return membrane.name == anterior_capsule_name; });
     return found == world.membranes.end() ? -1 : static_cast<int>(found - world.membranes.begin());
 }
 
@@ -50,6 +51,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     }
     if (anterior_capsule(world) >= 0) {
         groups.push_back(rhexis_measures());
+    }
+    if (world.viscoelastic) {
+        groups.push_back(viscoelastic_measures());
     }
     return groups;
 }

@@ -16,6 +16,7 @@
 #include "physics/sculpt.hpp"
 #include "physics/solid_stepper.hpp"
 #include "physics/tear_tip.hpp"
+#include "physics/viscoelastic_fill.hpp"
 #include "physics/world_check.hpp"
 
 namespace rhexis {
@@ -202,6 +203,7 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
         const ProfileScope scope(profile, "chamber");
         step_fluid(*s.model, tools, s.probes, dt, s.started);
     }
+    fill_chamber(*s.model, tools, dt, s.started);
     next = s.started;
     next.memory.clear();
     contacts.clear();

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "eye/anatomy.hpp"
+#include "eye/anterior_capsule.hpp"
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "session/settings.hpp"
@@ -80,6 +83,24 @@ void set_up_lens(SolidModel& lens, Advance asked) {
     lens.formulation = implicit ? Formulation::linear : Formulation::nodal_pressure;
 }
 
+AnteriorCapsuleSettings capsule_settings(const std::map<std::string, double>& settings) {
+    AnteriorCapsuleSettings capsule;
+    capsule.triangles = static_cast<int>(settings.at("capsule.triangles"));
+    capsule.circles = settings.at("capsule.fibres") >= 0.5;
+    capsule.toughness = settings.at("capsule.toughness");
+    return capsule;
+}
+
+ViscoelasticModel make_viscoelastic(const std::map<std::string, double>& settings, const EyeModel& eye) {
+    const HalfEllipsoids lens = lens_shape(eye.patient);
+    ViscoelasticModel chamber;
+    chamber.start_fill = settings.at("viscoelastic.fill");
+    chamber.vitreous_pressure = settings.at("vitreous.pressure_mmhg") * pascal_per_mmhg;
+    chamber.area = std::numbers::pi * lens.radius * lens.radius;
+    chamber.inner_radius = eye.anatomy.limbus_radius;
+    return chamber;
+}
+
 constexpr double side_port_width = 1.0;  // [mm]
 
 bool has_instrument(const SceneDescription& scene, const std::string& name) {
@@ -135,6 +156,13 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "capsule")) {
         world->capsule = make_capsule(scene.patient.age);
         world->capsule->ultimate_strain *= all_settings(scene).at("capsule.strength");
+    }
+    if (has_tissue(scene, "anterior_capsule")) {
+        world->membranes.push_back(make_anterior_capsule(lens_shape(scene.patient), eye.value().bag, scene.patient.age,
+                                                         capsule_settings(all_settings(scene))));
+    }
+    if (has_tissue(scene, "viscoelastic")) {
+        world->viscoelastic = make_viscoelastic(all_settings(scene), eye.value());
     }
     if (has_tissue(scene, "chamber") && has_tissue(scene, "iris")) {
         world->iris = make_iris(eye.value().anatomy);

@@ -151,6 +151,11 @@ void fluid_fields(auto& io, auto& world) {
     io(flows.vent);
     io(flows.lowest_eye_pressure);
     io(flows.highest_eye_pressure);
+    io.maybe(world.viscoelastic, [](auto& inner, auto& chamber) {
+        inner(chamber.fill);
+        inner(chamber.injected);
+        inner(chamber.peak_fill);
+    });
     io.maybe(world.capsule, [](auto& inner, auto& capsule) {
         inner(capsule.tool);
         inner(capsule.captured);

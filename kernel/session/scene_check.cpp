@@ -8,12 +8,14 @@
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
 #include "session/settings.hpp"
+#include "tools/instruments.hpp"
 
 namespace rhexis {
 namespace {
 
-const std::array<std::string, 6> known_tissues{"lens", "bag", "capsule", "iris", "cornea", "chamber"};
-const std::array<std::string, 3> known_instruments{"phaco", "probe", "spatula"};
+const std::array<std::string, 8> known_tissues{"lens", "bag",    "capsule", "anterior_capsule",
+                                               "iris", "cornea", "chamber", "viscoelastic"};
+const std::vector<std::string> known_instruments = tool_names();
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -69,6 +71,17 @@ Status check_combination(const SceneDescription& scene) {
     };
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};
+    }
+    for (const char* other : {"lens", "bag"}) {
+        if (named("anterior_capsule") && named(other)) {
+            return Error{std::string("tissues names anterior_capsule with ") + other, "",
+                         "the one or the other: a lens that is operated on has its capsule open, by "
+                         "capsulorhexis.diameter_mm"};
+        }
+    }
+    if (named("viscoelastic") && named("chamber")) {
+        return Error{"tissues names viscoelastic with chamber", "",
+                     "viscoelastic that stays, or chamber: fluid that flows"};
     }
     const auto segments = scene.settings.find("nucleus.segments");
     if (segments != scene.settings.end() && std::fmod(segments->second, 2.0) != 0.0) {

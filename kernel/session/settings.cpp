@@ -10,9 +10,14 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 15> table{{
+constexpr std::array<SettingInfo, 20> table{{
+    {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
+     "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
      "Strain that the posterior capsule bears, share of that at the age."},
+    {"capsule.toughness", "1", 0.2, 5.0, 1.0, false,
+     "Energy that a tear of the anterior capsule takes, share of the standard one."},
+    {"capsule.triangles", "1", 200.0, 20000.0, 1500.0, false, "Of the anterior capsule, about so many."},
     {"capsulorhexis.diameter_mm", "mm", 3.0, 8.0, 5.25, false, "Diameter of the opening in the anterior capsule."},
     {"hydrodissection.freed", "1", 0.0, 1.0, 1.0, false, "Share of the cortex that no longer adheres to the capsule."},
     {"machine.bottle_cm", "cm", 0.0, 150.0, 75.0, true, "Height of the infusion bottle above the eye."},
@@ -28,6 +33,10 @@ constexpr std::array<SettingInfo, 15> table{{
     {"phaco.power_limit", "1", 0.0, 1.0, 1.0, true,
      "Ultrasound power at full pedal, share of the machine's full power."},
     {"phaco.pulse_hz", "1/s", 0.0, 100.0, 0.0, true, "Ultrasound pulses per second; 0: continuous."},
+    {"viscoelastic.fill", "1", 0.0, 1.2, 1.0, false,
+     "Share of the anterior chamber that viscoelastic fills at the start."},
+    {"vitreous.pressure_mmhg", "mmHg", 0.0, 40.0, 10.0, false,
+     "Pressure behind the lens, which viscoelastic stands against."},
     {"wound.leak_ml_min", "ml/min", 0.0, 15.0, 3.0, false, "Leak of the wounds around the instruments at 55 mmHg."},
     {"zonules.strength", "1", 0.05, 2.0, 1.0, false, "Stiffness of the zonules, share of that at the patient's age."},
 }};

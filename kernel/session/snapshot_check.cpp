@@ -127,8 +127,8 @@ bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < 
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
     if (state.chamber.has_value() != world.chamber.has_value() ||
         state.capsule.has_value() != world.capsule.has_value() || state.iris.has_value() != world.iris.has_value() ||
-        state.tips.size() != world.tools.size()) {
-        return misfit("chamber, capsule or iris");
+        state.viscoelastic.has_value() != world.viscoelastic.has_value() || state.tips.size() != world.tools.size()) {
+        return misfit("chamber, capsule, iris or viscoelastic");
     }
     for (std::size_t i = 0; i < state.bags.size(); ++i) {
         const std::size_t nodes = world.solids.empty() ? 0 : world.solids[0].coarse.nodes.size();

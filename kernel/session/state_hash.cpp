@@ -111,8 +111,8 @@ void add(StateHash& hash, const ToolState& tool) {
     add(hash, tool.previous_pose);
     add(hash, tool.velocity);
     add(hash, tool.angular_velocity);
-    for (const double value : {tool.jaw, tool.previous_jaw, tool.pedal, tool.aspiration, tool.power, tool.ultrasound_s, tool.bottle_height,
-                               tool.pump_flow, tool.vacuum_limit}) {
+    for (const double value : {tool.jaw, tool.previous_jaw, tool.pedal, tool.aspiration, tool.power, tool.ultrasound_s,
+                               tool.bottle_height, tool.pump_flow, tool.vacuum_limit}) {
         hash.add(value);
     }
 }
@@ -128,6 +128,12 @@ void add(StateHash& hash, const ChamberState& chamber) {
 void add(StateHash& hash, const ChamberFlows& flows) {
     for (const double value : {flows.infusion, flows.tip, flows.pump, flows.leak, flows.vent, flows.lowest_eye_pressure,
                                flows.highest_eye_pressure}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const ViscoelasticState& chamber) {
+    for (const double value : {chamber.fill, chamber.injected, chamber.peak_fill}) {
         hash.add(value);
     }
 }
@@ -196,6 +202,7 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     add_all(hash, world.bags);
     add_if(hash, world.chamber);
     add_if(hash, world.capsule);
+    add_if(hash, world.viscoelastic);
     add_if(hash, world.iris);
     add(hash, world.flows);
     add_all(hash, world.tips);

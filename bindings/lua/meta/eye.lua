@@ -12,8 +12,8 @@ local eye = {}
 ---@field pupil_mm? number # diameter [mm]; 3 to 9; default 7.5
 ---@field side? "right"|"left" # default "right"
 ---@field tetrahedra? integer # wanted size of the lens mesh; 500 to 24000; default 3000
----@field tissues? string[] # of "lens", "bag", "capsule", "iris", "cornea", "chamber"; default lens, bag, iris, cornea
----@field instruments? string[] # of "phaco", "probe", "spatula"; default {"phaco"}
+---@field tissues? string[] # of "lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber", "viscoelastic"; default lens, bag, iris, cornea
+---@field instruments? string[] # of "cannula", "cystotome", "forceps", "phaco", "probe", "spatula"; default {"phaco"}
 ---@field step? number # length of a step [s]; 0.001 to 0.02; default 0.01
 ---@field threads? integer # that work on a step; the result does not depend on it; 1 to 64; default 1
 ---@field advance? "automatic"|"explicit"|"implicit" # way to advance the lens in time; default "automatic"
