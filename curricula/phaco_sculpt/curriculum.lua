@@ -126,7 +126,9 @@ return exercise {
             when = "groove_2.length_mm >= 3 and 200 * groove_2.depth_share >= goal.depth_percent "
                 .. "and abs(grooves.angle_deg - goal.angle_deg) > goal.tolerance_deg",
             hold_s = 8,
-            recovered = { tip_clear, "abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg" },
+            -- leaving the eye is no answer to it: the tip comes back to work
+            recovered = { tip_clear,
+                "abs(grooves.angle_deg - goal.angle_deg) <= goal.tolerance_deg and phaco.tip_depth_mm > 0" },
             deadline_s = 60,
             near_miss_s = 0,
             severity = "critical",

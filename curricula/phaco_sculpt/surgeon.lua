@@ -248,7 +248,8 @@ local function lean_across(me, groove, seen, first)
     local off = first.direction % 180 - goal_turn
     for _, second in ipairs(grooves_seen(seen)) do
         if off_sight(second.direction) < 40 then
-            off = off + put_right * (off - ((second.direction + 90) % 180 - 90))
+            local askew = off - ((second.direction + 90) % 180 - 90)
+            off = off + put_right * (me.notices(function() return askew end) or 0)
             break
         end
     end

@@ -3,7 +3,7 @@
 // a smooth rigid body. Zonule springs hold it, and where it ends the rest of the bag does; the vitreous holds the lens.
 #pragma once
 
-#include "flow/bag.hpp"
+#include "flow/eye_model.hpp"
 #include "flow/membrane.hpp"
 #include "mesh/half_ellipsoids.hpp"
 
@@ -14,9 +14,6 @@ struct AnteriorCapsuleSettings {
     bool circles = false;    ///< fibres in circles about the pole [Dequidt2013]; false: isotropic, as anatomy has it
     double toughness = 1.0;  ///< share of the standard one
 };
-
-/// Name of the membrane.
-inline constexpr const char* anterior_capsule_name = "anterior_capsule";
 
 /// Thickness at a distance from the axis [mm], where the equator is at another [mm]: 11 um at the pole at birth to 15
 /// in old age, 13.5 to 16 in the mid-periphery, 7 at the equator [Barraquer2006]; straight lines between.

@@ -46,6 +46,9 @@ struct EyeAnatomy {
     double side_port_width = 0.0;   ///< [mm]; 0: it is not cut, because no instrument needs it
 };
 
+/// Of the membrane that is the anterior capsule.
+inline constexpr const char* anterior_capsule_name = "anterior_capsule";
+
 struct EyeModel {
     Patient patient;
     EyeAnatomy anatomy;

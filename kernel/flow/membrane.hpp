@@ -89,11 +89,12 @@ struct SheetTouch {
     Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is, in the partner's frame [mm]
 };
 
-/// A node that the jaws of an instrument hold.
+/// A node that the jaws of an instrument hold, or that a needle pushes before it.
 struct SheetGrip {
     int tool = 0;
     int node = 0;
     Vec3 place = Vec3::Zero();  ///< where they hold it, in the tool's frame [mm]
+    Vec3 push = Vec3::Zero();   ///< unit, in the tool's frame: only so that the node stays on that side; 0: all ways
 };
 
 /// What physics proposes: a needle goes through.
@@ -101,6 +102,13 @@ struct PunctureProposal {
     int triangle = 0;
     Vec3 place = Vec3::Zero();      ///< of it at rest [mm]
     Vec3 direction = Vec3::Zero();  ///< of the slit that its edge cuts, in the sheet at rest
+};
+
+/// What physics proposes: a needle that stands in a tear cuts on.
+struct CutProposal {
+    int tool = 0;
+    int node = 0;                   ///< on the lip, from which the cut goes
+    Vec3 direction = Vec3::Zero();  ///< in the sheet at rest
 };
 
 /// What physics proposes: the tear goes on from a tip, because more energy comes free than it takes.

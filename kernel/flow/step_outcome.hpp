@@ -30,6 +30,7 @@ struct MembraneStepReport {
     double force = 0.0;               ///< norm of the forces that do not balance at the end [uN]
     std::vector<TearProposal> tears;  ///< proposals to topology, by tips
     std::vector<PunctureProposal> punctures;
+    std::vector<CutProposal> cuts;
 };
 
 /// What made a step unacceptable.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "eye/anterior_capsule.hpp"
 #include "observe/seen.hpp"
 
 namespace rhexis {

@@ -94,7 +94,8 @@ std::optional<NeedleLip> lip_of(const ToolModel& needle, const Pose& pose, const
             const Vec3 inward = third - third.dot(along) * along;  // into the triangle, in its plane
             if (way.norm() < least && (way.dot(inward) > 0.0) == through.has_value()) {
                 least = way.norm();
-                found = NeedleLip{ends, through.has_value()};
+                const Vec3 axis = (b - a).normalized();
+                found = NeedleLip{ends, through.has_value(), (inward - inward.dot(axis) * axis).normalized()};
             }
         }
     }

@@ -26,6 +26,7 @@ constexpr double deepest_dent = 0.3;
 struct NeedleLip {
     std::array<int, 2> nodes{};  ///< ends of the edge
     bool beyond = false;         ///< the needle stands in the sheet beyond the lip: it takes the lip along
+    Vec3 inward = Vec3::Zero();  ///< unit: from the lip into the sheet, across the needle
 };
 
 /// The lip that is nearest to a needle which is through the sheet at a tear; none where it is not.

@@ -151,6 +151,7 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
     }
     report.tears = propose_tears(own, next.membranes[index]);
     report.punctures = propose_punctures(*model, membrane, next.membranes[index], task.tools, contacts);
+    report.cuts = propose_cuts(*model, membrane, next.membranes[index], task.tools, contacts);
 }
 
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}

@@ -8,6 +8,7 @@ namespace rhexis {
 namespace {
 
 constexpr double end_length = 0.25;  ///< of a needle: what presses so near to its point is pierced [mm]
+constexpr double along_edge = 0.7;   ///< cosine from a needle's edge within which that cuts
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -65,6 +66,42 @@ std::vector<PunctureProposal> propose_punctures(const WorldModel& world, int mem
         }
         proposal.direction = at_rest(state, hardest->nodes, tools[at(k)].pose.orientation * Vec3::UnitX());
         proposals.push_back(proposal);
+    }
+    return proposals;
+}
+
+std::vector<CutProposal> propose_cuts(const WorldModel& world, int membrane, const MembraneState& state,
+                                      std::span<const ToolState> tools, const ContactSet& contacts) {
+    std::vector<CutProposal> proposals;
+    const MembraneModel& model = world.membranes[at(membrane)];
+    for (int k = 0; k < static_cast<int>(tools.size()); ++k) {
+        if (world.tools[at(k)].kind != ToolKind::cystotome) {
+            continue;
+        }
+        // what a needle pushes are single nodes, of one lip
+        Vec3 force = Vec3::Zero();
+        const Contact* hardest = nullptr;
+        for (const Contact& contact : contacts) {
+            const bool own = contact.membrane == membrane && contact.partner == ContactPartner::tool &&
+                             contact.partner_index == k && contact.nodes[1] < 0;
+            if (own) {
+                force += contact.force;
+                hardest = hardest == nullptr || contact.force.norm() > hardest->force.norm() ? &contact : hardest;
+            }
+        }
+        if (hardest == nullptr || force.isZero()) {
+            continue;
+        }
+        const int node = hardest->nodes[0];
+        const int triangle = state.sheet->neighbours.triangles[at(state.sheet->neighbours.offset[at(node)])];
+        const Vec3 push = force.normalized();
+        const Vec3 way = at_rest(state, state.sheet->mesh.triangles[at(triangle)], push);
+        const double along = std::abs((tools[at(k)].pose.orientation * Vec3::UnitX()).dot(push));
+        const double share = along > along_edge ? world.tools[at(k)].cutting : 1.0;
+        const double toughness = toughness_along(model.toughness, state.sheet->fibre[at(triangle)], way.normalized());
+        if (!way.isZero() && force.norm() > share * toughness * state.sheet->thickness[at(triangle)]) {
+            proposals.push_back({k, node, way.normalized()});
+        }
     }
     return proposals;
 }

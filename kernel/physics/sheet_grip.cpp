@@ -13,6 +13,13 @@ namespace {
 
 constexpr double lost_at = 2.0;  ///< times their reach from the middle of the jaws: it has slipped out
 
+constexpr double gone_back = 0.4;  ///< of a needle from what it pushed [mm]
+constexpr double slid_past = 0.8;  ///< likewise, sideways [mm]
+
+constexpr double in_the_way = 0.3;   ///< of a needle, to its side [mm]
+constexpr double just_passed = 0.1;  ///< by a needle [mm]
+constexpr double same_way = 0.6;     ///< cosine within which a needle goes on in the way in which it pushes
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Its front looks against where it looked at rest.
@@ -57,26 +64,65 @@ void close_jaws(const ToolModel& model, const ToolState& tool, int index, Membra
     }
 }
 
-/// Whether what a needle has hooked hangs on it still: it is pulled along, and lies above the needle's point.
-bool hangs(const SheetGrip& grip, const ToolState& tool, const MembraneState& state) {
-    const Vec3 place = tool.pose.to_world(grip.place);
+/// How far a node is ahead of the needle that pushes it [mm].
+double ahead_of(const SheetGrip& grip, const Pose& pose, const Vec3& node) {
+    return (pose.orientation * grip.push).dot(node - pose.to_world(grip.place));
+}
+
+/// Whether a needle still stands behind what it pushes: it is through the sheet there, and has neither gone back nor
+/// slid past.
+bool stands_behind(const SheetGrip& grip, const ToolState& tool, const MembraneState& state) {
     const Vec3& node = state.position[at(grip.node)];
-    const Vec3 ahead = tool.pose.position - tool.previous_pose.position;
-    return tool.pose.to_body(node).z() > 0.0 && ahead.dot(place - node) >= -1e-4 * ahead.norm();
+    const Vec3 own = tool.pose.to_body(node);
+    return own.z() > 0.0 && std::hypot(own.x(), own.y()) < slid_past && ahead_of(grip, tool.pose, node) < gone_back;
+}
+
+/// A needle pushes a node from where that is now, or from where the needle will meet it.
+SheetGrip pushed(int tool, int node, const Vec3& own, const Vec3& way) {
+    return {tool, node, std::min(0.0, own.dot(way)) * way, way};
+}
+
+/// The end of a tear that a needle comes upon; -1: none.
+int tip_ahead(const Pose& needle, const Vec3& way, const MembraneState& state) {
+    int found = -1;
+    double least = HUGE_VAL;
+    for (const TearTip& tip : state.tips) {
+        const Vec3 own = needle.to_body(state.position[at(tip.node)]);
+        const double ahead = own.dot(way);
+        const double aside = std::hypot(own.x() - ahead * way.x(), own.y() - ahead * way.y());
+        if (own.z() > 0.0 && aside < in_the_way && ahead > -just_passed && ahead < least) {
+            least = ahead;
+            found = tip.node;
+        }
+    }
+    return found;
 }
 
 void hook(const ToolModel& model, const ToolState& tool, int index, MembraneState& state) {
+    if (!tool.present) {
+        let_go(index, state);
+        return;
+    }
+    Vec3 way = tool.pose.orientation.conjugate() * (tool.pose.position - tool.previous_pose.position);
+    way.z() = 0.0;
+    const bool moves = way.norm() > 1e-5;
+    way = moves ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
     const bool hooked = std::any_of(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
-        return grip.tool == index && hangs(grip, tool, state);
+        return grip.tool == index && stands_behind(grip, tool, state) && (!moves || grip.push.dot(way) > same_way);
     });
-    if (tool.present && hooked) {
+    if (hooked) {
         return;
     }
     let_go(index, state);
-    const std::optional<NeedleLip> lip = tool.present ? lip_of(model, tool.pose, state) : std::nullopt;
-    if (lip && lip->beyond) {
+    const std::optional<NeedleLip> lip = lip_of(model, tool.pose, state);
+    if (!lip || !moves) {
+        return;
+    }
+    if (const int tip = tip_ahead(tool.pose, way, state); tip >= 0) {
+        state.grips.push_back(pushed(index, tip, tool.pose.to_body(state.position[at(tip)]), way));
+    } else if (lip->beyond && lip->inward.dot(tool.pose.orientation * way) > same_way) {
         for (const int node : lip->nodes) {
-            state.grips.push_back({index, node, tool.pose.to_body(state.position[at(node)])});
+            state.grips.push_back(pushed(index, node, tool.pose.to_body(state.position[at(node)]), way));
         }
     }
 }
@@ -115,19 +161,21 @@ double SheetGrips::most(const SheetGrip& grip) const {
 SheetGrips::Pull SheetGrips::pull(const SheetGrip& grip, const std::vector<Vec3>& position,
                                   const PartnerPoses& poses) const {
     const Pose& pose = poses.tools[at(grip.tool)];
+    Vec3 way = pose.to_world(grip.place) - position[at(grip.node)];
     Mat3 led = Mat3::Identity();
-    if (world_->tools[at(grip.tool)].kind == ToolKind::cystotome) {
-        const Vec3 along = pose.orientation * Vec3::UnitZ();  // a sheet slides along a needle
-        led -= along * along.transpose();
+    if (!grip.push.isZero()) {
+        const Vec3 along = pose.orientation * grip.push;
+        led = along * along.transpose();
+        way = std::max(0.0, along.dot(way)) * along;
     }
-    const Vec3 way = led * (pose.to_world(grip.place) - position[at(grip.node)]);
     const double wanted = stiffness_ * way.norm();
     const double limit = most(grip);
     if (wanted <= limit) {
-        return {stiffness_ * way, stiffness_ * led};
+        return {stiffness_ * way, wanted > 0.0 || grip.push.isZero() ? Mat3(stiffness_ * led) : Mat3(Mat3::Zero())};
     }
     const Vec3 ahead = way.normalized();
-    return {limit * ahead, limit / way.norm() * (led - ahead * ahead.transpose())};
+    const Mat3 across = grip.push.isZero() ? Mat3(led - ahead * ahead.transpose()) : Mat3(Mat3::Zero());
+    return {limit * ahead, limit / way.norm() * across};
 }
 
 void SheetGrips::terms(const std::vector<Vec3>& position, const PartnerPoses& poses,
@@ -148,15 +196,16 @@ void SheetGrips::settle(const std::vector<Vec3>& position, const PartnerPoses& p
         const Vec3 force = pull(grip, position, poses).force;
         impulse_[i] += dt * force;
         point_[i] = position[at(grip.node)];
-        // what pulls harder slips until it does not
-        grip.place = pose.to_body(point_[i] + force / stiffness_);
+        if (grip.push.isZero()) {
+            grip.place = pose.to_body(point_[i] + force / stiffness_);  // what pulls harder slips until it does not
+        }
     }
 }
 
 std::vector<SheetGrip> SheetGrips::kept() const {
     std::vector<SheetGrip> result = grips_;
     std::erase_if(result, [&](const SheetGrip& grip) {
-        return grip.place.norm() > lost_at * world_->tools[at(grip.tool)].reach;
+        return grip.push.isZero() && grip.place.norm() > lost_at * world_->tools[at(grip.tool)].reach;
     });
     return result;
 }

@@ -241,10 +241,11 @@ void membrane_fields(auto& io, auto& membrane) {
         inner(touch.index);
         inner(touch.stretch);
     });
-    io.list(membrane.grips, 32, [](auto& inner, auto& grip) {
+    io.list(membrane.grips, 56, [](auto& inner, auto& grip) {
         inner(grip.tool);
         inner(grip.node);
         inner(grip.place);
+        inner(grip.push);
     });
     io(membrane.support.lift);
     io(membrane.support.push);

@@ -101,7 +101,7 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state, int to
            std::all_of(state.grips.begin(), state.grips.end(),
                        [&](const SheetGrip& grip) {
                            return in_sheet(grip.node, state) && grip.tool >= 0 && grip.tool < tools &&
-                                  grip.place.allFinite();
+                                  grip.place.allFinite() && grip.push.allFinite();
                        }) &&
            std::isfinite(state.support.lift) && std::isfinite(state.support.push) &&
            std::all_of(state.loads.begin(), state.loads.end(), [&](const SheetLoad& load) {

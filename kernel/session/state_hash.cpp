@@ -72,6 +72,7 @@ void add(StateHash& hash, const MembraneState& membrane) {
         hash.add(static_cast<std::uint64_t>(grip.tool));
         hash.add(static_cast<std::uint64_t>(grip.node));
         add(hash, grip.place);
+        add(hash, grip.push);
     }
     hash.add(membrane.support.lift);
     hash.add(membrane.support.push);

@@ -30,7 +30,7 @@ ToolModel bent(const char* name, double length, double point, double shaft) {
 ToolModel cystotome() {
     ToolModel tool = bent("cystotome", 0.8, 0.12, 0.2);
     tool.kind = ToolKind::cystotome;
-    tool.reach = 0.3;
+    tool.cutting = 0.3;   // proposal
     tool.hold = 40000.0;  // proposal
     tool.friction = 0.2;
     return tool;

@@ -282,6 +282,35 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     return finished(editor, cost, std::move(tips));
 }
 
+namespace {
+
+/// One edge; from then on the needle pushes the end of the cut before it.
+bool cut(const MembraneModel& model, const CutProposal& proposal, MembraneState& state, const TearRules& rules) {
+    const auto tip = std::find_if(state.tips.begin(), state.tips.end(),
+                                  [&](const TearTip& other) { return other.node == proposal.node; });
+    const Result<MembraneEdit> edit =
+        tip == state.tips.end()
+            ? notch(model, state, proposal.node, proposal.direction, rules)
+            : tear(model, state, static_cast<int>(tip - state.tips.begin()), proposal.direction, rules);
+    const auto pushed = std::find_if(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
+        return grip.tool == proposal.tool && grip.node == proposal.node;
+    });
+    if (!edit.ok() || pushed == state.grips.end()) {
+        return false;
+    }
+    SheetGrip next = *pushed;
+    const std::size_t tips = state.tips.size();
+    state = applied(state, edit.value());
+    std::erase_if(state.grips, [&](const SheetGrip& grip) { return grip.tool == proposal.tool; });
+    if (state.tips.size() >= tips && !state.tips.empty()) {
+        next.node = state.tips.back().node;
+        state.grips.push_back(next);
+    }
+    return true;
+}
+
+}  // namespace
+
 int carry_out(const MembraneModel& model, const MembraneStepReport& report, MembraneState& state,
               const TearRules& rules) {
     const std::vector<TearProposal>& proposals = report.tears;
@@ -302,6 +331,9 @@ int carry_out(const MembraneModel& model, const MembraneStepReport& report, Memb
             state = applied(state, edit.value());
             ++done;
         }
+    }
+    for (std::size_t i = 0; i < report.cuts.size() && done == 0; ++i) {
+        done += cut(model, report.cuts[i], state, rules) ? 1 : 0;
     }
     // tears renumber triangles: a needle that still presses goes through in the next step
     for (std::size_t i = 0; i < report.punctures.size() && done == 0; ++i) {
