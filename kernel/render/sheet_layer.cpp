@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/sheet_layer.hpp"
+
+#include <array>
+
+#include "render/depth_pass.hpp"
+#include "render/sheet_strain.hpp"
+
+namespace rhexis {
+
+namespace {
+
+constexpr double ribbon_mm = 0.12;  ///< half the width of what is drawn along a torn edge
+
+void append(const Vec3& triple, std::vector<float>& stream) {
+    for (int i = 0; i < 3; ++i) {
+        stream.push_back(static_cast<float>(triple[i]));
+    }
+}
+
+/// Unit, weighted by area; zero where nothing lies around a node.
+std::vector<Vec3> node_normals(const std::vector<std::array<int, 3>>& triangles, const std::vector<Vec3>& places) {
+    std::vector<Vec3> normals(places.size(), Vec3::Zero());
+    for (const std::array<int, 3>& t : triangles) {
+        const Vec3 twice_area = (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]);
+        for (int node : t) {
+            normals[node] += twice_area;
+        }
+    }
+    for (Vec3& normal : normals) {
+        normal.normalize();
+    }
+    return normals;
+}
+
+/// Away from the sheet, across its edge and the line of sight, at the nodes of edges.
+std::vector<Vec3> outward_at_edges(const std::vector<SheetEdge>& edges, const std::vector<Vec3>& places,
+                                   const Vec3& view_axis) {
+    std::vector<Vec3> outward(places.size(), Vec3::Zero());
+    for (const SheetEdge& edge : edges) {
+        const Vec3 along = places[edge.to] - places[edge.from];
+        const Vec3 side = along.cross(view_axis).normalized();
+        const double inside = side.dot(places[edge.inside] - places[edge.from]);
+        const Vec3 away = inside > 0.0 ? Vec3(-side) : side;
+        outward[edge.from] += away;
+        outward[edge.to] += away;
+    }
+    for (Vec3& way : outward) {
+        way.normalize();
+    }
+    return outward;
+}
+
+}  // namespace
+
+Result<SheetLayer> SheetLayer::create(int width, int height) {
+    Result<Program> surface = Program::build({"sheet.vert"}, {"sheet.frag"});
+    if (!surface.ok()) {
+        return surface.error();
+    }
+    Result<Program> edge = Program::build({"sheet_edge.vert"}, {"sheet_edge.frag"});
+    if (!edge.ok()) {
+        return edge.error();
+    }
+    return SheetLayer(std::move(surface).value(), std::move(edge).value(), width, height);
+}
+
+SheetLayer::SheetLayer(Program surface, Program edge, int width, int height)
+    : surface_(std::move(surface)),
+      edge_(std::move(edge)),
+      sheets_(make_single_target(width, height, GL_RGBA16F, GL_LINEAR)),
+      surface_vertices_({3, 3, 4}),
+      edge_vertices_({3, 3}) {}
+
+const SmoothSheet& SheetLayer::smoothed(std::size_t membrane, const std::shared_ptr<const MembraneSheet>& sheet) {
+    if (membrane >= smooth_.size()) {
+        smooth_.emplace_back(sheet);
+    } else if (smooth_[membrane].sheet() != sheet) {
+        smooth_[membrane] = SmoothSheet(sheet);
+    }
+    return smooth_[membrane];
+}
+
+void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& state) {
+    const std::vector<Vec3> normals = node_normals(sheet.triangles(), places_);
+    const std::vector<Vec3> folds = sheet.refined(wrinkles(state));
+    for (const std::array<int, 3>& t : sheet.triangles()) {
+        if (!(places_[t[0]] + places_[t[1]] + places_[t[2]]).allFinite()) {
+            continue;
+        }
+        for (int node : t) {
+            append(places_[node], surface_stream_);
+            append(normals[node], surface_stream_);
+            const Vec3& rest = sheet.rest()[node];
+            for (double number : {rest.x(), rest.y(), folds[node].x(), folds[node].y()}) {
+                surface_stream_.push_back(static_cast<float>(number));
+            }
+        }
+    }
+}
+
+void SheetLayer::collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>& places, const Vec3& view_axis) {
+    const std::vector<Vec3> outward = outward_at_edges(sheet.torn_edges(), places, view_axis);
+    const auto corner = [&](int node, double across) {
+        append(places[node] + across * outward[node], edge_stream_);
+        append({outward[node].x(), outward[node].y(), across}, edge_stream_);
+    };
+    for (const SheetEdge& edge : sheet.torn_edges()) {
+        if (!(places[edge.from] + places[edge.to] + outward[edge.from] + outward[edge.to]).allFinite()) {
+            continue;
+        }
+        corner(edge.from, -ribbon_mm);
+        corner(edge.to, -ribbon_mm);
+        corner(edge.to, ribbon_mm);
+        corner(edge.from, -ribbon_mm);
+        corner(edge.to, ribbon_mm);
+        corner(edge.from, ribbon_mm);
+    }
+}
+
+void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop, const Vec3& reference,
+                      const Vec3& contour, const Texture& detail, const PixelRect& area) {
+    surface_stream_.clear();
+    edge_stream_.clear();
+    for (std::size_t i = 0; i < frame.membranes.size(); ++i) {
+        const SmoothSheet& sheet = smoothed(i, frame.membranes[i].sheet);
+        places_ = sheet.refined(frame.membranes[i].position);
+        collect_surface(sheet, frame.membranes[i]);
+        collect_edges(sheet, places_, view.axis);
+    }
+    const Scissor scissor(area);
+    sheets_.bind();
+    const std::array<GLfloat, 4> none{};
+    glClearBufferfv(GL_COLOR, 0, none.data());
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (Program* program : {&surface_, &edge_}) {
+        program->use();
+        set_view(*program, view);
+        program->set("reference", reference);
+        program->set("stop", stop, 0);
+        program->set("detail_map", detail, 1);
+        program->set("contour", contour);
+        program->set("pixel_mm", pixel_mm(view, reference));
+        VertexStream& vertices = program == &surface_ ? surface_vertices_ : edge_vertices_;
+        vertices.send(program == &surface_ ? surface_stream_ : edge_stream_);
+        vertices.draw();
+    }
+    glDisable(GL_BLEND);
+}
+
+}  // namespace rhexis

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sheet drawn finer than it is computed: its triangles in four and again in four by Loop's rules, so that folds are
+// round, and torn edges smooth curves.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "flow/membrane.hpp"
+
+namespace rhexis {
+
+/// Weights with which values at the nodes of a coarse mesh make those of a finer one.
+struct Refinement {
+    std::vector<int> offset;     ///< fine node count + 1
+    std::vector<int> node;       ///< coarse nodes, offset[n] .. offset[n + 1] - 1 of each fine node
+    std::vector<double> weight;  ///< as many
+};
+
+/// An edge with a triangle on one side only.
+struct SheetEdge {
+    int from = 0;
+    int to = 0;
+    int inside = 0;  ///< third node of its triangle
+};
+
+class SmoothSheet {
+public:
+    explicit SmoothSheet(std::shared_ptr<const MembraneSheet> sheet);
+
+    [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
+    [[nodiscard]] const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
+    /// Where it was torn; without the sheet's outer edge.
+    [[nodiscard]] const std::vector<SheetEdge>& torn_edges() const { return torn_edges_; }
+    [[nodiscard]] const std::vector<Vec3>& rest() const { return rest_; }  ///< [mm]
+
+    /// Values at the fine nodes.
+    [[nodiscard]] std::vector<Vec3> refined(const std::vector<Vec3>& at_coarse_nodes) const;
+
+private:
+    void find_torn_edges();
+
+    std::shared_ptr<const MembraneSheet> sheet_;
+    std::vector<Refinement> levels_;
+    std::vector<std::array<int, 3>> triangles_;
+    std::vector<SheetEdge> torn_edges_;
+    std::vector<Vec3> rest_;
+};
+
+}  // namespace rhexis
