@@ -314,9 +314,10 @@ vec3 capsule(vec3 entry, vec3 way) {
     return lamp * (0.34 * edge * lit + 0.10 * fold * lit + veil * (0.006 + 0.030 * smoothstep(0.72, 1.0, sheen)));
 }
 
-// What thin sheets do to the light of what lies under them.
-const vec3 trypan = vec3(0.035, 0.105, 0.30);  // light that a stained layer returns
-const float stain_per_layer = 0.35;
+// What thin sheets do to the light of what lies under them. A stained layer keeps red back and returns blue.
+const vec3 stain_passes = vec3(0.31, 0.66, 1.0);
+const vec3 stain_returns = vec3(0.026, 0.125, 0.40);
+const float stain_cover = 0.35;  // of what lies under one layer
 
 vec4 sheets_at(vec2 at) {
     // Four taps between pixels: sheets end within a pixel, not at its border.
@@ -338,11 +339,12 @@ vec3 under_sheets(vec3 deep) {
     }
     float shadow = 0.22 * clamp(above - max(min(here.r, 2.2), 1.0), 0.0, 1.0);
     float veiled = 1.0 - exp(-here.b);
-    float stained = 1.0 - pow(1.0 - stain_per_layer * trypan_blue, here.r);
-    vec3 white = mix(vec3(0.36, 0.35, 0.34) * lamp, 1.6 * trypan, 0.8 * min(1.0, 2.0 * stained));
-    vec3 light = deep * (1.0 - min(here.a, 0.7)) * (1.0 - shadow);
-    light = mix(light, trypan, stained);
-    return mix(light, white, veiled) + here.g * mix(lamp, vec3(0.55, 0.75, 1.0), 0.6 * stained);
+    float dye = trypan_blue * here.r;
+    float covered = 1.0 - pow(1.0 - stain_cover, dye);
+    vec3 light = deep * (1.0 - min(here.a, 0.7)) * (1.0 - shadow) * pow(stain_passes, vec3(dye));
+    light += covered * stain_returns;
+    vec3 white = mix(vec3(0.36, 0.36, 0.36) * lamp, vec3(0.06, 0.13, 0.34), min(1.0, 1.5 * covered));
+    return mix(light, white, veiled) + here.g * mix(lamp, vec3(0.50, 0.72, 1.0), min(1.0, covered));
 }
 #endif
 

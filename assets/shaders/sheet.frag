@@ -66,11 +66,17 @@ void main() {
         float here = streaks(world.xy, along);
         float beside = streaks(world.xy + 0.05 * across, along);
         float slope = clamp(9.0 * (here - beside), -1.0, 1.0) * min(1.0, 1.4 * deep);
-        light += 0.10 * max(slope, 0.0) * max(slope, 0.0);
-        shade += 0.16 * max(-slope, 0.0);
+        light += 0.16 * max(slope, 0.0) * max(slope, 0.0);
+        shade += 0.22 * max(-slope, 0.0);
     }
 
-    float veil = turned ? 0.060 + 0.050 * coarse.r + 0.05 * grain.g : 0.006 + 0.006 * coarse.b;
-    veil += 0.030 * min(slant, 4.0);
+    // A fold turns every way, so that some of it always mirrors a lamp.
+    float fold = smoothstep(0.35, 2.0, slant);
+    light += 0.26 * fold * (0.5 + 0.8 * grain.r);
+    shade *= 1.0 - fold;
+    // The back of a flap is dull: cells cling to it.
+    float veil = turned ? 0.035 + 0.040 * coarse.r + 0.06 * grain.g : 0.006 + 0.006 * coarse.b;
+    shade += turned ? 0.07 + 0.10 * coarse.g : 0.0;
+    veil += 0.020 * min(slant, 4.0);
     colour = vec4(min(1.0 + slant, 3.0), light, veil, shade);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ribbon along the torn edge of a sheet.
+// A ribbon along an edge of a sheet.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 look;  // away from the sheet: across the view; distance from the edge [mm]
 uniform mat4 clip_from_world;

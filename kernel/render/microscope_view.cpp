@@ -12,6 +12,8 @@ namespace {
 constexpr double softening_mm = 0.055;  ///< standard deviation: tissue scatters, and facets should not show
 constexpr int area_margin = 10;         ///< [pixels] that smoothing reaches beyond the pupil
 
+constexpr double sheet_margin = 0.6;  ///< beyond the pupil's edge that sheets are drawn [mm]
+
 /// Centre of the pupil and its reach sideways and upwards, in pixels from the bottom left.
 struct PupilOnScreen {
     Vec2 centre;
@@ -199,7 +201,8 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     const EyeAreas areas = eye_areas(eye, outer, inner);
     front_.draw(frame, inner, depth.reference(), areas.pupil);
     if (!frame.membranes.empty()) {
-        sheets_.draw(frame, inner, depth.stop(), depth.reference(), contour_of(still_lens(frame)), detail, areas.pupil);
+        sheets_.draw(frame, inner, depth.stop(), depth.reference(), contour_of(still_lens(frame)), detail, areas.pupil,
+                     opening_of(eye) + sheet_margin);
     }
     inside_.draw(painter, frame, tools, inner, Medium::inside, areas.cornea, eye, detail);
     outside_.draw(painter, frame, tools, outer, Medium::outside, whole(outer), eye, detail);

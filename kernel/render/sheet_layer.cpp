@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/sheet_layer.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/depth_pass.hpp"
 #include "render/sheet_strain.hpp"
@@ -10,7 +12,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr double ribbon_mm = 0.12;  ///< half the width of what is drawn along a torn edge
+constexpr double ribbon_mm = 0.12;  ///< half the width of what is drawn along an edge
 
 void append(const Vec3& triple, std::vector<float>& stream) {
     for (int i = 0; i < 3; ++i) {
@@ -33,20 +35,37 @@ std::vector<Vec3> node_normals(const std::vector<std::array<int, 3>>& triangles,
     return normals;
 }
 
-/// Away from the sheet, across its edge and the line of sight, at the nodes of edges.
+/// On which side of an edge a node shows, and how far: twice the area of the triangle as seen.
+double side_of(const SheetEdge& edge, int node, const std::vector<Vec3>& places, const Vec3& view_axis) {
+    return view_axis.dot((places[edge.to] - places[edge.from]).cross(places[node] - places[edge.from]));
+}
+
+/// Where the sheet ends, or is folded over: both triangles show on the same side.
+std::vector<SheetEdge> shown_edges(const std::vector<SheetEdge>& edges, const std::vector<Vec3>& places,
+                                   const Vec3& view_axis) {
+    std::vector<SheetEdge> shown;
+    for (const SheetEdge& edge : edges) {
+        if (edge.right < 0 ||
+            side_of(edge, edge.left, places, view_axis) * side_of(edge, edge.right, places, view_axis) > 0.0) {
+            shown.push_back(edge);
+        }
+    }
+    return shown;
+}
+
+/// Away from the sheet, across its edge and the line of sight, at the nodes of edges; shorter than 1 where edges meet
+/// at a sharp angle, as at the end of a tear.
 std::vector<Vec3> outward_at_edges(const std::vector<SheetEdge>& edges, const std::vector<Vec3>& places,
                                    const Vec3& view_axis) {
     std::vector<Vec3> outward(places.size(), Vec3::Zero());
     for (const SheetEdge& edge : edges) {
-        const Vec3 along = places[edge.to] - places[edge.from];
-        const Vec3 side = along.cross(view_axis).normalized();
-        const double inside = side.dot(places[edge.inside] - places[edge.from]);
-        const Vec3 away = inside > 0.0 ? Vec3(-side) : side;
+        const Vec3 left_side = view_axis.cross(places[edge.to] - places[edge.from]).normalized();
+        const Vec3 away = side_of(edge, edge.left, places, view_axis) > 0.0 ? Vec3(-left_side) : left_side;
         outward[edge.from] += away;
         outward[edge.to] += away;
     }
     for (Vec3& way : outward) {
-        way.normalize();
+        way /= std::max(1.0, way.norm());
     }
     return outward;
 }
@@ -81,11 +100,13 @@ const SmoothSheet& SheetLayer::smoothed(std::size_t membrane, const std::shared_
     return smooth_[membrane];
 }
 
-void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& state) {
+void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& state, double reach) {
     const std::vector<Vec3> normals = node_normals(sheet.triangles(), places_);
     const std::vector<Vec3> folds = sheet.refined(wrinkles(state));
     for (const std::array<int, 3>& t : sheet.triangles()) {
-        if (!(places_[t[0]] + places_[t[1]] + places_[t[2]]).allFinite()) {
+        // Not "beyond": what is not finite is not within.
+        const bool within = places_[t[0]].head<2>().norm() < reach && std::isfinite(places_[t[0]].z());
+        if (!within || !(places_[t[1]] + places_[t[2]]).allFinite()) {
             continue;
         }
         for (int node : t) {
@@ -100,12 +121,13 @@ void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& 
 }
 
 void SheetLayer::collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>& places, const Vec3& view_axis) {
-    const std::vector<Vec3> outward = outward_at_edges(sheet.torn_edges(), places, view_axis);
+    const std::vector<SheetEdge> edges = shown_edges(sheet.edges(), places, view_axis);
+    const std::vector<Vec3> outward = outward_at_edges(edges, places, view_axis);
     const auto corner = [&](int node, double across) {
         append(places[node] + across * outward[node], edge_stream_);
         append({outward[node].x(), outward[node].y(), across}, edge_stream_);
     };
-    for (const SheetEdge& edge : sheet.torn_edges()) {
+    for (const SheetEdge& edge : edges) {
         if (!(places[edge.from] + places[edge.to] + outward[edge.from] + outward[edge.to]).allFinite()) {
             continue;
         }
@@ -119,13 +141,13 @@ void SheetLayer::collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>
 }
 
 void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop, const Vec3& reference,
-                      const Vec3& contour, const Texture& detail, const PixelRect& area) {
+                      const Vec3& contour, const Texture& detail, const PixelRect& area, double reach) {
     surface_stream_.clear();
     edge_stream_.clear();
     for (std::size_t i = 0; i < frame.membranes.size(); ++i) {
         const SmoothSheet& sheet = smoothed(i, frame.membranes[i].sheet);
         places_ = sheet.refined(frame.membranes[i].position);
-        collect_surface(sheet, frame.membranes[i]);
+        collect_surface(sheet, frame.membranes[i], reach);
         collect_edges(sheet, places_, view.axis);
     }
     const Scissor scissor(area);

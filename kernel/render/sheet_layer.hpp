@@ -18,9 +18,10 @@ public:
     static Result<SheetLayer> create(int width, int height);
 
     /// stop, reference: see DepthPass; what lies deeper than an instrument is not drawn. contour: of the lens under it,
-    /// see still_lens.hpp. detail: repeating noise. Within `area`; what lies outside is stale.
+    /// see still_lens.hpp. detail: repeating noise. Within `area`, what lies outside is stale; only what lies within
+    /// `reach` of the eye's axis [mm].
     void draw(const Frame& frame, const View& view, const Texture& stop, const Vec3& reference, const Vec3& contour,
-              const Texture& detail, const PixelRect& area);
+              const Texture& detail, const PixelRect& area, double reach);
 
     /// RGBA16F: layers along the line of sight, light that they return, share of it that is whitish veil, shade.
     [[nodiscard]] const Texture& picture() const { return sheets_.colours[0]; }
@@ -28,7 +29,7 @@ public:
 private:
     SheetLayer(Program surface, Program edge, int width, int height);
     const SmoothSheet& smoothed(std::size_t membrane, const std::shared_ptr<const MembraneSheet>& sheet);
-    void collect_surface(const SmoothSheet& sheet, const MembraneState& state);
+    void collect_surface(const SmoothSheet& sheet, const MembraneState& state, double reach);
     void collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>& places, const Vec3& view_axis);
 
     Program surface_;

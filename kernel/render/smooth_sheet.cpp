@@ -12,28 +12,21 @@ constexpr int most_triangles = 40000;  ///< beyond which a sheet is fine enough
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// An edge and what lies on its sides.
-struct Edge {
-    int low = 0;
-    int high = 0;
-    int left = -1;   ///< third node of a triangle; -1: none
-    int right = -1;  ///< of the other
-};
-
-std::vector<Edge> edges_of(const Triangles& triangles) {
-    std::vector<Edge> all;
+/// Each once, from its node of lower number.
+std::vector<SheetEdge> edges_of(const Triangles& triangles) {
+    std::vector<SheetEdge> all;
     for (const std::array<int, 3>& t : triangles) {
         for (int k = 0; k < 3; ++k) {
             const auto [low, high] = std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
             all.push_back({low, high, t[k], -1});
         }
     }
-    std::sort(all.begin(), all.end(), [](const Edge& a, const Edge& b) {
-        return std::array{a.low, a.high, a.left} < std::array{b.low, b.high, b.left};
+    std::sort(all.begin(), all.end(), [](const SheetEdge& a, const SheetEdge& b) {
+        return std::array{a.from, a.to, a.left} < std::array{b.from, b.to, b.left};
     });
-    std::vector<Edge> edges;
-    for (const Edge& edge : all) {
-        if (!edges.empty() && edges.back().low == edge.low && edges.back().high == edge.high) {
+    std::vector<SheetEdge> edges;
+    for (const SheetEdge& edge : all) {
+        if (!edges.empty() && edges.back().from == edge.from && edges.back().to == edge.to) {
             edges.back().right = edge.left;
         } else {
             edges.push_back(edge);
@@ -42,11 +35,11 @@ std::vector<Edge> edges_of(const Triangles& triangles) {
     return edges;
 }
 
-int find_edge(const std::vector<Edge>& edges, int a, int b) {
+int find_edge(const std::vector<SheetEdge>& edges, int a, int b) {
     const std::array key{std::min(a, b), std::max(a, b)};
     const auto found =
-        std::lower_bound(edges.begin(), edges.end(), key, [](const Edge& edge, const std::array<int, 2>& wanted) {
-            return std::array{edge.low, edge.high} < wanted;
+        std::lower_bound(edges.begin(), edges.end(), key, [](const SheetEdge& edge, const std::array<int, 2>& wanted) {
+            return std::array{edge.from, edge.to} < wanted;
         });
     return static_cast<int>(found - edges.begin());
 }
@@ -70,10 +63,10 @@ void add_old_node(int node, const std::vector<int>& around, const std::vector<in
     end_node(rule);
 }
 
-void add_edge_node(const Edge& edge, Refinement& rule) {
+void add_edge_node(const SheetEdge& edge, Refinement& rule) {
     const bool open = edge.right < 0;
-    add(rule, edge.low, open ? 0.5 : 0.375);
-    add(rule, edge.high, open ? 0.5 : 0.375);
+    add(rule, edge.from, open ? 0.5 : 0.375);
+    add(rule, edge.to, open ? 0.5 : 0.375);
     if (!open) {
         add(rule, edge.left, 0.125);
         add(rule, edge.right, 0.125);
@@ -83,11 +76,11 @@ void add_edge_node(const Edge& edge, Refinement& rule) {
 
 /// Replaces the triangles by four each; the old nodes come first, then one for each edge.
 Refinement refine(Triangles& triangles, int node_count) {
-    const std::vector<Edge> edges = edges_of(triangles);
+    const std::vector<SheetEdge> edges = edges_of(triangles);
     std::vector<std::vector<int>> around(node_count);
     std::vector<std::vector<int>> along_edge(node_count);
-    for (const Edge& edge : edges) {
-        for (const auto& [node, other] : {std::pair{edge.low, edge.high}, std::pair{edge.high, edge.low}}) {
+    for (const SheetEdge& edge : edges) {
+        for (const auto& [node, other] : {std::pair{edge.from, edge.to}, std::pair{edge.to, edge.from}}) {
             around[node].push_back(other);
             if (edge.right < 0) {
                 along_edge[node].push_back(other);
@@ -99,7 +92,7 @@ Refinement refine(Triangles& triangles, int node_count) {
     for (int node = 0; node < node_count; ++node) {
         add_old_node(node, around[node], along_edge[node], rule);
     }
-    for (const Edge& edge : edges) {
+    for (const SheetEdge& edge : edges) {
         add_edge_node(edge, rule);
     }
     Triangles finer;
@@ -137,7 +130,7 @@ SmoothSheet::SmoothSheet(std::shared_ptr<const MembraneSheet> sheet)
         nodes = static_cast<int>(levels_.back().offset.size()) - 1;
     }
     rest_ = refined(sheet_->mesh.nodes);
-    find_torn_edges();
+    find_edges();
 }
 
 std::vector<Vec3> SmoothSheet::refined(const std::vector<Vec3>& at_coarse_nodes) const {
@@ -148,15 +141,15 @@ std::vector<Vec3> SmoothSheet::refined(const std::vector<Vec3>& at_coarse_nodes)
     return values;
 }
 
-void SmoothSheet::find_torn_edges() {
+void SmoothSheet::find_edges() {
     double outermost = 0.0;
     for (const Vec3& node : rest_) {
         outermost = std::max(outermost, node.head<2>().norm());
     }
-    for (const Edge& edge : edges_of(triangles_)) {
-        const double rho = 0.5 * (rest_[edge.low] + rest_[edge.high]).head<2>().norm();
-        if (edge.right < 0 && rho < 0.97 * outermost) {
-            torn_edges_.push_back({edge.low, edge.high, edge.left});
+    for (const SheetEdge& edge : edges_of(triangles_)) {
+        const double rho = 0.5 * (rest_[edge.from] + rest_[edge.to]).head<2>().norm();
+        if (edge.right >= 0 || rho < 0.97 * outermost) {
+            edges_.push_back(edge);
         }
     }
 }

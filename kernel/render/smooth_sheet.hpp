@@ -17,11 +17,12 @@ struct Refinement {
     std::vector<double> weight;  ///< as many
 };
 
-/// An edge with a triangle on one side only.
+/// An edge of the fine mesh.
 struct SheetEdge {
     int from = 0;
     int to = 0;
-    int inside = 0;  ///< third node of its triangle
+    int left = 0;    ///< third node of a triangle beside it
+    int right = -1;  ///< of the other; -1: the sheet ends here
 };
 
 class SmoothSheet {
@@ -30,20 +31,20 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
     [[nodiscard]] const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
-    /// Where it was torn; without the sheet's outer edge.
-    [[nodiscard]] const std::vector<SheetEdge>& torn_edges() const { return torn_edges_; }
+    /// All but the sheet's outer edge.
+    [[nodiscard]] const std::vector<SheetEdge>& edges() const { return edges_; }
     [[nodiscard]] const std::vector<Vec3>& rest() const { return rest_; }  ///< [mm]
 
     /// Values at the fine nodes.
     [[nodiscard]] std::vector<Vec3> refined(const std::vector<Vec3>& at_coarse_nodes) const;
 
 private:
-    void find_torn_edges();
+    void find_edges();
 
     std::shared_ptr<const MembraneSheet> sheet_;
     std::vector<Refinement> levels_;
     std::vector<std::array<int, 3>> triangles_;
-    std::vector<SheetEdge> torn_edges_;
+    std::vector<SheetEdge> edges_;
     std::vector<Vec3> rest_;
 };
 
