@@ -175,7 +175,7 @@ uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 uniform float cortical_opacity;
-uniform sampler2D sheets;  // layers, light, whitish veil, shade of thin sheets: see SheetLayer
+uniform sampler2D sheets;  // see SheetLayer
 uniform int has_sheets;
 uniform float trypan_blue;
 uniform vec4 folds;  // place where a tip holds the posterior capsule; 1 if it does
@@ -319,11 +319,13 @@ const vec3 stain_passes = vec3(0.31, 0.66, 1.0);
 const vec3 stain_returns = vec3(0.026, 0.125, 0.40);
 const float stain_cover = 0.35;  // of what lies under one layer
 
+// Layers, light, whitish veil, shade: see SheetLayer.
 vec4 sheets_at(vec2 at) {
     // Four taps between pixels: sheets end within a pixel, not at its border.
     vec2 off = 0.5 / view_size;
-    return 0.25 * (texture(sheets, at + off) + texture(sheets, at - off) + texture(sheets, at + vec2(off.x, -off.y)) +
-                   texture(sheets, at + vec2(-off.x, off.y)));
+    return vec4(1.0, 0.125, 0.125, 0.25) *
+           (texture(sheets, at + off) + texture(sheets, at - off) + texture(sheets, at + vec2(off.x, -off.y)) +
+            texture(sheets, at + vec2(-off.x, off.y)));
 }
 
 vec3 under_sheets(vec3 deep) {
@@ -335,7 +337,7 @@ vec3 under_sheets(vec3 deep) {
     vec2 step_away = vec2(0.05, -0.06) / (pixel_mm * view_size);
     float above = 0.0;
     for (int i = 1; i <= 3; ++i) {
-        above += min(texture(sheets, place - float(i) * step_away).r, 2.2) / 3.0;
+        above += min(4.0 * texture(sheets, place - float(i) * step_away).r, 2.2) / 3.0;
     }
     float shadow = 0.22 * clamp(above - max(min(here.r, 2.2), 1.0), 0.0, 1.0);
     float veiled = 1.0 - exp(-here.b);

@@ -78,5 +78,5 @@ void main() {
     float veil = turned ? 0.035 + 0.040 * coarse.r + 0.06 * grain.g : 0.006 + 0.006 * coarse.b;
     shade += turned ? 0.07 + 0.10 * coarse.g : 0.0;
     veil += 0.020 * min(slant, 4.0);
-    colour = vec4(min(1.0 + slant, 3.0), light, veil, shade);
+    colour = vec4(0.25 * min(1.0 + slant, 3.0), 2.0 * light, 2.0 * veil, shade);
 }

@@ -12,7 +12,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double ribbon_mm = 0.12;  ///< half the width of what is drawn along an edge
+constexpr std::size_t floats_per_vertex = 10;  ///< of the surface
+constexpr double ribbon_mm = 0.12;             ///< half the width of what is drawn along an edge
 
 void append(const Vec3& triple, std::vector<float>& stream) {
     for (int i = 0; i < 3; ++i) {
@@ -87,7 +88,7 @@ Result<SheetLayer> SheetLayer::create(int width, int height) {
 SheetLayer::SheetLayer(Program surface, Program edge, int width, int height)
     : surface_(std::move(surface)),
       edge_(std::move(edge)),
-      sheets_(make_single_target(width, height, GL_RGBA16F, GL_LINEAR)),
+      sheets_(make_single_target(width, height, GL_RGBA8, GL_LINEAR)),
       surface_vertices_({3, 3, 4}),
       edge_vertices_({3, 3}) {}
 
@@ -103,6 +104,15 @@ const SmoothSheet& SheetLayer::smoothed(std::size_t membrane, const std::shared_
 void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& state, double reach) {
     const std::vector<Vec3> normals = node_normals(sheet.triangles(), places_);
     const std::vector<Vec3> folds = sheet.refined(wrinkles(state));
+    const GLuint first = static_cast<GLuint>(surface_stream_.size() / floats_per_vertex);
+    for (std::size_t node = 0; node < places_.size(); ++node) {
+        append(places_[node], surface_stream_);
+        append(normals[node], surface_stream_);
+        const Vec3& rest = sheet.rest()[node];
+        for (double number : {rest.x(), rest.y(), folds[node].x(), folds[node].y()}) {
+            surface_stream_.push_back(static_cast<float>(number));
+        }
+    }
     for (const std::array<int, 3>& t : sheet.triangles()) {
         // Not "beyond": what is not finite is not within.
         const bool within = places_[t[0]].head<2>().norm() < reach && std::isfinite(places_[t[0]].z());
@@ -110,12 +120,7 @@ void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& 
             continue;
         }
         for (int node : t) {
-            append(places_[node], surface_stream_);
-            append(normals[node], surface_stream_);
-            const Vec3& rest = sheet.rest()[node];
-            for (double number : {rest.x(), rest.y(), folds[node].x(), folds[node].y()}) {
-                surface_stream_.push_back(static_cast<float>(number));
-            }
+            surface_indices_.push_back(first + static_cast<GLuint>(node));
         }
     }
 }
@@ -143,6 +148,7 @@ void SheetLayer::collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>
 void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop, const Vec3& reference,
                       const Vec3& contour, const Texture& detail, const PixelRect& area, double reach) {
     surface_stream_.clear();
+    surface_indices_.clear();
     edge_stream_.clear();
     for (std::size_t i = 0; i < frame.membranes.size(); ++i) {
         const SmoothSheet& sheet = smoothed(i, frame.membranes[i].sheet);
@@ -164,9 +170,13 @@ void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop,
         program->set("detail_map", detail, 1);
         program->set("contour", contour);
         program->set("pixel_mm", pixel_mm(view, reference));
-        VertexStream& vertices = program == &surface_ ? surface_vertices_ : edge_vertices_;
-        vertices.send(program == &surface_ ? surface_stream_ : edge_stream_);
-        vertices.draw();
+        if (program == &surface_) {
+            surface_vertices_.send(surface_stream_, surface_indices_);
+            surface_vertices_.draw();
+        } else {
+            edge_vertices_.send(edge_stream_);
+            edge_vertices_.draw();
+        }
     }
     glDisable(GL_BLEND);
 }

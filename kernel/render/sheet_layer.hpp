@@ -23,7 +23,8 @@ public:
     void draw(const Frame& frame, const View& view, const Texture& stop, const Vec3& reference, const Vec3& contour,
               const Texture& detail, const PixelRect& area, double reach);
 
-    /// RGBA16F: layers along the line of sight, light that they return, share of it that is whitish veil, shade.
+    /// RGBA8: a quarter of the number of layers along the line of sight, twice the light that they mirror, twice the
+    /// whitish veil, shade.
     [[nodiscard]] const Texture& picture() const { return sheets_.colours[0]; }
 
 private:
@@ -38,6 +39,7 @@ private:
     VertexStream surface_vertices_;
     VertexStream edge_vertices_;
     std::vector<float> surface_stream_;
+    std::vector<GLuint> surface_indices_;
     std::vector<float> edge_stream_;
     std::vector<SmoothSheet> smooth_;  ///< per membrane, for as long as its connectivity stays
     std::vector<Vec3> places_;

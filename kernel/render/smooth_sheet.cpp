@@ -7,7 +7,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr int level_count = 2;
+constexpr int level_count = 1;
 constexpr int most_triangles = 40000;  ///< beyond which a sheet is fine enough
 
 using Triangles = std::vector<std::array<int, 3>>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet drawn finer than it is computed: its triangles in four and again in four by Loop's rules, so that folds are
-// round, and torn edges smooth curves.
+// A sheet drawn finer than it is computed: each triangle as four, by Loop's rules, so that folds are round, and torn
+// edges smooth curves.
 #pragma once
 
 #include <memory>
