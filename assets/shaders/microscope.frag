@@ -175,6 +175,9 @@ uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 uniform float cortical_opacity;
+uniform sampler2D sheets;  // see SheetLayer
+uniform int has_sheets;
+uniform float trypan_blue;
 uniform vec4 folds;  // place where a tip holds the posterior capsule; 1 if it does
 uniform vec4 hole;   // of the posterior capsule: place, radius
 uniform vec4 crumbs[24];
@@ -310,6 +313,41 @@ vec3 capsule(vec3 entry, vec3 way) {
     float sheen = texture(detail_map, at.xy * vec2(0.05, 0.08)).b;
     return lamp * (0.34 * edge * lit + 0.10 * fold * lit + veil * (0.006 + 0.030 * smoothstep(0.72, 1.0, sheen)));
 }
+
+// What thin sheets do to the light of what lies under them. A stained layer keeps red back and returns blue.
+const vec3 stain_passes = vec3(0.31, 0.66, 1.0);
+const vec3 stain_returns = vec3(0.026, 0.125, 0.40);
+const float stain_cover = 0.35;  // of what lies under one layer
+
+// Layers, light, whitish veil, shade: see SheetLayer.
+vec4 sheets_at(vec2 at) {
+    // Four taps between pixels: sheets end within a pixel, not at its border.
+    vec2 off = 0.5 / view_size;
+    return vec4(1.0, 0.125, 0.125, 0.25) *
+           (texture(sheets, at + off) + texture(sheets, at - off) + texture(sheets, at + vec2(off.x, -off.y)) +
+            texture(sheets, at + vec2(-off.x, off.y)));
+}
+
+vec3 under_sheets(vec3 deep) {
+    if (has_sheets == 0) {
+        return deep;
+    }
+    vec4 here = sheets_at(place);
+    // A flap that is folded over throws a shadow, to the right and below.
+    vec2 step_away = vec2(0.05, -0.06) / (pixel_mm * view_size);
+    float above = 0.0;
+    for (int i = 1; i <= 3; ++i) {
+        above += min(4.0 * texture(sheets, place - float(i) * step_away).r, 2.2) / 3.0;
+    }
+    float shadow = 0.22 * clamp(above - max(min(here.r, 2.2), 1.0), 0.0, 1.0);
+    float veiled = 1.0 - exp(-here.b);
+    float dye = trypan_blue * here.r;
+    float covered = 1.0 - pow(1.0 - stain_cover, dye);
+    vec3 light = deep * (1.0 - min(here.a, 0.7)) * (1.0 - shadow) * pow(stain_passes, vec3(dye));
+    light += covered * stain_returns;
+    vec3 white = mix(vec3(0.36, 0.36, 0.36) * lamp, vec3(0.06, 0.13, 0.34), min(1.0, 1.5 * covered));
+    return mix(light, white, veiled) + here.g * mix(lamp, vec3(0.50, 0.72, 1.0), min(1.0, covered));
+}
 #endif
 
 void main() {
@@ -357,7 +395,7 @@ void main() {
     vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
 #endif
 #if PART >= 2
-    vec3 deep = pupil_colour(entry, inside, tool, iris_rho) * (1.0 - 0.12 * shade.r) +
+    vec3 deep = under_sheets(pupil_colour(entry, inside, tool, iris_rho)) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
     float aside = caught_edge.z > 0.0 ? dot(on_iris.xy, caught_edge.xy) / max(iris_rho, 0.01) : -1.0;
     float edge = pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);

@@ -46,6 +46,7 @@ Result<EyeModel> make_eye(const Patient& patient) {
     eye.patient = patient;
     eye.anatomy = make_anatomy(patient);
     eye.lens = make_lens(patient, shape);
+    eye.anatomy.lens_zones = lens_zones(patient);
     eye.bag = make_bag(shape, remaining_mass(eye.lens, rest_state(eye.lens)), patient.age);
     return eye;
 }

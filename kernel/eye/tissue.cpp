@@ -86,4 +86,11 @@ std::vector<Material> lens_materials(const Patient& patient) {
             tissue("cortex", outer, cortex_extinction * extinction + haze)};
 }
 
+std::array<LensZone, 3> lens_zones(const Patient& patient) {
+    const std::vector<Material> materials = lens_materials(patient);
+    return {LensZone{1.0, materials[cortex].extinction},
+            LensZone{epinucleus_scale(patient), materials[epinucleus].extinction},
+            LensZone{nucleus_scale(patient), materials[nucleus].extinction}};
+}
+
 }  // namespace rhexis

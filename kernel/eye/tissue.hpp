@@ -2,6 +2,7 @@
 // What the lens is made of at a patient's age and grade of cataract.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "flow/eye_model.hpp"
@@ -27,5 +28,8 @@ double nucleus_modulus(const Patient& patient);
 
 /// Materials of nucleus, epinucleus and cortex.
 std::vector<Material> lens_materials(const Patient& patient);
+
+/// The same tissues as light meets them from outside: cortex, epinucleus, nucleus.
+std::array<LensZone, 3> lens_zones(const Patient& patient);
 
 }  // namespace rhexis

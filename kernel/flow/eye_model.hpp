@@ -4,6 +4,7 @@
 // at -y (the bottom of the picture), +x to the surgeon's right. Units mm.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ struct Patient {
     int tetrahedra = 3000;          ///< requested mesh size of the lens, 500 to 24000
 };
 
+/// A zone of a lens that stands still: a scaled copy of its contour, of one tissue up to the next smaller one.
+struct LensZone {
+    double scale = 1.0;              ///< of the lens's contour
+    Vec3 extinction = Vec3::Zero();  ///< red, green, blue [1/mm]
+};
+
 /// Surfaces that only the picture and distances need.
 struct EyeAnatomy {
     bool has_iris = true;         ///< of the tissues that take part
@@ -38,6 +45,8 @@ struct EyeAnatomy {
     double iris_thickness = 0.4;
     double pupil_radius = 3.75;
     double cortical_opacity = 0.0;        ///< as of the patient
+    std::array<LensZone, 3> lens_zones;   ///< outermost first; drawn where a membrane lies on a lens that is no solid
+    double trypan_blue = 0.0;             ///< stain of the anterior capsule: 0 none, 1 full
     double anterior_chamber_depth = 3.0;  ///< front of the cornea to front of the lens [mm]
     Vec3 incision = Vec3::Zero();         ///< centre of the main wound at its inner lip [mm]
     double incision_width = 2.4;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/depth_pass.hpp"
 
+#include "render/still_lens.hpp"
+
 namespace rhexis {
 
 namespace {
@@ -16,6 +18,22 @@ Vec3 middle_of(const Frame& frame) {
         }
     }
     return count > 0.0 && sum.allFinite() ? Vec3(sum / count) : Vec3(Vec3::Zero());
+}
+
+/// Of all tissues that take light out [1/mm].
+std::vector<Vec3> extinctions_of(const Frame& frame) {
+    std::vector<Vec3> all;
+    for (const SolidModel& solid : frame.model->solids) {
+        for (const Material& material : solid.materials) {
+            all.push_back(material.extinction);
+        }
+    }
+    if (const std::optional<StillLens> lens = still_lens(frame)) {
+        for (const LensZone& zone : lens->zones) {
+            all.push_back(zone.extinction);
+        }
+    }
+    return all;
 }
 
 /// Sends a part of numbers that lie row by row.
@@ -64,11 +82,14 @@ DepthPass::DepthPass(int width, int height)
 
 void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
                      const PixelRect& tool_area, const PixelRect& body_area) {
-    find_tint(*frame.model);
+    find_tint(frame);
     reference_ = middle_of(frame);
     stream_.clear();
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         append_signed_faces(frame.model->solids[i], frame.solids[i], fine_, stream_);
+    }
+    if (const std::optional<StillLens> lens = still_lens(frame)) {
+        append_signed_faces(*lens, stream_);
     }
     raster_.look(view, reference_);
     draw_tools(frame, tools, tool_area);
@@ -77,19 +98,16 @@ void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, con
     send(optical_depth(), raster_.sum(), raster_.channels(), body_area);
 }
 
-void DepthPass::find_tint(const WorldModel& model) {
+void DepthPass::find_tint(const Frame& frame) {
+    const std::vector<Vec3> extinctions = extinctions_of(frame);
     Vec3 strongest = Vec3::Zero();
-    for (const SolidModel& solid : model.solids) {
-        for (const Material& material : solid.materials) {
-            strongest = material.extinction.norm() > strongest.norm() ? material.extinction : strongest;
-        }
+    for (const Vec3& extinction : extinctions) {
+        strongest = extinction.norm() > strongest.norm() ? extinction : strongest;
     }
     grey_ = strongest.x() > 0.0;
-    for (const SolidModel& solid : model.solids) {
-        for (const Material& material : solid.materials) {
-            const double off = material.extinction.cross(strongest).norm();
-            grey_ = grey_ && off <= 1e-12 * strongest.squaredNorm();
-        }
+    for (const Vec3& extinction : extinctions) {
+        const double off = extinction.cross(strongest).norm();
+        grey_ = grey_ && off <= 1e-12 * strongest.squaredNorm();
     }
     tint_ = grey_ ? Vec3(strongest / strongest.x()) : Vec3(Vec3::Ones());
 }

@@ -37,7 +37,7 @@ public:
 
 private:
     void draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const PixelRect& area);
-    void find_tint(const WorldModel& model);
+    void find_tint(const Frame& frame);
 
     DepthRaster raster_;
     Texture sum_;

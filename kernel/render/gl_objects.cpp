@@ -188,7 +188,7 @@ void Program::set(const char* parameter, const Texture& texture, int unit) const
 }
 
 VertexStream::VertexStream(std::initializer_list<int> layout)
-    : array_(new_name(glGenVertexArrays)), buffer_(new_name(glGenBuffers)) {
+    : array_(new_name(glGenVertexArrays)), buffer_(new_name(glGenBuffers)), indices_(new_name(glGenBuffers)) {
     for (int floats : layout) {
         stride_ += floats;
     }
@@ -209,11 +209,26 @@ void VertexStream::send(std::span<const float> vertices) {
     glBindBuffer(GL_ARRAY_BUFFER, *buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STREAM_DRAW);
     count_ = static_cast<int>(vertices.size()) / stride_;
+    indexed_ = false;
+}
+
+void VertexStream::send(std::span<const float> vertices, std::span<const GLuint> indices) {
+    send(vertices);
+    glBindVertexArray(*array_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, *indices_);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
+                 GL_STREAM_DRAW);
+    count_ = static_cast<int>(indices.size());
+    indexed_ = true;
 }
 
 void VertexStream::draw(GLenum mode) const {
     glBindVertexArray(*array_);
-    glDrawArrays(mode, 0, count_);
+    if (indexed_) {
+        glDrawElements(mode, count_, GL_UNSIGNED_INT, nullptr);
+    } else {
+        glDrawArrays(mode, 0, count_);
+    }
 }
 
 }  // namespace rhexis

@@ -105,12 +105,16 @@ class VertexStream {
 public:
     explicit VertexStream(std::initializer_list<int> layout);
     void send(std::span<const float> vertices);
+    /// Vertices that triangles share: three numbers of them per triangle.
+    void send(std::span<const float> vertices, std::span<const GLuint> indices);
     void draw(GLenum mode = GL_TRIANGLES) const;
     [[nodiscard]] int count() const { return count_; }
 
 private:
     GlName<release_vertex_array> array_;
     GlName<release_buffer> buffer_;
+    GlName<release_buffer> indices_;
+    bool indexed_ = false;
     int stride_ = 0;
     int count_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "render/depth_pass.hpp"
+#include "render/still_lens.hpp"
 
 namespace rhexis {
 
@@ -72,6 +73,9 @@ LensFront::LensFront(Program front, Program blur, int width, int height)
 
 void LensFront::collect(const Frame& frame) {
     stream_.clear();
+    if (const std::optional<StillLens> lens = still_lens(frame)) {
+        append_front(*lens, stream_);
+    }
     for (std::size_t i = 0; i < frame.solids.size(); ++i) {
         const SolidModel& model = frame.model->solids[i];
         const SolidState& state = frame.solids[i];

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 
+#include "render/still_lens.hpp"
+
 namespace rhexis {
 
 namespace {
 
 constexpr double softening_mm = 0.055;  ///< standard deviation: tissue scatters, and facets should not show
 constexpr int area_margin = 10;         ///< [pixels] that smoothing reaches beyond the pupil
+
+constexpr double sheet_margin = 0.6;  ///< beyond the pupil's edge that sheets are drawn [mm]
 
 /// Centre of the pupil and its reach sideways and upwards, in pixels from the bottom left.
 struct PupilOnScreen {
@@ -159,18 +163,24 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     if (!front.ok()) {
         return front.error();
     }
+    Result<SheetLayer> sheets = SheetLayer::create(width, height);
+    if (!sheets.ok()) {
+        return sheets.error();
+    }
     return MicroscopeView(Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value()},
                           std::array<Program, 4>{std::move(white).value(), std::move(iris).value(),
                                                  std::move(pupil).value(), std::move(core).value()},
-                          std::move(painter).value(), std::move(front).value(), width, height);
+                          std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width,
+                          height);
 }
 
 MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front,
-                               int width, int height)
+                               SheetLayer sheets, int width, int height)
     : steps_(std::move(steps)),
       parts_(std::move(parts)),
       eye_painter_(std::move(painter)),
       front_(std::move(front)),
+      sheets_(std::move(sheets)),
       inside_(width, height),
       outside_(width, height),
       light_(make_single_target(1, 1, GL_RGBA32F, GL_NEAREST)),
@@ -190,6 +200,10 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     }
     const EyeAreas areas = eye_areas(eye, outer, inner);
     front_.draw(frame, inner, depth.reference(), areas.pupil);
+    if (!frame.membranes.empty()) {
+        sheets_.draw(frame, inner, depth.stop(), depth.reference(), contour_of(still_lens(frame)), detail, areas.pupil,
+                     opening_of(eye) + sheet_margin);
+    }
     inside_.draw(painter, frame, tools, inner, Medium::inside, areas.cornea, eye, detail);
     outside_.draw(painter, frame, tools, outer, Medium::outside, whole(outer), eye, detail);
     gather_light(frame, inner, depth);
@@ -269,6 +283,9 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("detail_map", detail, 10);
     program.set("soft_depth", soft_.colours[0], 11);
     program.set("shadows", shadows_.colours[0], 12);
+    program.set("sheets", sheets_.picture(), 13);
+    program.set("has_sheets", frame.membranes.empty() ? 0 : 1);
+    program.set("trypan_blue", frame.eye->trypan_blue);
     program.set("extinction_tint", depth.tint());
     program.set("reference", depth.reference());
     program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, frame.eye->iris_z)));

@@ -8,6 +8,7 @@
 #include "render/depth_pass.hpp"
 #include "render/eye_textures.hpp"
 #include "render/lens_front.hpp"
+#include "render/sheet_layer.hpp"
 #include "render/tool_layer.hpp"
 
 namespace rhexis {
@@ -44,8 +45,8 @@ private:
         bool cornea = false;
         bool operator==(const PaintedFor&) const = default;
     };
-    MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front, int width,
-                   int height);
+    MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front, SheetLayer sheets,
+                   int width, int height);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
     void cast_shadows(const View& inner);
@@ -56,6 +57,7 @@ private:
     std::array<Program, 4> parts_;  ///< see microscope.frag
     EyePainter eye_painter_;
     LensFront front_;
+    SheetLayer sheets_;
     ToolLayer inside_;
     ToolLayer outside_;
     Target light_;    ///< one pixel

@@ -133,6 +133,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     set_up_lens(eye.value().lens, scene.advance);
     eye.value().anatomy.has_iris = has_tissue(scene, "iris");
     eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
+    eye.value().anatomy.trypan_blue = all_settings(scene).at("capsule.trypan_blue");
     eye.value().anatomy.side_port_width = has_instrument(scene, "spatula") ? side_port_width : 0.0;
     std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
     if (has_tissue(scene, "lens")) {

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 20> table{{
+constexpr std::array<SettingInfo, 21> table{{
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
@@ -18,6 +18,8 @@ constexpr std::array<SettingInfo, 20> table{{
     {"capsule.toughness", "1", 0.2, 5.0, 1.0, false,
      "Energy that a tear of the anterior capsule takes, share of the standard one."},
     {"capsule.triangles", "1", 200.0, 20000.0, 1500.0, false, "Of the anterior capsule, about so many."},
+    {"capsule.trypan_blue", "1", 0.0, 1.0, 0.0, false,
+     "Stain of the anterior capsule with trypan blue, in the picture: 0 none, 1 full."},
     {"capsulorhexis.diameter_mm", "mm", 3.0, 8.0, 5.25, false, "Diameter of the opening in the anterior capsule."},
     {"hydrodissection.freed", "1", 0.0, 1.0, 1.0, false, "Share of the cortex that no longer adheres to the capsule."},
     {"machine.bottle_cm", "cm", 0.0, 150.0, 75.0, true, "Height of the infusion bottle above the eye."},

@@ -7,7 +7,9 @@
 #include "base/clock.hpp"
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
-#include "scenes/pictures.hpp"
+#include "scenes/capsule_pictures.hpp"
+#include "scenes/capsule_scene.hpp"
+#include "tools/rhexis_tools.hpp"
 
 using namespace rhexis;
 using namespace rhexis::testing;
@@ -40,6 +42,24 @@ Frame bare_ball() {
     return frame;
 }
 
+/// A capsulorhexis under way, by the mechanics: forceps have led a flap a third of the way round.
+Frame capsulorhexis(double trypan_blue) {
+    scenes::CapsuleScene scene(Patient{}.age, {}, {capsulorhexis_forceps()});
+    const auto above = [&scene](double radius, double angle, double height) {
+        return Vec3(scene.front(radius * std::cos(angle), radius * std::sin(angle)) + height * Vec3::UnitZ());
+    };
+    scene.open_flap(1.0, 2.6, 0.9);
+    scene.put(0, above(2.2, 0.2, 0.05), 1.0);
+    scene.lead(0, above(2.2, 0.2, 0.06), 1.0, 0.0);
+    for (int i = 0; i <= 32; ++i) {
+        scene.lead(0, above(1.7, 0.2 + 0.08 * i, 0.2), 1.5, 0.0);
+    }
+    Frame frame = capsule_frame(3.0, trypan_blue);
+    frame.membranes[0] = scene.sheet();
+    frame.tools[0] = scene.tool(0);
+    return frame;
+}
+
 std::vector<Sample> samples() {
     std::vector<Sample> all;
     const auto eye = [&all](const char* name, Frame frame) {
@@ -60,6 +80,10 @@ std::vector<Sample> samples() {
     Camera far = microscope_camera(all[4].frame);
     far.field_mm = 24.0;
     all.push_back({"far_no3", all[4].frame, far});
+    for (const auto& [name, stain] : {std::pair{"capsule_flap", 0.0}, std::pair{"capsule_blue", 1.0}}) {
+        eye(name, capsulorhexis(stain));
+        all.back().camera.field_mm = 10.0;
+    }
     all.push_back({"bare_bar", bare_bar(), Camera()});
     all.back().camera = microscope_camera(all.back().frame);
     all.push_back({"bare_ball", bare_ball(), Camera()});
