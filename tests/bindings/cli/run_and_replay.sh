@@ -28,6 +28,11 @@ says "identical"
 expect 0 "" "$rhexis" replay "$work/a" --score-with groove --json
 expect 0 "" "$rhexis" report "$work/a"
 
+# Also what somebody did who was told not to react.
+expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --set surgeon.recovery=0 --set goal.length_mm=3 --out "$work/d"
+expect 0 "" "$rhexis" replay "$work/d" --score-with groove --json
+says '"judged_steps": 600'
+
 # Cut short: used up to its last whole step. Damaged: said, and status 2.
 size=$(stat -c %s "$work/a/recording.rhx")
 head -c $((size * 2 / 3)) "$work/a/recording.rhx" >"$work/cut.rhx"
