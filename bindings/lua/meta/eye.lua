@@ -12,7 +12,7 @@ local eye = {}
 ---@field pupil_mm? number # diameter [mm]; 3 to 9; default 7.5
 ---@field side? "right"|"left" # default "right"
 ---@field tetrahedra? integer # wanted size of the lens mesh; 500 to 24000; default 3000
----@field tissues? string[] # of "lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber", "viscoelastic"; default lens, bag, iris, cornea
+---@field tissues? string[] # what is simulated, by names below; default lens, bag, iris, cornea
 ---@field instruments? string[] # of "cannula", "cystotome", "forceps", "phaco", "probe", "spatula"; default {"phaco"}
 ---@field step? number # length of a step [s]; 0.001 to 0.02; default 0.01
 ---@field threads? integer # that work on a step; the result does not depend on it; 1 to 64; default 1
@@ -22,6 +22,9 @@ local eye = {}
 
 ---An eye whose lens lies free in its capsular bag. Origin at the centre of the lens equator, +z to the microscope, the
 ---surgeon at -y, +x to the surgeon's right. Instruments are withdrawn until the script moves them.
+---
+---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
+---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic".
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
 ---assert(eye:step(2))

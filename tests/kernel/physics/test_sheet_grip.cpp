@@ -43,7 +43,7 @@ TEST_SUITE("sheet grip") {
             CHECK(scene.force_of_puncture > 15000.0);
             CHECK(scene.force_of_puncture < 35000.0);
             CHECK(scene.sheet().tips.size() >= 2);  // a slit begins at a node: on a slope it may take another
-            CHECK(scene.force().norm() < 5000.0);  // it is through
+            CHECK(scene.force().norm() < 5000.0);   // it is through
         }
         CapsuleScene scene(68.0, {}, {probe(0.25, 30.0)});
         scene.put(0, above(scene, 0.0, 0.0, 0.5));
