@@ -12,8 +12,9 @@ constexpr double column_spacing = 0.2;  // [mm], a fifth of the phaco tip's widt
 
 /// Number of the membrane, or -1.
 int anterior_capsule(const WorldModel& world) {
-    const auto found = std::find_if(world.membranes.begin(), world.membranes.end(),
-                                    [](const MembraneModel& membrane) { return membrane.name == anterior_capsule_name; });
+    const auto found = std::find_if(world.membranes.begin(), world.membranes.end(), [](const MembraneModel& membrane) {
+        return membrane.name == anterior_capsule_name;
+    });
     return found == world.membranes.end() ? -1 : static_cast<int>(found - world.membranes.begin());
 }
 
