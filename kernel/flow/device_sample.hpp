@@ -10,7 +10,7 @@ struct DeviceSample {
     int instrument = 0;    ///< index into the scene's instruments
     bool present = false;  ///< false: withdrawn from the scene
     Pose pose;             ///< of the instrument's tip; local +z points from the tip along the shaft to the hand [mm]
-    double jaw = 0.0;      ///< opening, 0 closed to 1 open
+    double jaw = 0.0;      ///< opening, 0 closed to 1 open; cannula: how hard the hand presses
     double pedal = 0.0;    ///< foot pedal, 0 to 3; the fraction is the travel within the position
 };
 

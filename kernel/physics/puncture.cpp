@@ -34,26 +34,42 @@ Vec3 at_rest(const MembraneState& state, const std::array<int, 3>& n, const Vec3
     return share.x() * edge(rest, 1) + share.y() * edge(rest, 2);
 }
 
+/// What a tool does to a membrane by those of its contacts that count.
+struct Press {
+    Vec3 force = Vec3::Zero();         ///< summed [uN]
+    const Contact* hardest = nullptr;  ///< null: there is none
+};
+
+template <typename Counts>
+Press press_of(int tool, int membrane, const ContactSet& contacts, const Counts& counts) {
+    Press press;
+    for (const Contact& contact : contacts) {
+        if (contact.membrane == membrane && contact.partner == ContactPartner::tool && contact.partner_index == tool &&
+            counts(contact)) {
+            press.force += contact.force;
+            const bool harder = press.hardest == nullptr || contact.force.norm() > press.hardest->force.norm();
+            press.hardest = harder ? &contact : press.hardest;
+        }
+    }
+    return press;
+}
+
+bool is_needle(const WorldModel& world, std::span<const ToolState> tools, int tool) {
+    return world.tools[at(tool)].kind == ToolKind::cystotome && tools[at(tool)].present;
+}
+
 }  // namespace
 
 std::vector<PunctureProposal> propose_punctures(const WorldModel& world, int membrane, const MembraneState& state,
                                                 std::span<const ToolState> tools, const ContactSet& contacts) {
     std::vector<PunctureProposal> proposals;
     for (int k = 0; k < static_cast<int>(tools.size()); ++k) {
-        if (world.tools[at(k)].kind != ToolKind::cystotome || !tools[at(k)].present) {
+        if (!is_needle(world, tools, k)) {
             continue;
         }
-        Vec3 force = Vec3::Zero();
-        const Contact* hardest = nullptr;
-        for (const Contact& contact : contacts) {
-            const bool own = contact.membrane == membrane && contact.partner == ContactPartner::tool &&
-                             contact.partner_index == k && contact.nodes[2] >= 0;
-            if (own && tools[at(k)].pose.to_body(contact.point).norm() < end_length) {
-                force += contact.force;
-                const bool harder = hardest == nullptr || contact.force.norm() > hardest->force.norm();
-                hardest = harder ? &contact : hardest;
-            }
-        }
+        const auto [force, hardest] = press_of(k, membrane, contacts, [&](const Contact& contact) {
+            return contact.nodes[2] >= 0 && tools[at(k)].pose.to_body(contact.point).norm() < end_length;
+        });
         const int triangle = hardest == nullptr ? -1 : triangle_of(*state.sheet, hardest->nodes);
         if (triangle < 0 ||
             force.norm() < world.membranes[at(membrane)].piercing * state.sheet->thickness[at(triangle)]) {
@@ -75,20 +91,12 @@ std::vector<CutProposal> propose_cuts(const WorldModel& world, int membrane, con
     std::vector<CutProposal> proposals;
     const MembraneModel& model = world.membranes[at(membrane)];
     for (int k = 0; k < static_cast<int>(tools.size()); ++k) {
-        if (world.tools[at(k)].kind != ToolKind::cystotome) {
+        if (!is_needle(world, tools, k)) {
             continue;
         }
         // what a needle pushes are single nodes, of one lip
-        Vec3 force = Vec3::Zero();
-        const Contact* hardest = nullptr;
-        for (const Contact& contact : contacts) {
-            const bool own = contact.membrane == membrane && contact.partner == ContactPartner::tool &&
-                             contact.partner_index == k && contact.nodes[1] < 0;
-            if (own) {
-                force += contact.force;
-                hardest = hardest == nullptr || contact.force.norm() > hardest->force.norm() ? &contact : hardest;
-            }
-        }
+        const auto [force, hardest] =
+            press_of(k, membrane, contacts, [](const Contact& contact) { return contact.nodes[1] < 0; });
         if (hardest == nullptr || force.isZero()) {
             continue;
         }

@@ -109,7 +109,7 @@ bool surely_apart(const RoundedCone& cone, const Pose& pose, const std::array<Ve
 /// Whether a needle that goes on along its axis meets a place with its end.
 bool under_point(const ToolModel& model, const Pose& pose, const Vec3& place) {
     const Vec3 own = pose.to_body(place);
-    return std::hypot(own.x(), own.y()) < model.parts[0].radius_a &&
+    return own.head<2>().norm() < model.parts[0].radius_a &&
            own.z() < deepest_dent;  // deeper, it lies beside the needle
 }
 

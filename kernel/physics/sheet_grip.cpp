@@ -74,7 +74,7 @@ double ahead_of(const SheetGrip& grip, const Pose& pose, const Vec3& node) {
 bool stands_behind(const SheetGrip& grip, const ToolState& tool, const MembraneState& state) {
     const Vec3& node = state.position[at(grip.node)];
     const Vec3 own = tool.pose.to_body(node);
-    return own.z() > 0.0 && std::hypot(own.x(), own.y()) < slid_past && ahead_of(grip, tool.pose, node) < gone_back;
+    return own.z() > 0.0 && own.head<2>().norm() < slid_past && ahead_of(grip, tool.pose, node) < gone_back;
 }
 
 /// A needle pushes a node from where that is now, or from where the needle will meet it.
@@ -89,7 +89,7 @@ int tip_ahead(const Pose& needle, const Vec3& way, const MembraneState& state) {
     for (const TearTip& tip : state.tips) {
         const Vec3 own = needle.to_body(state.position[at(tip.node)]);
         const double ahead = own.dot(way);
-        const double aside = std::hypot(own.x() - ahead * way.x(), own.y() - ahead * way.y());
+        const double aside = (own - ahead * way).head<2>().norm();
         if (own.z() > 0.0 && aside < in_the_way && ahead > -just_passed && ahead < least) {
             least = ahead;
             found = tip.node;

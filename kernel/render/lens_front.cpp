@@ -6,6 +6,7 @@
 #include "mesh/adjacency.hpp"
 #include "render/depth_pass.hpp"
 #include "render/still_lens.hpp"
+#include "render/vertex_floats.hpp"
 
 namespace rhexis {
 
@@ -21,14 +22,6 @@ struct Level {
     const std::vector<Vec3>& rest;
 };
 
-void append(const Vec3& place, const Vec3& rest, std::vector<float>& stream) {
-    for (const Vec3* triple : {&place, &rest}) {
-        for (int i = 0; i < 3; ++i) {
-            stream.push_back(static_cast<float>((*triple)[i]));
-        }
-    }
-}
-
 template <typename IsThere>
 void append_border(const Level& level, const IsThere& is_there, std::vector<float>& stream) {
     const int count = static_cast<int>(level.tets.size());
@@ -43,7 +36,8 @@ void append_border(const Level& level, const IsThere& is_there, std::vector<floa
             }
             for (int corner : tet_faces[k]) {
                 const int node = level.tets[t][corner];
-                append(level.nodes[node], level.rest[node], stream);
+                append_floats(level.nodes[node], stream);
+                append_floats(level.rest[node], stream);
             }
         }
     }

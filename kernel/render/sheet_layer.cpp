@@ -7,6 +7,7 @@
 
 #include "render/depth_pass.hpp"
 #include "render/sheet_strain.hpp"
+#include "render/vertex_floats.hpp"
 
 namespace rhexis {
 
@@ -14,12 +15,6 @@ namespace {
 
 constexpr std::size_t floats_per_vertex = 10;  ///< of the surface
 constexpr double ribbon_mm = 0.12;             ///< half the width of what is drawn along an edge
-
-void append(const Vec3& triple, std::vector<float>& stream) {
-    for (int i = 0; i < 3; ++i) {
-        stream.push_back(static_cast<float>(triple[i]));
-    }
-}
 
 /// Unit, weighted by area; zero where nothing lies around a node.
 std::vector<Vec3> node_normals(const std::vector<std::array<int, 3>>& triangles, const std::vector<Vec3>& places) {
@@ -106,8 +101,8 @@ void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& 
     const std::vector<Vec3> folds = sheet.refined(wrinkles(state));
     const GLuint first = static_cast<GLuint>(surface_stream_.size() / floats_per_vertex);
     for (std::size_t node = 0; node < places_.size(); ++node) {
-        append(places_[node], surface_stream_);
-        append(normals[node], surface_stream_);
+        append_floats(places_[node], surface_stream_);
+        append_floats(normals[node], surface_stream_);
         const Vec3& rest = sheet.rest()[node];
         for (double number : {rest.x(), rest.y(), folds[node].x(), folds[node].y()}) {
             surface_stream_.push_back(static_cast<float>(number));
@@ -129,8 +124,8 @@ void SheetLayer::collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>
     const std::vector<SheetEdge> edges = shown_edges(sheet.edges(), places, view_axis);
     const std::vector<Vec3> outward = outward_at_edges(edges, places, view_axis);
     const auto corner = [&](int node, double across) {
-        append(places[node] + across * outward[node], edge_stream_);
-        append({outward[node].x(), outward[node].y(), across}, edge_stream_);
+        append_floats(places[node] + across * outward[node], edge_stream_);
+        append_floats({outward[node].x(), outward[node].y(), across}, edge_stream_);
     };
     for (const SheetEdge& edge : edges) {
         if (!(places[edge.from] + places[edge.to] + outward[edge.from] + outward[edge.to]).allFinite()) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/vertex_floats.hpp"
+
 namespace rhexis {
 
 namespace {
@@ -36,12 +38,6 @@ void for_each_triangle(const BagShape& shape, const Use& use) {
                 use(std::array<Vec3, 3>{a, c, d});
             }
         }
-    }
-}
-
-void append(const Vec3& place, std::vector<float>& stream) {
-    for (int i = 0; i < 3; ++i) {
-        stream.push_back(static_cast<float>(place[i]));
     }
 }
 
@@ -79,8 +75,8 @@ void append_front(const StillLens& lens, std::vector<float>& stream) {
     const Vec3 lift = lens.lift * Vec3::UnitZ();
     for_each_triangle(lens.shape, [&](const std::array<Vec3, 3>& corners) {
         for (const Vec3& corner : corners) {
-            append(corner + lift, stream);
-            append(corner, stream);
+            append_floats(corner + lift, stream);
+            append_floats(corner, stream);
         }
     });
 }
