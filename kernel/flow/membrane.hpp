@@ -94,7 +94,7 @@ struct SheetGrip {
     int tool = 0;
     int node = 0;
     Vec3 place = Vec3::Zero();  ///< where they hold it, in the tool's frame [mm]
-    Vec3 push = Vec3::Zero();   ///< unit, in the tool's frame: only so that the node stays on that side; 0: all ways
+    bool pushed = false;        ///< by a needle, across it only: it slides along it
 };
 
 /// What physics proposes: a needle goes through.
@@ -135,6 +135,7 @@ struct MembraneState {
     std::vector<SheetTouch> touches;  ///< in the order in which they were found
     std::vector<SheetGrip> grips;     ///< by tools
     SupportState support;
+    std::vector<Vec3> punctures;  ///< where needles went through, in the sheet at rest [mm]
     double torn_area = 0.0;    ///< that tears have opened so far: length times thickness [mm^2]
     double torn_energy = 0.0;  ///< that they took [nJ]
 };

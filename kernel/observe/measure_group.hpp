@@ -80,6 +80,9 @@ std::unique_ptr<MeasureGroup> chamber_measures();
 std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
 std::unique_ptr<MeasureGroup> viscoelastic_measures();
-std::unique_ptr<MeasureGroup> rhexis_measures();
+std::unique_ptr<MeasureGroup> presence_measures();
+/// membrane: number of the anterior capsule.
+std::unique_ptr<MeasureGroup> rhexis_measures(int membrane);
+std::unique_ptr<MeasureGroup> capsule_tool_measures(const ToolModel& model, int tool, int membrane);
 
 }  // namespace rhexis

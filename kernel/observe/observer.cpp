@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "observe/rhexis_marks.hpp"
 #include "observe/seen.hpp"
 
 namespace rhexis {
@@ -25,6 +26,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(
             tool_measures(world.tools[i], i, {tissues.lens, tissues.bag, tissues.cornea, world.chamber.has_value()}));
         groups.push_back(tremor_measures(world.tools[i].name, i, dt));
+        if (anterior_capsule(world) >= 0) {
+            groups.push_back(capsule_tool_measures(world.tools[i], i, anterior_capsule(world)));
+        }
     }
     if (tissues.lens) {
         groups.push_back(lens_measures());
@@ -50,7 +54,8 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(capsule_measures());
     }
     if (anterior_capsule(world) >= 0) {
-        groups.push_back(rhexis_measures());
+        groups.push_back(presence_measures());
+        groups.push_back(rhexis_measures(anterior_capsule(world)));
     }
     if (world.viscoelastic) {
         groups.push_back(viscoelastic_measures());
@@ -126,6 +131,9 @@ void Observer::observe(const ObserveInput& input, std::vector<double>& memory, O
 
 Percept Observer::percept(const ObserveInput& input, const Observation& observation) const {
     Percept percept = seen(input, view(), tissues_.iris);
+    if (anterior_capsule_ >= 0) {
+        add_rhexis_landmarks(input, rhexis_.shape(), anterior_capsule_, percept.landmarks);
+    }
     const auto share = std::find_if(schema_.begin(), schema_.end(),
                                     [](const MeasureInfo& measure) { return measure.name == "crack.bridge_share"; });
     if (share != schema_.end() && !observation.values.empty()) {

@@ -2,6 +2,7 @@
 #include "observe/opening.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -137,6 +138,19 @@ std::vector<Vec3> without_slits(std::vector<Vec3> ring) {
     return ring.size() > 2 ? ring : std::vector<Vec3>{};
 }
 
+/// As seen along the axis.
+double area_of(const std::vector<Vec3>& ring) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec3& a = ring[i];
+        const Vec3& b = ring[(i + 1) % ring.size()];
+        sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    return std::abs(sum);
+}
+
+constexpr double least_area = 2.0;  ///< of an opening; less is a scrap that a needle cut out [mm^2]
+
 /// A way along a boundary that forgets what it walks back.
 class Way {
 public:
@@ -223,6 +237,45 @@ std::pair<int, int> leading_tip(const std::vector<TearTip>& tips, const std::vec
     return {-1, -1};
 }
 
+/// Nodes of one lip of a tear, from its tip on for 2 mm. forward: along the stretch, or against it.
+std::vector<int> lip_from(const TriMesh& mesh, const Stretch& stretch, int place, bool forward) {
+    constexpr double length = 2.0;
+    const int count = static_cast<int>(stretch.nodes.size());
+    std::vector<int> lip{stretch.nodes[at(place)]};
+    double sum = 0.0;
+    for (int i = 1; i < count && sum < length; ++i) {
+        const int next = forward ? place + i : place - i;
+        if (!stretch.ring && (next < 0 || next >= count)) {
+            break;
+        }
+        const int node = stretch.nodes[at((next + count) % count)];
+        sum += (mesh.nodes[at(node)] - mesh.nodes[at(lip.back())]).norm();
+        lip.push_back(node);
+    }
+    return lip;
+}
+
+/// Mean distance from the axis of what hangs at a lip, without its first node, which both lips share.
+double distance_of_lip(const MembraneSheet& sheet, const std::vector<int>& lip) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 1; i < lip.size(); ++i) {
+        const TriNeighbours& near = sheet.neighbours;
+        for (int k = near.offset[at(lip[i])]; k < near.offset[at(lip[i]) + 1]; ++k) {
+            sum += triangle_middle(sheet.mesh, near.triangles[at(k)]).head<2>().norm();
+            ++count;
+        }
+    }
+    return count > 0 ? sum / count : HUGE_VAL;
+}
+
+/// The flap's: the one that lies nearer to the axis.
+std::vector<int> flap_lip(const MembraneSheet& sheet, const Stretch& stretch, int place) {
+    const std::vector<int> one = lip_from(sheet.mesh, stretch, place, true);
+    const std::vector<int> other = lip_from(sheet.mesh, stretch, place, false);
+    return distance_of_lip(sheet, one) < distance_of_lip(sheet, other) ? one : other;
+}
+
 /// Null: there is none.
 const Stretch* longest_of(const TriMesh& mesh, const std::vector<Stretch>& stretches) {
     double longest = 0.0;
@@ -254,13 +307,16 @@ Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
     const auto [tip, place] = leading_tip(state.tips, chosen->nodes);
     opening.exists = true;
     opening.tip = tip;
+    if (tip >= 0) {
+        opening.lip = flap_lip(*state.sheet, *chosen, place);
+    }
     opening.edge = places_of(mesh, chosen->nodes);
     if (!chosen->ring) {
         opening.curve = along(opening.edge);
         return opening;
     }
     opening.curve = without_slits(opening.edge);
-    opening.closed = !opening.curve.empty();
+    opening.closed = area_of(opening.curve) > least_area;
     if (!opening.closed) {
         opening.curve = unfolded(opening.edge, place);
     }

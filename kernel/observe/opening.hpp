@@ -11,10 +11,11 @@ namespace rhexis {
 
 struct Opening {
     bool exists = false;
-    bool closed = false;      ///< its edge goes round a piece that came loose
+    bool closed = false;      ///< its edge goes round a piece that came loose, of more than 2 mm^2
     bool run_out = false;     ///< some tear of the sheet has reached its outer edge
     double torn = 0.0;        ///< length of all tears of the sheet at rest [mm]
     int tip = -1;             ///< the leading one, index into the state's tips; -1: none is left at this opening
+    std::vector<int> lip;     ///< nodes of the flap's edge, from the leading tip on for 2 mm; empty without a tip
     std::vector<Vec3> edge;   ///< all its nodes at rest, both sides of slits [mm]
     std::vector<Vec3> curve;  ///< closed: once round the rim; else along the tear, end to end. Without side slits [mm]
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The opening that is torn in the anterior capsule.
+#include <algorithm>
 #include <numbers>
 
 #include "observe/measure_group.hpp"
@@ -9,8 +10,24 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
+/// Length of the most stretched zonule over what it was at the start, less 1.
+double zonule_strain(const MembraneModel& model, const MembraneState& state) {
+    double most = 0.0;
+    for (const NodeSpring& spring : model.springs) {
+        if (spring.slack > 0.0) {
+            const std::size_t node = static_cast<std::size_t>(spring.node);
+            const double before = (spring.anchor - model.sheet->mesh.nodes[node]).norm();
+            most = std::max(most, (spring.anchor - state.position[node]).norm() / before - 1.0);
+        }
+    }
+    return most;
+}
+
 class RhexisMeasures : public MeasureGroup {
 public:
+    explicit RhexisMeasures(int membrane) : membrane_(static_cast<std::size_t>(membrane)) {}
+    [[nodiscard]] std::size_t memory_size() const override { return 1; }
+
     void describe(ObservationSchema& schema) const override {
         schema.push_back({"rhexis.opened", "bool", "There is an opening in the anterior capsule."});
         schema.push_back({"rhexis.closed", "bool", "The tear met its beginning: the flap has come loose."});
@@ -33,9 +50,17 @@ public:
                           "Distance of the opening's middle from the axis. Nothing until the opening is closed."});
         schema.push_back({"rhexis.flap_mm2", "mm^2",
                           "Area between the tear and the chord between its ends; of the opening once it is closed."});
+        schema.push_back({"rhexis.overlap_deg", "deg",
+                          "Angle over which the rim lies before the optic of an implant 6 mm wide. Nothing until the "
+                          "opening is closed."});
+        schema.push_back({"rhexis.punctures", "1", "Times that a needle went through the anterior capsule."});
+        schema.push_back(
+            {"rhexis.puncture_radius_mm", "mm", "Distance of the first of them from the axis. Nothing before it."});
+        schema.push_back({"zonules.strain", "1", "Strain of the most stretched zonule, over how it was at the start."});
+        schema.push_back({"zonules.peak_strain", "1", "Its greatest value so far."});
     }
 
-    void measure(const ObserveInput&, const LensView& lens, std::span<double>,
+    void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
                  std::span<double> values) const override {
         const RhexisShape& shape = *lens.rhexis;
         values[0] = shape.opened ? 1.0 : 0.0;
@@ -51,11 +76,21 @@ public:
         values[10] = shape.circularity;
         values[11] = shape.centre.norm();
         values[12] = shape.flap_area;
+        values[13] = shape.overlap * degrees;
+        const MembraneState& state = input.state.membranes[membrane_];
+        values[14] = static_cast<double>(state.punctures.size());
+        values[15] = state.punctures.empty() ? RhexisShape::none : state.punctures[0].head<2>().norm();
+        values[16] = zonule_strain(input.world.membranes[membrane_], state);
+        memory[0] = std::max(memory[0], values[16]);
+        values[17] = memory[0];
     }
+
+private:
+    std::size_t membrane_;
 };
 
 }  // namespace
 
-std::unique_ptr<MeasureGroup> rhexis_measures() { return std::make_unique<RhexisMeasures>(); }
+std::unique_ptr<MeasureGroup> rhexis_measures(int membrane) { return std::make_unique<RhexisMeasures>(membrane); }
 
 }  // namespace rhexis

@@ -126,6 +126,8 @@ void measure_tip(const Vec2& place, const Vec2& direction, RhexisShape& shape) {
     }
 }
 
+constexpr double optic_radius = 3.0;  ///< of a usual implant [mm]
+
 void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
     const std::vector<Vec2> points = resampled(rim);
     shape.flap_area = std::abs(area_of(points));
@@ -135,6 +137,10 @@ void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
         shape.circularity = circularity_of(smoothed(points));
         shape.centre = centroid_of(points);
         shape.smallest_radius = smallest_norm(points);
+        const auto covers = [](const Vec2& point) { return point.norm() < optic_radius; };
+        shape.overlap = 2.0 * std::numbers::pi *
+                        static_cast<double>(std::count_if(points.begin(), points.end(), covers)) /
+                        static_cast<double>(points.size());
     }
 }
 
@@ -147,6 +153,7 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     shape.closed = opening.closed;
     shape.run_out = opening.run_out;
     shape.length = opening.torn;
+    shape.lip = opening.lip;
     if (!opening.exists) {
         return shape;
     }

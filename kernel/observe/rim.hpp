@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "flow/membrane.hpp"
 
@@ -29,6 +30,8 @@ struct RhexisShape {
     double circularity = none;      ///< 4 pi area / perimeter^2: 1 for a circle; only of a closed rim
     Vec2 centre = {none, none};     ///< centroid of the opening from the axis; only of a closed rim [mm]
     double flap_area = 0.0;         ///< that the outline encloses [mm^2]
+    double overlap = none;          ///< angle over which a closed rim covers the edge of an implant's optic [rad]
+    std::vector<int> lip;           ///< nodes of the flap's edge from the leading tip on for 2 mm, where there is a tip
 };
 
 /// The shape of the opening in a sheet that faces +z. start: the sheet before it was torn. axis: where the axis of the

@@ -64,15 +64,16 @@ std::optional<SheetPlace> where_through(const MembraneState& state, const Vec3& 
     return found;
 }
 
-std::optional<NeedleLip> lip_of(const ToolModel& needle, const Pose& pose, const MembraneState& state) {
+std::optional<NeedleLip> lip_of(const ToolModel& needle, const ToolState& tool, const MembraneState& state) {
     if (needle.kind != ToolKind::cystotome || state.tips.empty()) {
         return std::nullopt;
     }
     const MembraneSheet& sheet = *state.sheet;
-    const Vec3& a = pose.position;
-    const Vec3 b = pose.to_world(needle.parts[0].b);
+    const Vec3& a = tool.pose.position;
+    const Vec3 b = tool.pose.to_world(needle.parts[0].b);
     const std::optional<SheetPlace> through = where_through(state, a, b);
-    if (through && (through->now - a).norm() < dent_at_tear) {
+    const bool drawn_back = tool.velocity.dot(b - a) > 0.0;  // through the hole that it came by
+    if (through && !drawn_back && (through->now - a).norm() < dent_at_tear) {
         return std::nullopt;
     }
     std::optional<NeedleLip> found;
@@ -94,8 +95,7 @@ std::optional<NeedleLip> lip_of(const ToolModel& needle, const Pose& pose, const
             const Vec3 inward = third - third.dot(along) * along;  // into the triangle, in its plane
             if (way.norm() < least && (way.dot(inward) > 0.0) == through.has_value()) {
                 least = way.norm();
-                const Vec3 axis = (b - a).normalized();
-                found = NeedleLip{ends, through.has_value(), (inward - inward.dot(axis) * axis).normalized()};
+                found = NeedleLip{ends, through.has_value(), through ? through->rest : Vec3(Vec3::Zero())};
             }
         }
     }

@@ -26,10 +26,10 @@ constexpr double deepest_dent = 0.3;
 struct NeedleLip {
     std::array<int, 2> nodes{};  ///< ends of the edge
     bool beyond = false;         ///< the needle stands in the sheet beyond the lip: it takes the lip along
-    Vec3 inward = Vec3::Zero();  ///< unit: from the lip into the sheet, across the needle
+    Vec3 needle = Vec3::Zero();  ///< where it stands then, in the sheet at rest [mm]
 };
 
 /// The lip that is nearest to a needle which is through the sheet at a tear; none where it is not.
-std::optional<NeedleLip> lip_of(const ToolModel& needle, const Pose& pose, const MembraneState& state);
+std::optional<NeedleLip> lip_of(const ToolModel& needle, const ToolState& tool, const MembraneState& state);
 
 }  // namespace rhexis

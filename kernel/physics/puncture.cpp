@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "physics/needle.hpp"
 
 namespace rhexis {
 namespace {
 
 constexpr double end_length = 0.25;  ///< of a needle: what presses so near to its point is pierced [mm]
-constexpr double along_edge = 0.7;   ///< cosine from a needle's edge within which that cuts
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -54,6 +56,26 @@ Press press_of(int tool, int membrane, const ContactSet& contacts, const Counts&
     return press;
 }
 
+/// Where a needle's axis meets the sheet that it dents.
+std::optional<SheetPlace> under_point(const MembraneState& state, const Pose& pose) {
+    return where_through(state, pose.to_world(-end_length * Vec3::UnitZ()), pose.to_world(end_length * Vec3::UnitZ()));
+}
+
+/// Where a cut from a node goes: to the place of the sheet where the needle stands; where that is an opening, the way
+/// in which it pushes. In the sheet at rest.
+Vec3 way_of_cut(const ToolModel& needle, const Pose& pose, const MembraneState& state, int node, int triangle,
+                const Vec3& push) {
+    constexpr double too_near = 0.02;  // to tell a direction [mm]
+    const std::optional<SheetPlace> through = where_through(state, pose.position, pose.to_world(needle.parts[0].b));
+    if (through) {
+        const Vec3 way = through->rest - state.sheet->mesh.nodes[at(node)];
+        if (way.norm() > too_near) {
+            return way;
+        }
+    }
+    return at_rest(state, state.sheet->mesh.triangles[at(triangle)], push);
+}
+
 bool is_needle(const WorldModel& world, std::span<const ToolState> tools, int tool) {
     return world.tools[at(tool)].kind == ToolKind::cystotome && tools[at(tool)].present;
 }
@@ -80,6 +102,10 @@ std::vector<PunctureProposal> propose_punctures(const WorldModel& world, int mem
         for (std::size_t i = 0; i < 3; ++i) {
             proposal.place += hardest->weights[i] * state.sheet->mesh.nodes[at(hardest->nodes[i])];
         }
+        if (const std::optional<SheetPlace> under = under_point(state, tools[at(k)].pose)) {
+            proposal.triangle = under->triangle;  // its round end may press hardest a little to one side
+            proposal.place = under->rest;
+        }
         proposal.direction = at_rest(state, hardest->nodes, tools[at(k)].pose.orientation * Vec3::UnitX());
         proposals.push_back(proposal);
     }
@@ -103,9 +129,10 @@ std::vector<CutProposal> propose_cuts(const WorldModel& world, int membrane, con
         const int node = hardest->nodes[0];
         const int triangle = state.sheet->neighbours.triangles[at(state.sheet->neighbours.offset[at(node)])];
         const Vec3 push = force.normalized();
-        const Vec3 way = at_rest(state, state.sheet->mesh.triangles[at(triangle)], push);
-        const double along = std::abs((tools[at(k)].pose.orientation * Vec3::UnitX()).dot(push));
-        const double share = along > along_edge ? world.tools[at(k)].cutting : 1.0;
+        const Vec3 way = way_of_cut(world.tools[at(k)], tools[at(k)].pose, state, node, triangle, push);
+        const bool end =
+            std::any_of(state.tips.begin(), state.tips.end(), [node](const TearTip& tip) { return tip.node == node; });
+        const double share = end ? world.tools[at(k)].cutting : 1.0;
         const double toughness = toughness_along(model.toughness, state.sheet->fibre[at(triangle)], way.normalized());
         if (!way.isZero() && force.norm() > share * toughness * state.sheet->thickness[at(triangle)]) {
             proposals.push_back({k, node, way.normalized()});

@@ -15,8 +15,8 @@ namespace rhexis {
 std::vector<PunctureProposal> propose_punctures(const WorldModel& world, int membrane, const MembraneState& state,
                                                 std::span<const ToolState> tools, const ContactSet& contacts);
 
-/// Needles that push the lip of a tear harder than it bears: for their edge that is a share of its toughness, by its
-/// thickness; otherwise all of it.
+/// Needles that push a tear harder than it bears: at its end, where their points cut, that is a share of its toughness,
+/// by its thickness; at its lip all of it.
 std::vector<CutProposal> propose_cuts(const WorldModel& world, int membrane, const MembraneState& state,
                                       std::span<const ToolState> tools, const ContactSet& contacts);
 

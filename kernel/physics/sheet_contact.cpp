@@ -201,7 +201,7 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
     Box box = swept_box(model, tool);
     box.low -= Vec3::Constant(margin);
     box.high += Vec3::Constant(margin);
-    const bool in_tear = lip_of(model, tool.pose, state).has_value();  // then its end is hooked, or free
+    const bool in_tear = lip_of(model, tool, state).has_value();  // then its end is hooked, or free
     std::vector<Vec3> met;                                             // points that neighbours share count once
     for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
         const std::array<int, 3>& n = state.sheet->mesh.triangles[at(t)];

@@ -13,12 +13,9 @@ namespace {
 
 constexpr double lost_at = 2.0;  ///< times their reach from the middle of the jaws: it has slipped out
 
-constexpr double gone_back = 0.4;  ///< of a needle from what it pushed [mm]
-constexpr double slid_past = 0.8;  ///< likewise, sideways [mm]
+constexpr double beside_tip = 0.8;  ///< of a needle from the end of a tear, at rest [mm]
 
-constexpr double in_the_way = 0.3;   ///< of a needle, to its side [mm]
-constexpr double just_passed = 0.1;  ///< by a needle [mm]
-constexpr double same_way = 0.6;     ///< cosine within which a needle goes on in the way in which it pushes
+constexpr double least_ahead = 0.1;  ///< cosine of the way from there to the needle to that of the tear
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -64,34 +61,15 @@ void close_jaws(const ToolModel& model, const ToolState& tool, int index, Membra
     }
 }
 
-/// How far a node is ahead of the needle that pushes it [mm].
-double ahead_of(const SheetGrip& grip, const Pose& pose, const Vec3& node) {
-    return (pose.orientation * grip.push).dot(node - pose.to_world(grip.place));
-}
-
-/// Whether a needle still stands behind what it pushes: it is through the sheet there, and has neither gone back nor
-/// slid past.
-bool stands_behind(const SheetGrip& grip, const ToolState& tool, const MembraneState& state) {
-    const Vec3& node = state.position[at(grip.node)];
-    const Vec3 own = tool.pose.to_body(node);
-    return own.z() > 0.0 && own.head<2>().norm() < slid_past && ahead_of(grip, tool.pose, node) < gone_back;
-}
-
-/// A needle pushes a node from where that is now, or from where the needle will meet it.
-SheetGrip pushed(int tool, int node, const Vec3& own, const Vec3& way) {
-    return {tool, node, std::min(0.0, own.dot(way)) * way, way};
-}
-
-/// The end of a tear that a needle comes upon; -1: none.
-int tip_ahead(const Pose& needle, const Vec3& way, const MembraneState& state) {
+/// The end of a tear that a needle stands at, in the sheet beyond it; -1: none.
+int tip_at(const Vec3& place_at_rest, const MembraneState& state) {
     int found = -1;
-    double least = HUGE_VAL;
+    double least = beside_tip;
     for (const TearTip& tip : state.tips) {
-        const Vec3 own = needle.to_body(state.position[at(tip.node)]);
-        const double ahead = own.dot(way);
-        const double aside = (own - ahead * way).head<2>().norm();
-        if (own.z() > 0.0 && aside < in_the_way && ahead > -just_passed && ahead < least) {
-            least = ahead;
+        const Vec3 way = place_at_rest - state.sheet->mesh.nodes[at(tip.node)];
+        const double distance = way.norm();
+        if (distance < least && way.dot(tip.direction) > least_ahead * distance) {
+            least = distance;
             found = tip.node;
         }
     }
@@ -99,31 +77,17 @@ int tip_ahead(const Pose& needle, const Vec3& way, const MembraneState& state) {
 }
 
 void hook(const ToolModel& model, const ToolState& tool, int index, MembraneState& state) {
-    if (!tool.present) {
-        let_go(index, state);
-        return;
-    }
-    Vec3 way = tool.pose.orientation.conjugate() * (tool.pose.position - tool.previous_pose.position);
-    way.z() = 0.0;
-    const bool moves = way.norm() > 1e-5;
-    way = moves ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
-    const bool hooked = std::any_of(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
-        return grip.tool == index && stands_behind(grip, tool, state) && (!moves || grip.push.dot(way) > same_way);
-    });
-    if (hooked) {
-        return;
-    }
     let_go(index, state);
-    const std::optional<NeedleLip> lip = lip_of(model, tool.pose, state);
-    if (!lip || !moves) {
+    const std::optional<NeedleLip> lip = tool.present ? lip_of(model, tool, state) : std::nullopt;
+    if (!lip || !lip->beyond) {
         return;
     }
-    if (const int tip = tip_ahead(tool.pose, way, state); tip >= 0) {
-        state.grips.push_back(pushed(index, tip, tool.pose.to_body(state.position[at(tip)]), way));
-    } else if (lip->beyond && lip->inward.dot(tool.pose.orientation * way) > same_way) {
-        for (const int node : lip->nodes) {
-            state.grips.push_back(pushed(index, node, tool.pose.to_body(state.position[at(node)]), way));
-        }
+    if (const int tip = tip_at(lip->needle, state); tip >= 0) {
+        state.grips.push_back({index, tip, Vec3::Zero(), true});
+        return;
+    }
+    for (const int node : lip->nodes) {
+        state.grips.push_back({index, node, Vec3::Zero(), true});
     }
 }
 
@@ -163,19 +127,18 @@ SheetGrips::Pull SheetGrips::pull(const SheetGrip& grip, const std::vector<Vec3>
     const Pose& pose = poses.tools[at(grip.tool)];
     Vec3 way = pose.to_world(grip.place) - position[at(grip.node)];
     Mat3 led = Mat3::Identity();
-    if (!grip.push.isZero()) {
-        const Vec3 along = pose.orientation * grip.push;
-        led = along * along.transpose();
-        way = std::max(0.0, along.dot(way)) * along;
+    if (grip.pushed) {
+        const Vec3 needle = pose.orientation * Vec3::UnitZ();
+        led -= needle * needle.transpose();
+        way = led * way;
     }
     const double wanted = stiffness_ * way.norm();
     const double limit = most(grip);
     if (wanted <= limit) {
-        return {stiffness_ * way, wanted > 0.0 || grip.push.isZero() ? Mat3(stiffness_ * led) : Mat3(Mat3::Zero())};
+        return {stiffness_ * way, stiffness_ * led};
     }
     const Vec3 ahead = way.normalized();
-    const Mat3 across = grip.push.isZero() ? Mat3(led - ahead * ahead.transpose()) : Mat3(Mat3::Zero());
-    return {limit * ahead, limit / way.norm() * across};
+    return {limit * ahead, limit / way.norm() * (led - ahead * ahead.transpose())};
 }
 
 void SheetGrips::terms(const std::vector<Vec3>& position, const PartnerPoses& poses,
@@ -196,7 +159,7 @@ void SheetGrips::settle(const std::vector<Vec3>& position, const PartnerPoses& p
         const Vec3 force = pull(grip, position, poses).force;
         impulse_[i] += dt * force;
         point_[i] = position[at(grip.node)];
-        if (grip.push.isZero()) {
+        if (!grip.pushed) {
             grip.place = pose.to_body(point_[i] + force / stiffness_);  // what pulls harder slips until it does not
         }
     }
@@ -205,7 +168,7 @@ void SheetGrips::settle(const std::vector<Vec3>& position, const PartnerPoses& p
 std::vector<SheetGrip> SheetGrips::kept() const {
     std::vector<SheetGrip> result = grips_;
     std::erase_if(result, [&](const SheetGrip& grip) {
-        return grip.push.isZero() && grip.place.norm() > lost_at * world_->tools[at(grip.tool)].reach;
+        return !grip.pushed && grip.place.norm() > lost_at * world_->tools[at(grip.tool)].reach;
     });
     return result;
 }

@@ -86,6 +86,12 @@ Vec2 largest_opening(const Mat2& stress, const Mat2& strength) {
 
 Vec2 across(const Vec2& v) { return {-v.y(), v.x()}; }
 
+/// A force at the tip itself is not what the integral is about: what a needle pushes it cuts, at a force of its own.
+bool pushed(const MembraneState& state, int node) {
+    return std::any_of(state.grips.begin(), state.grips.end(),
+                       [node](const SheetGrip& grip) { return grip.node == node && grip.pushed; });
+}
+
 }  // namespace
 
 std::vector<NearTriangle> near_tip(const MembraneSheet& sheet, int node, double radius) {
@@ -204,6 +210,9 @@ std::vector<TearProposal> propose_tears(const MembraneModel& model, const Membra
     const double ratio = std::sqrt(model.toughness.across / model.toughness.along);
     for (int i = 0; i < static_cast<int>(state.tips.size()); ++i) {
         const TearTip& tip = state.tips[at(i)];
+        if (pushed(state, tip.node)) {
+            continue;
+        }
         const Vec3 release = release_at(model, state, tip.node, model.tear_radius);
         const double free = release.dot(tip.direction);
         if (free < std::min(model.toughness.along, model.toughness.across)) {

@@ -47,7 +47,7 @@ TipStress stress_at(const MembraneModel& model, const MembraneState& state, int 
 std::optional<Vec2> tear_direction(const Mat2& stress, const Vec2& fibre, double ratio, const Vec2& within,
                                    double cosine);
 
-/// One proposal per tip at which the energy suffices.
+/// One proposal per tip at which the energy suffices, but for tips that a needle pushes: see propose_cuts().
 std::vector<TearProposal> propose_tears(const MembraneModel& model, const MembraneState& state);
 
 }  // namespace rhexis

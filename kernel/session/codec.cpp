@@ -241,12 +241,13 @@ void membrane_fields(auto& io, auto& membrane) {
         inner(touch.index);
         inner(touch.stretch);
     });
-    io.list(membrane.grips, 56, [](auto& inner, auto& grip) {
+    io.list(membrane.grips, 33, [](auto& inner, auto& grip) {
         inner(grip.tool);
         inner(grip.node);
         inner(grip.place);
-        inner(grip.push);
+        inner(grip.pushed);
     });
+    io.list(membrane.punctures, 24, [](auto& inner, auto& place) { inner(place); });
     io(membrane.support.lift);
     io(membrane.support.push);
     io(membrane.torn_area);

@@ -101,8 +101,10 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state, int to
            std::all_of(state.grips.begin(), state.grips.end(),
                        [&](const SheetGrip& grip) {
                            return in_sheet(grip.node, state) && grip.tool >= 0 && grip.tool < tools &&
-                                  grip.place.allFinite() && grip.push.allFinite();
+                                  grip.place.allFinite();
                        }) &&
+           std::all_of(state.punctures.begin(), state.punctures.end(),
+                       [](const Vec3& place) { return place.allFinite(); }) &&
            std::isfinite(state.support.lift) && std::isfinite(state.support.push) &&
            std::all_of(state.loads.begin(), state.loads.end(), [&](const SheetLoad& load) {
                return !load.nodes.empty() && std::all_of(load.nodes.begin(), load.nodes.end(),

@@ -72,7 +72,11 @@ void add(StateHash& hash, const MembraneState& membrane) {
         hash.add(static_cast<std::uint64_t>(grip.tool));
         hash.add(static_cast<std::uint64_t>(grip.node));
         add(hash, grip.place);
-        add(hash, grip.push);
+        hash.add(static_cast<std::uint64_t>(grip.pushed));
+    }
+    hash.add(static_cast<std::uint64_t>(membrane.punctures.size()));
+    for (const Vec3& place : membrane.punctures) {
+        add(hash, place);
     }
     hash.add(membrane.support.lift);
     hash.add(membrane.support.push);

@@ -28,7 +28,7 @@ ToolModel bent(const char* name, double length, double point, double shaft) {
 }  // namespace
 
 ToolModel cystotome() {
-    ToolModel tool = bent("cystotome", 0.8, 0.12, 0.2);
+    ToolModel tool = bent("cystotome", 1.0, 0.12, 0.2);
     tool.kind = ToolKind::cystotome;
     tool.cutting = 0.3;   // proposal
     tool.hold = 40000.0;  // proposal

@@ -131,6 +131,39 @@ Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, cons
     return nearest;
 }
 
+/// The node of a triangle from which a slit through a place begins: its nearest one, or one that splits an edge where
+/// that comes nearer and leaves no slivers.
+int node_at(SheetEditor& editor, int triangle, const Vec3& place, const TearRules& rules) {
+    const std::array<int, 3> corners = editor.mesh().triangles[at(triangle)];
+    const auto node = [&editor](int n) { return editor.mesh().nodes[at(n)]; };
+    const int nearest = *std::min_element(corners.begin(), corners.end(), [&](int a, int b) {
+        return (node(a) - place).squaredNorm() < (node(b) - place).squaredNorm();
+    });
+    double least = (node(nearest) - place).norm();
+    int found = nearest;
+    const SheetEditor before = editor;
+    for (std::size_t k = 0; k < 3 && !rules.existing_edges; ++k) {
+        const int a = corners[k];
+        const int b = corners[(k + 1) % 3];
+        const Vec3 edge = before.mesh().nodes[at(b)] - before.mesh().nodes[at(a)];
+        const Vec3 from_a = place - before.mesh().nodes[at(a)];
+        const double share = edge.dot(from_a) / edge.squaredNorm();
+        const double distance = (from_a - share * edge).norm();
+        if (share < rules.snap_share || share > 1.0 - rules.snap_share || distance >= least ||
+            !inner_edge(before, a, b)) {
+            continue;
+        }
+        SheetEditor tried = before;
+        const int middle = tried.split_edge(a, b, share);
+        if (well_shaped(tried, middle, rules.most_cosine)) {
+            least = distance;
+            found = middle;
+            editor = std::move(tried);
+        }
+    }
+    return found;
+}
+
 /// Adds what an opened edge takes; call before it is opened.
 void count(const MembraneModel& model, const MembraneSheet& sheet, const SheetEditor& editor, int a, int b,
            MembraneEdit& cost) {
@@ -245,13 +278,8 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     if (!place.allFinite()) {
         return Error{"the place is not finite", "puncture", "numbers"};
     }
-    int node = mesh.triangles[at(triangle)][0];
-    for (const int other : mesh.triangles[at(triangle)]) {
-        if ((mesh.nodes[at(other)] - place).squaredNorm() < (mesh.nodes[at(node)] - place).squaredNorm()) {
-            node = other;
-        }
-    }
     SheetEditor editor(*state.sheet);
+    const int node = node_at(editor, triangle, place, rules);
     if (editor.on_boundary(node)) {
         return Error{"the nearest node " + std::to_string(node) + " is on an edge of the sheet", "puncture",
                      "a place inside the sheet"};
@@ -342,6 +370,7 @@ int carry_out(const MembraneModel& model, const MembraneStepReport& report, Memb
             puncture(model, state, proposal.triangle, proposal.place, proposal.direction, rules);
         if (edit.ok()) {
             state = applied(state, edit.value());
+            state.punctures.push_back(proposal.place);
             ++done;
         }
     }

@@ -23,8 +23,9 @@ struct TearRules {
 Result<MembraneEdit> tear(const MembraneModel& model, const MembraneState& state, int tip, const Vec3& direction,
                           const TearRules& rules = {});
 
-/// A slit of two edges through the node that is nearest to a place of the triangle at rest, along a direction and
-/// against it; both its ends are tips. Fails where that node is on an edge of the sheet, and as tear() does.
+/// A slit of two edges along a direction and against it, from the node of the triangle that is nearest to a place at
+/// rest, or from one that is put on an edge of it where that comes nearer and leaves no slivers; both its ends are
+/// tips. Fails where that node is on an edge of the sheet, and as tear() does.
 Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& state, int triangle, const Vec3& place,
                               const Vec3& direction, const TearRules& rules = {});
 

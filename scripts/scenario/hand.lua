@@ -3,6 +3,7 @@
 
 local condition = require "engine.condition"
 local fields = require "engine.fields"
+local instruments = require "surgeons.instruments"
 local motion = require "surgeons.motion"
 local vector = require "surgeons.vector"
 local words = require "engine.words"
@@ -11,11 +12,9 @@ local Hand = {}
 Hand.__index = Hand
 
 --- What a scenario may ask of it.
-Hand.public = { "enter", "withdraw", "move_to", "move_by", "path", "pedal", "tip" }
+Hand.public = { "enter", "withdraw", "move_to", "move_by", "path", "pedal", "jaw", "tip" }
 
--- The wound that an instrument goes through, by the name of its landmark; without it in the eye, the main incision.
-local entries = { spatula = "side_port" }
-local main_entry = "incision"
+local main_entry = "incision"  -- of an instrument whose own wound the eye does not have
 
 local outside_mm = 2.2       -- from the wound to where an instrument appears
 local peak_over_mean = 1.875  -- of the speed of a minimum-jerk movement
@@ -54,31 +53,20 @@ local function direction_of(value, where)
     return vector.unit(value)
 end
 
--- Outwards through a wound, as the tunnel through the cornea runs.
-local function way_out(wound)
-    return vector.unit({ wound[1], wound[2], 0.5 * math.sqrt(wound[1] * wound[1] + wound[2] * wound[2]) })
-end
-
 --- index: of the instrument, from 0; landmarks: name -> { position }.
 function Hand.new(name, index, landmarks, test)
     local self = setmetatable({ name = name, index = index, test = test, landmarks = landmarks, inside = false,
-        place = { 0, 0, 0 }, pedal_now = 0 }, Hand)
-    self:go_through(landmarks[entries[name]] and entries[name] or main_entry)
+        place = { 0, 0, 0 }, pedal_now = 0, jaw_now = 0, hold = instruments.held(name) }, Hand)
+    self:go_through(landmarks[self.hold.wound] and self.hold.wound or main_entry)
     return self
 end
 
 function Hand:go_through(landmark)
     self.wound = self.landmarks[landmark].position
-    self.out = way_out(self.wound)
+    self.out = instruments.way_out(self.wound)
 end
 
--- While the tip is outside or close to the wound, the shaft points as it did on the way in.
-local function through_wound(self, tip)
-    local back = vector.sub(self.wound, tip)
-    local turned = math.max(0, math.min(1, (vector.dot(back, self.out) - 0.5) / 1.5))
-    if turned == 0 then return self.out end
-    return vector.unit(vector.mix(self.out, vector.unit(back), turned))
-end
+local function through_wound(self, tip) return instruments.shaft(self.hold, self.wound, tip) end
 
 local function shaft_at(self, tip)
     local move = self.move
@@ -206,6 +194,13 @@ function Hand:pedal(position)
     self.pedal_now = position
 end
 
+--- Forceps: opening of the jaws, 0 closed to 1 open. Cannula: how hard the hand presses, 0 to 1. At once.
+function Hand:jaw(opening)
+    local where = self.test:where()
+    fields.check_value({ kind = "number", from = 0, to = 1 }, opening, where, self.name .. ":jaw")
+    self.jaw_now = opening
+end
+
 --- Where the tip is: { x, y, z } [mm].
 function Hand:tip() return { table.unpack(self.place) } end
 
@@ -219,9 +214,8 @@ function Hand:sample(dt)
         move.share = move.even and time or motion.minimum_jerk(time)
         self.place = move.path(move.share)
     end
-    local orientation = entries[self.name] and vector.upright or vector.orientation  -- as a surgeon's hands hold them
     local sample = { instrument = self.index, present = self.inside, position = self.place,
-        orientation = orientation(shaft_at(self, self.place)), jaw = 0, pedal = self.pedal_now }
+        orientation = self.hold.orientation(shaft_at(self, self.place)), jaw = self.jaw_now, pedal = self.pedal_now }
     if move and move.elapsed >= move.duration - 1e-9 then self.axis, self.move = move.axis_to, nil end
     return sample
 end

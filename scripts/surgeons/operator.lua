@@ -4,6 +4,7 @@
 
 local chance = require "surgeons.chance"
 local groups = require "surgeons.groups"
+local instruments = require "surgeons.instruments"
 local motion = require "surgeons.motion"
 local perception = require "surgeons.perception"
 local tremor = require "surgeons.tremor"
@@ -13,6 +14,7 @@ local operator = {}
 
 local most_askew = 15  -- spread of a chosen direction for a planning error of 1 [deg]; proposal
 local pedal_rate = 8  -- travel of the foot, pedal positions per second; proposal
+local jaw_rate = 4    -- of the fingers, openings per second; proposal
 
 --- Parameters of one person of a group.
 function operator.person(group, seed)
@@ -37,11 +39,20 @@ local function attention(stream, person, dt)
     end
 end
 
--- One hand with its instrument: `name` begins the names of its streams of chance, `wound` is the landmark that holds
--- the shaft of its instrument.
-local function make_hand(stream, person, dt, name, wound)
-    return { present = false, wound = wound, hand = motion.hand(stream(name .. "aim"), person.aim_error),
+-- One hand: `name` begins the names of its streams of chance, `instrument` is what it holds at first, or nil.
+local function make_hand(stream, person, dt, name, instrument)
+    return { present = false, instrument = instrument, jaw = 0, jaw_target = 0,
+        hand = motion.hand(stream(name .. "aim"), person.aim_error),
         tremble = tremor.start(stream(name .. "tremor"), person.tremor_um * 1e-3, dt) }
+end
+
+-- The first instrument for each hand: the leading one works through the main incision, the other one through a side
+-- port.
+local function first_for(names, side_port)
+    for _, name in ipairs(names) do
+        if (instruments.held(name).wound == "side_port") == side_port then return name end
+    end
+    return nil
 end
 
 -- Waits until these hands are still. `watch` stops them as soon as it returns something: that is how a person reacts to
@@ -73,10 +84,18 @@ local function hand_words(self, side)
     function words.tip() return side.hand.place end
 
     --- The instrument appears with its tip at a place outside the wound; its shaft turns about the wound from then on.
-    function words.take_up(place)
-        side.present = true
+    --- instrument: by name, when it is another one than before.
+    function words.take_up(place, instrument)
+        if instrument and not self.index[instrument] then
+            error(("take_up: the scene has no instrument '%s'"):format(instrument), 2)
+        end
+        side.instrument = instrument or side.instrument
+        side.present, side.jaw, side.jaw_target = true, 0, 0
         side.hand:put(place)
     end
+
+    --- Moves the fingers: opening of the jaws of forceps, 0 closed to 1 open; how hard a syringe is pressed, 0 to 1.
+    function words.jaw(opening) side.jaw_target = opening end
 
     function words.put_down() side.present = false end
 
@@ -141,38 +160,29 @@ local function make_me(self)
     --- Presses the foot: 0 up, 1 irrigation, 2 aspiration, 3 ultrasound; the fraction is travel within the position.
     function me.pedal(position) self.pedal_target = position end
 
+    --- Names of the instruments, in the scene's order.
+    function me.instruments() return { table.unpack(self.names) } end
+
     --- Waits until both hands are still, as me.go does for one.
     function me.together(watch, reached) return carry_out(self, { self.right, self.left }, watch, reached) end
     return me
 end
 
--- The shaft goes through the wound; while the tip is still outside or close to it, it points as it did on the way in:
--- outwards and up.
-local function shaft(wound, tip)
-    if not wound then return vector.unit({ 0, -1, 0.5 }) end
-    local across = math.sqrt(wound[1] * wound[1] + wound[2] * wound[2])
-    local entry = vector.unit({ wound[1] / across, wound[2] / across, 0.5 })
-    local out = vector.sub(wound, tip)
-    local depth = vector.dot(out, entry)
-    local turned = math.max(0, math.min(1, (depth - 0.5) / 1.5))
-    if turned == 0 then return entry end
-    return vector.unit(vector.mix(entry, vector.unit(out), turned))
-end
-
 local Operator = {}
 Operator.__index = Operator
 
---- plan: function(me), run as a coroutine. seed: an integer. dt: [s]. habits: { recovers = false } for a person who
---- sees danger and does nothing about it.
-function operator.start(plan, group, seed, dt, habits)
+--- plan: function(me), run as a coroutine. seed: an integer. dt: [s]. names: of the instruments, in the scene's order.
+--- habits: { recovers = false } for a person who sees danger and does nothing about it.
+function operator.start(plan, group, seed, dt, names, habits)
     local person = operator.person(group, seed)
     local function stream(purpose) return chance.stream(seed, purpose) end
     local self = setmetatable({ person = person, dt = dt, time_s = 0, pedal = 0, pedal_target = 0,
-        recovers = not habits or habits.recovers ~= false,
-        right = make_hand(stream, person, dt, "", "incision"),
-        left = make_hand(stream, person, dt, "left ", "side_port"), planning = stream("planning"),
+        recovers = not habits or habits.recovers ~= false, names = names, index = {},
+        right = make_hand(stream, person, dt, "", first_for(names, false)),
+        left = make_hand(stream, person, dt, "left ", first_for(names, true)), planning = stream("planning"),
         look = perception.start(stream("perception"), person, dt, stream),
         inattentive = attention(stream("attention"), person, dt) }, Operator)
+    for i, name in ipairs(names) do self.index[name] = i end
     local me = make_me(self)
     self.thread = coroutine.create(function() plan(me) end)
     return self
@@ -184,25 +194,29 @@ local function think(self)
     if not ok then error(message, 0) end
 end
 
-local function press(self)
-    local way = self.pedal_target - self.pedal
-    local most = pedal_rate * self.dt
-    self.pedal = self.pedal + math.max(-most, math.min(most, way))
-end
+-- As far towards a target as a rate allows in a step.
+local function towards(value, target, most) return value + math.max(-most, math.min(most, target - value)) end
 
 --- The plan has run to its end.
 function Operator:done() return coroutine.status(self.thread) == "dead" end
 
 -- What one hand does in the coming step. The wound holds the shaft, wherever one believes it to be.
-local function move(self, side, landmarks, orientation, pedal)
-    local wound = landmarks[side.wound]
+local function move(self, side, landmarks, pedal)
+    local hold = instruments.held(side.instrument)
+    local wound = landmarks[hold.wound]
     local tip = vector.add(side.hand:advance(self.dt), side.tremble())
-    return { present = side.present, position = tip, orientation = orientation(shaft(wound and wound.position, tip)),
-        jaw = 0, pedal = pedal }
+    side.jaw = towards(side.jaw, side.jaw_target, jaw_rate * self.dt)
+    local shaft = wound and instruments.shaft(hold, wound.position, tip) or vector.unit({ 0, -1, 0.5 })
+    return { present = side.present, position = tip, orientation = hold.orientation(shaft), jaw = side.jaw,
+        pedal = pedal }
 end
 
---- Takes the picture of now; returns what the leading hand with the foot, and what the other hand do in the coming
---- step: { present, position, orientation, jaw, pedal }.
+local function put_away()
+    return { present = false, position = { 0, 0, 0 }, orientation = { 1, 0, 0, 0 }, jaw = 0, pedal = 0 }
+end
+
+--- Takes the picture of now; returns what each instrument does in the coming step, in the scene's order:
+--- { present, position, orientation, jaw, pedal }.
 function Operator:operate(percept)
     self.time_s = percept.time_s
     local seen = self.look(percept)
@@ -210,9 +224,13 @@ function Operator:operate(percept)
         self.seen = seen
         think(self)
     end
-    press(self)
-    return move(self, self.right, percept.landmarks, vector.orientation, self.pedal),
-        move(self, self.left, percept.landmarks, vector.upright, 0)
+    self.pedal = towards(self.pedal, self.pedal_target, pedal_rate * self.dt)
+    local samples = {}
+    for i in ipairs(self.names) do samples[i] = put_away() end
+    local right, left = self.index[self.right.instrument], self.index[self.left.instrument]
+    if right then samples[right] = move(self, self.right, percept.landmarks, self.pedal) end
+    if left then samples[left] = move(self, self.left, percept.landmarks, 0) end
+    return samples
 end
 
 return operator

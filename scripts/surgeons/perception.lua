@@ -28,7 +28,8 @@ end
 -- What comes and goes, or is there in some exercises only, has a stream of chance of its own, so that it changes
 -- nothing for the rest.
 local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$", "^fragment_%d", "^bridge$",
-    "^capsule_folds$", "^capsule_hole$", "^iris_caught$" }
+    "^capsule_folds$", "^capsule_hole$", "^iris_caught$", "^viscoelastic$", "^tear_tip$", "^flap$",
+    "^held$", "^rim$" }
 
 local function has_own_stream(name)
     for _, pattern in ipairs(own_stream) do

@@ -3,6 +3,7 @@
 -- its scripts and the mechanics must survive.
 
 local chance = require "surgeons.chance"
+local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"
 
 local reach = 4.5  -- of the places from the eye's axis [mm]
@@ -20,10 +21,26 @@ return function(seed)
         hand.begin(function(share) return vector.mix(from, to, share) end, between(1, fastest))
     end
 
+    -- The leading hand now and then takes another instrument, and moves its fingers.
+    local function change(me)
+        local names = {}
+        for _, name in ipairs(me.instruments()) do
+            if instruments.held(name).wound == "incision" then names[#names + 1] = name end
+        end
+        if #names < 2 then return end
+        if stream:uniform() < 0.1 then
+            me.put_down()
+            me.wait(0.05)
+            me.take_up({ 0, -6, 4 }, names[1 + math.floor(stream:uniform() * #names)])
+        end
+        me.jaw(stream:uniform() < 0.5 and 0 or stream:uniform())
+    end
+
     return function(me)
         me.take_up { 0, -6, 4 }
         me.left.take_up { -6, 0, 4 }
         while true do
+            change(me)
             if stream:uniform() < 0.8 then wander(me) end
             if stream:uniform() < 0.5 then wander(me.left) end
             if stream:uniform() < 0.6 then me.pedal(between(0, 3)) end

@@ -56,16 +56,10 @@ end
 
 --- instruments: names, in the scene's order; dt: step [s].
 function surgeon.start(instruments, dt)
-    local person = operator.start(surgeon.plan, surgeon.group, surgeon.seed, dt, surgeon.habits)
-    -- The leading hand holds the first instrument, the other hand the second.
+    local person = operator.start(surgeon.plan, surgeon.group, surgeon.seed, dt, instruments, surgeon.habits)
     function surgeon.operate(percept)
-        local samples = { person:operate(percept) }
-        samples[1].instrument = 0
-        if #instruments > 1 then samples[2].instrument = 1 else samples[2] = nil end
-        for i = 3, #instruments do
-            samples[i] = { instrument = i - 1, present = false, position = { 0, 0, 0 },
-                orientation = { 1, 0, 0, 0 }, jaw = 0, pedal = 0 }
-        end
+        local samples = person:operate(percept)
+        for i, sample in ipairs(samples) do sample.instrument = i - 1 end
         return samples
     end
 end

@@ -52,4 +52,15 @@ function vector.upright(shaft)
     return quaternion(vector.cross(y, z), y, z)
 end
 
+--- The same for an instrument whose end is bent down from its shaft, as kernel/tools/rhexis_tools.cpp has them: its own
+--- x axis lies across, its z axis points up as far as the shaft lets it.
+function vector.bent(shaft)
+    local out = vector.unit(shaft)
+    local x = vector.unit(vector.cross({ 0, 0, 1 }, out))
+    local along = vector.scale(out, -1)
+    local up = vector.cross(x, along)
+    local y = vector.unit(vector.add(along, vector.scale(up, 0.1)))  -- the shaft rises by a tenth towards the hand
+    return quaternion(x, y, vector.cross(x, y))
+end
+
 return vector

@@ -138,11 +138,13 @@ case("places are misjudged by the parameters, and the misjudgement drifts slowly
     equal(math.sqrt(jump / n) < 0.05, true, "from step to step")
 end)
 
+local names = { "phaco", "spatula" }
+
 local function samples_of(seed, group, plan, n)
-    local person = operator.start(plan, group, seed, dt)
+    local person = operator.start(plan, group, seed, dt, names)
     local texts = {}
     for i = 0, n - 1 do
-        local s = person:operate(percept(i * dt, 0))
+        local s = person:operate(percept(i * dt, 0))[1]
         texts[#texts + 1] = ("%.17g %.17g %.17g %.17g"):format(s.position[1], s.position[2], s.position[3], s.pedal)
     end
     return table.concat(texts, "\n")
@@ -165,6 +167,33 @@ case("a surgeon does the same again with the same seed, and something else with 
     equal(samples_of(7, "a", to_and_fro, 500) ~= samples_of(7, "d", to_and_fro, 500), true)
 end)
 
+case("a hand puts one instrument down and takes up another, and moves its fingers at a finite speed", function()
+    local function plan(me)
+        me.wait_until(function(seen) return seen end)
+        me.take_up({ 0, -6, 3 }, "forceps")
+        me.jaw(1)
+        me.wait(1)
+        me.put_down()
+        me.take_up({ 0, -6, 3 }, "cannula")
+    end
+    local person = operator.start(plan, "d", 4, dt, { "cystotome", "forceps", "cannula" })
+    local jaws, together = {}, 0
+    for i = 0, 200 do
+        local samples = person:operate(percept(i * dt, 0))
+        local present = 0
+        for _, sample in ipairs(samples) do present = present + (sample.present and 1 or 0) end
+        together = math.max(together, present)
+        equal(samples[1].present, false, "nobody took the cystotome up")
+        if samples[2].present then jaws[#jaws + 1] = samples[2].jaw end
+    end
+    equal(together, 1, "one hand, one instrument")
+    near(jaws[2] - jaws[1], 4 * dt, 1e-9, "per step")
+    near(jaws[#jaws], 1, 1e-9)
+    equal(pcall(function()
+        operator.start(function(me) me.take_up({ 0, 0, 0 }, "spoon") end, "d", 4, dt, names):operate(percept(0, 0))
+    end), false, "an instrument that is not there")
+end)
+
 case("a plan that draws numbers of its own changes nothing else", function()
     local function dice(me)
         for _ = 1, 10 do math.random() end
@@ -184,7 +213,7 @@ case("a plan sees late pictures only and nothing else of the world", function()
             end
         end
     end
-    local person = operator.start(plan, "d", 4, dt)
+    local person = operator.start(plan, "d", 4, dt, names)
     for i = 0, 200 do person:operate(percept(i * dt, 0)) end
     near(first, person.person.reaction_s, dt + 1e-9, "age of the first picture")
     equal(#found, 0, "values within reach: " .. table.concat(found, ", "))
@@ -195,9 +224,9 @@ case("the shaft passes the wound once the tip is inside, and an orientation is a
     person = operator.start(function(me)
         me.take_up({ 0, -6.5, 3.7 })
         me.go({ 0.5, 2, 0 }, 20)
-    end, "d", 4, dt)
+    end, "d", 4, dt, names)
     for i = 0, 400 do
-        local s = person:operate(percept(i * dt, 0))
+        local s = person:operate(percept(i * dt, 0))[1]
         local q = s.orientation
         near(q[1] ^ 2 + q[2] ^ 2 + q[3] ^ 2 + q[4] ^ 2, 1, 1e-9)
         if i > 300 then
@@ -219,10 +248,10 @@ end
 
 -- What one hand did over n steps, as a text.
 local function way_of(which, plan, picture, n, habits)
-    local person = operator.start(plan, "a", 7, dt, habits)
+    local person = operator.start(plan, "a", 7, dt, names, habits)
     local texts = {}
     for i = 0, n - 1 do
-        local s = select(which, person:operate(picture(i * dt)))
+        local s = person:operate(picture(i * dt))[which]
         texts[#texts + 1] = ("%s %.17g %.17g %.17g %.17g"):format(s.present, s.position[1], s.position[2],
             s.position[3], s.pedal)
     end

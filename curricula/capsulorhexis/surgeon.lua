@@ -1,0 +1,21 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- How a virtual surgeon opens the capsule. All groups follow this plan; what they make of it depends on their hands,
+-- eyes and attention (scripts/surgeons/groups.lua). The plan sees the picture only: no measure, no event, no score.
+
+local capsulorhexis = require "surgeons.capsulorhexis"
+local sculpting = require "surgeons.sculpting"
+
+local wanted_radius = 2.62  -- an opening 5.25 mm wide
+
+return function(me)
+    local eye = sculpting.look_around(me)
+    local radius = capsulorhexis.plan_radius(me, wanted_radius)
+    capsulorhexis.fill(me, eye)
+    for _ = 1, 3 do
+        if capsulorhexis.begin_flap(me, eye, radius) then break end
+        capsulorhexis.take_away(me, eye)
+    end
+    capsulorhexis.take_away(me, eye)
+    capsulorhexis.tear_round(me, eye, radius, 150)
+    capsulorhexis.take_away(me, eye)
+end

@@ -1,0 +1,105 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Error events of opening the anterior capsule, for the exercises that share them. An exercise names them, gives the items
+-- that they cap, and may put another value in place of any field. They need the goals radius_mm and fill_percent.
+
+local rhexis_events = {}
+
+local function with(common, own)
+    for field, value in pairs(own) do common[field] = value end
+    return common
+end
+
+--- The capsule is opened, or torn on, in a chamber that is not full.
+function rhexis_events.underfilled(own)
+    return with({
+        when = "rhexis.opened and not rhexis.closed and 100 * viscoelastic.fill < goal.fill_percent - 15 "
+            .. "and (cystotome.in_contact or forceps.in_contact)",
+        hold_s = 0.3,
+        recovered = "100 * viscoelastic.fill >= goal.fill_percent",
+        deadline_s = 30,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The chamber is shallow, the lens comes forward, and the capsule is domed.",
+        advice = "Fill the chamber before you go on: a domed capsule tears outwards.",
+        evidence = { "viscoelastic.fill", "lens.lift_mm", "rhexis.tip_radius_mm" },
+    }, own)
+end
+
+--- More viscoelastic than the eye bears.
+function rhexis_events.overfilled(own)
+    return with({
+        when = "viscoelastic.pressure_mmhg > 60",
+        recovered = "viscoelastic.pressure_mmhg < 30",
+        deadline_s = 30,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The eye is hard, the iris bulges towards the wound.",
+        advice = "Too much: stop pressing, and let some out through the wound before you go on.",
+        evidence = { "viscoelastic.pressure_mmhg", "viscoelastic.fill", "cannula.press" },
+    }, own)
+end
+
+--- The tear leaves the planned circle outwards. Put right when it has come back to it, or the opening is closed.
+function rhexis_events.runs_out(own)
+    return with({
+        when = "not rhexis.closed and (rhexis.tip_radius_mm > goal.radius_mm + 0.75 "
+            .. "or (rhexis.tip_heading_deg > 30 and rhexis.tip_radius_mm > goal.radius_mm + 0.45))",
+        recovered = "not rhexis.run_out and (rhexis.closed or "
+            .. "(rhexis.tip_radius_mm < goal.radius_mm + 0.45 and rhexis.tip_heading_deg < 20))",
+        deadline_s = 60,
+        near_miss_s = 0,
+        harm = "rhexis.run_out",
+        severity = "critical",
+        cue = "The leading edge drifts outwards, and the flap hides where it hangs.",
+        advice = "Stop. Fill the chamber, unfold the flap so that it lies flat, take hold of it close to the tear, pull back "
+            .. "along the way it came, in the plane of the capsule, and then to the middle.",
+        items = {},
+        evidence = { "rhexis.tip_radius_mm", "rhexis.tip_heading_deg", "viscoelastic.fill", "forceps.force_mN" },
+    }, own)
+end
+
+--- The tear has come to the zonules.
+function rhexis_events.edge_lost(own)
+    return with({
+        when = "rhexis.run_out",
+        recovered = "rhexis.closed",
+        deadline_s = 90,
+        near_miss_s = 0,
+        severity = "critical",
+        cue = "The end of the tear is gone behind the iris.",
+        advice = "Do not pull on. Begin again from the other end of the cut and lead the new tear into the old one; go on "
+            .. "gently, without pressing fluid under the edge.",
+        evidence = { "rhexis.largest_radius_mm", "rhexis.torn_mm", "viscoelastic.fill" },
+    }, own)
+end
+
+--- The needle ploughs the cortex under the capsule.
+function rhexis_events.too_deep(own)
+    return with({
+        when = "cystotome.tip_depth_mm > 1.0",
+        hold_s = 0.2,
+        recovered = "not (cystotome.tip_depth_mm > 0.6)",
+        deadline_s = 3,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "White shreds of cortex rise around the needle.",
+        advice = "Too deep: lift the needle until only its point is under the capsule.",
+        evidence = { "cystotome.tip_depth_mm", "cystotome.force_mN" },
+    }, own)
+end
+
+function rhexis_events.iris_touched(own)
+    return with({
+        when = "iris.touch",
+        recovered = "iris.gap_mm > 0.1",
+        recovered_hold_s = 0.3,
+        deadline_s = 2,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The pupil's edge moves with the instrument.",
+        advice = "Iris touched: stop, bring the instrument back to the middle of the pupil, and look at the shaft.",
+        evidence = { "iris.gap_mm" },
+    }, own)
+end
+
+return rhexis_events

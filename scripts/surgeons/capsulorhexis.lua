@@ -1,0 +1,181 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- How a virtual surgeon opens the anterior capsule: words that plans share. They see the picture only: no measure, no
+-- event, no score.
+--
+-- The tear goes round against the clock as the surgeon sees it. Places about the middle of the pupil are given by radius
+-- [mm], angle [degrees, 0 to the surgeon's right, 90 away from the surgeon] and height over the front of the lens [mm].
+
+local sculpting = require "surgeons.sculpting"
+local vector = require "surgeons.vector"
+
+local capsulorhexis = {}
+
+local free_speed = sculpting.free_speed
+local clear = 0.6           -- height at which an instrument touches nothing
+local full = 1.0            -- share of the chamber that viscoelastic is to fill
+
+local pierce_speed = 0.6    -- of the needle, down [mm/s]
+local back = 0.15           -- how far it is raised again once it is seen to be through
+local deepest = 0.6         -- where it is not through the capsule by then, something is wrong
+local cut_speed = 1.2
+local first_angle = -10     -- where the needle goes in
+local first_radius = 0.9
+local spiral = 70           -- angle over which the cut comes out to the planned circle
+local cut_end = 110         -- angle at which it ends
+
+local pull_speed = 1.5
+local hand_inside = 0.85    -- of the circle: how much nearer to the middle the jaws go than the tear [mm]
+local steer = 1.3           -- how much farther out they go per mm that the tear is too far in
+local pull_height = 0.2
+local ahead = 35            -- of the tear, where the jaws go next [degrees]
+local stretch = 2.3         -- from the tear to the jaws, at which one takes hold anew [mm]
+local tries = 6             -- to take hold, before one gives up
+
+--- A place by radius, angle and height.
+function capsulorhexis.place(eye, radius, angle, height)
+    local a = math.rad(angle)
+    return { eye.pupil[1] + radius * math.cos(a), eye.pupil[2] + radius * math.sin(a),
+        sculpting.surface(eye, radius) + height }
+end
+
+--- Radius and angle of a place about the middle of the pupil.
+function capsulorhexis.polar(eye, place)
+    local x, y = place[1] - eye.pupil[1], place[2] - eye.pupil[2]
+    return math.sqrt(x * x + y * y), math.deg(math.atan(y, x))
+end
+
+local function over(eye, place, height)
+    local radius = capsulorhexis.polar(eye, place)
+    return { place[1], place[2], sculpting.surface(eye, radius) + height }
+end
+
+local function outside(eye)
+    local across = math.sqrt(eye.wound[1] ^ 2 + eye.wound[2] ^ 2)
+    return { eye.wound[1] * (1 + 2 / across), eye.wound[2] * (1 + 2 / across), eye.wound[3] + 1.0 }
+end
+
+--- Through the wound, over a place of the lens.
+function capsulorhexis.bring(me, eye, instrument, place)
+    me.take_up(outside(eye), instrument)
+    me.wait(0.5)
+    me.go(eye.wound, free_speed)
+    me.go({ place[1], place[2], math.max(place[3], eye.front[3] + clear) }, free_speed)
+end
+
+--- Straight up and out.
+function capsulorhexis.take_away(me, eye)
+    me.go(over(eye, me.tip(), clear), free_speed)
+    me.go(eye.wound, free_speed)
+    me.go(outside(eye), free_speed)
+    me.put_down()
+end
+
+local function mark(me, name)
+    local seen = me.see()
+    return seen and seen.landmarks[name]
+end
+
+--- Viscoelastic until the chamber looks full, or as full as this person finds full.
+function capsulorhexis.fill(me, eye)
+    capsulorhexis.bring(me, eye, "cannula", capsulorhexis.place(eye, 1.0, -90, 1.0))
+    local enough = math.min(full, me.about(full))
+    me.jaw(0.7)
+    me.wait_until(function(seen)
+        return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size >= enough
+    end, 30)
+    me.jaw(0)
+    me.wait(0.5)
+    capsulorhexis.take_away(me, eye)
+    sculpting.look_at_height(me, eye)
+end
+
+--- How far from the middle this person means the opening's edge to be.
+function capsulorhexis.plan_radius(me, wanted)
+    return wanted * (0.7 + 0.3 * me.about(1))
+end
+
+local function is_open(seen) return seen.landmarks.tear_tip ~= nil end
+
+--- Pierces the capsule and cuts until the flap is begun. True when that was seen to be so.
+function capsulorhexis.begin_flap(me, eye, radius)
+    local start = capsulorhexis.place(eye, first_radius, first_angle, 0)
+    capsulorhexis.bring(me, eye, "cystotome", start)
+    for _ = 1, 8 do
+        me.wait(0.1)
+        sculpting.look_at_height(me, eye)
+    end
+    start = capsulorhexis.place(eye, first_radius, first_angle, 0)
+    me.go(vector.add(start, { 0, 0, 0.4 }), free_speed)
+    me.go(vector.add(start, { 0, 0, -deepest }), pierce_speed, nil, is_open)
+    if not mark(me, "tear_tip") then
+        me.wait(0.5)
+        if not mark(me, "tear_tip") then return false end
+    end
+    me.go(vector.add(me.tip(), { 0, 0, back }), pierce_speed)
+    local low = me.tip()[3] - start[3]  -- felt, where the front is only seen
+    me.follow(function(share)
+        local angle = first_angle + share * (cut_end - first_angle)
+        local out = math.sqrt(math.min(1, (angle - first_angle) / spiral))  -- along the slit at first
+        return capsulorhexis.place(eye, first_radius + (radius - first_radius) * out, angle, low)
+    end, cut_speed)
+    return true
+end
+
+-- Takes hold of the flap near the tear; true when it is seen to be held.
+local function grasp(me, eye)
+    for _ = 1, tries do
+        local flap = mark(me, "flap")
+        if not flap then return false end
+        me.jaw(1)
+        me.go(over(eye, flap.position, clear), free_speed)
+        me.wait(0.3)
+        flap = mark(me, "flap") or flap
+        me.go(flap.position, 2)
+        me.jaw(0)
+        if me.wait_until(function(seen) return seen.landmarks.held ~= nil end, 1.2) then return true end
+        sculpting.look_at_height(me, eye)
+    end
+    return false
+end
+
+local function let_go(me, eye)
+    me.jaw(1)
+    me.wait(0.3)
+    me.go(over(eye, me.tip(), clear), free_speed)
+end
+
+local function closed(seen) return seen.landmarks.rim ~= nil end
+
+-- Pulls until it is time to take hold anew. Returns what ended it.
+local function pull(me, eye, radius)
+    while true do
+        if mark(me, "rim") then return "closed" end
+        local tip = mark(me, "tear_tip")
+        if not tip then return "lost" end
+        if not mark(me, "held") then return "slipped" end
+        local tear_radius, angle = capsulorhexis.polar(eye, tip.position)
+        if vector.distance(me.tip(), tip.position) > stretch then return "far" end
+        local _, hand = capsulorhexis.polar(eye, me.tip())
+        local lead = (hand - angle + 180) % 360 - 180
+        local next_angle = angle + math.max(lead, 0) + ahead * 0.5
+        local inside = math.max(0.3, radius - hand_inside + steer * (radius - tear_radius))
+        me.go(capsulorhexis.place(eye, inside, next_angle, pull_height), pull_speed, nil, closed)
+    end
+end
+
+--- Tears the flap round with the forceps. Returns "closed", or why it stopped.
+function capsulorhexis.tear_round(me, eye, radius, longest)
+    local until_s = me.time_s() + longest
+    local tip = mark(me, "tear_tip")
+    capsulorhexis.bring(me, eye, "forceps", tip and tip.position or eye.pupil)
+    while me.time_s() < until_s do
+        if mark(me, "rim") then return "closed" end
+        if not grasp(me, eye) then return "not grasped" end
+        local why = pull(me, eye, radius)
+        if why == "closed" or why == "lost" then return why end
+        let_go(me, eye)
+    end
+    return "late"
+end
+
+return capsulorhexis

@@ -1,0 +1,41 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- How hands hold each instrument: the wound that its shaft goes through, by the name of its landmark, and how it is
+-- turned about its shaft.
+
+local vector = require "surgeons.vector"
+
+local instruments = {}
+
+local straight = { wound = "incision", orientation = vector.orientation, bend_mm = 0 }
+-- Their shaft begins over their end.
+local function bent(length) return { wound = "incision", orientation = vector.bent, bend_mm = length } end
+
+local held = {
+    spatula = { wound = "side_port", orientation = vector.upright, bend_mm = 0 },
+    cystotome = bent(1.0),
+    forceps = bent(1.0),
+    cannula = bent(0.6),
+}
+
+--- name: of an instrument of the scene.
+function instruments.held(name) return held[name] or straight end
+
+local out_mm = 0.5       -- from the wound, inwards: so near to it the shaft points as it did on the way in
+local turned_mm = 1.5    -- beyond that it turns, until it goes through the wound
+
+--- The way through a wound, outwards, as the tunnel through the cornea runs.
+function instruments.way_out(wound)
+    return vector.unit({ wound[1], wound[2], 0.5 * math.sqrt(wound[1] * wound[1] + wound[2] * wound[2]) })
+end
+
+--- Direction of the shaft of an instrument with its tip at a place: through the wound; while the tip is outside or close
+--- to the wound, as on the way in.
+function instruments.shaft(hold, wound, tip)
+    local entry = instruments.way_out(wound)
+    local back = vector.sub(wound, { tip[1], tip[2], tip[3] + hold.bend_mm })
+    local turned = math.max(0, math.min(1, (vector.dot(vector.sub(wound, tip), entry) - out_mm) / turned_mm))
+    if turned == 0 then return entry end
+    return vector.unit(vector.mix(entry, vector.unit(back), turned))
+end
+
+return instruments
