@@ -296,6 +296,9 @@ void ImplicitStep::Parts::build_tangent(const Task& task, Mode mode) {
 bool ImplicitStep::Parts::solve(const Task& task, ImplicitReport& report) {
     const double size = norm(residual);
     const double target = std::max(task.settings.tolerance * size, 0.1 * rounding);
+    if (task.settings.new_factors) {
+        solver.expect_change();
+    }
     const KeptSolver::Outcome outcome =
         solver.solve(matrix, residual, target, task.settings.max_linear_iterations, change);
     report.linear_iterations += outcome.iterations;

@@ -14,8 +14,12 @@ namespace {
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Forces of a scene are some 1,000 uN.
-const ImplicitSettings scene_settings{
-    .tolerance = 1e-4, .max_newton = 8, .newton_tolerance = 1e-3, .force_tolerance = 10.0, .most_travel = 0.2};
+const ImplicitSettings scene_settings{.tolerance = 1e-2,
+                                      .max_newton = 8,
+                                      .newton_tolerance = 1e-3,
+                                      .force_tolerance = 20.0,
+                                      .new_factors = true,
+                                      .most_travel = 0.2};
 
 constexpr double farthest = 0.1;             // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.25;  // and that of the radius of its thinnest end
@@ -29,7 +33,8 @@ Box box_of(const std::vector<Vec3>& nodes) {
     return box;
 }
 
-/// As many as the fastest of the instruments needs whose way comes near the sheet.
+/// As many as the fastest of what instruments have near the sheet needs: not their handles, which go far when they
+/// turn.
 int substeps_for(const MembraneStepper::Task& task) {
     const Box sheet = box_of(task.state.position);
     double parts = 1.0;
@@ -37,11 +42,8 @@ int substeps_for(const MembraneStepper::Task& task) {
         if (!task.tools[k].present) {
             continue;
         }
-        const Box swept = swept_box(task.world.tools[k], task.tools[k]);
-        if ((swept.low.array() <= sheet.high.array()).all() && (swept.high.array() >= sheet.low.array()).all()) {
-            const double most = std::min(farthest, farthest_of_radius * thinnest(task.world.tools[k]));
-            parts = std::max(parts, travel(task.world.tools[k], task.tools[k]) / most);
-        }
+        const double most = std::min(farthest, farthest_of_radius * thinnest(task.world.tools[k]));
+        parts = std::max(parts, travel_near(task.world.tools[k], task.tools[k], sheet) / most);
     }
     return std::min(static_cast<int>(std::ceil(parts)), most_substeps);
 }
@@ -55,6 +57,15 @@ void move_support(const MembraneModel& model, double force, double dt, SupportSt
     const SupportModel& own = *model.support;
     const double speed = (support.push - own.stiffness * support.lift + force) / (own.damping + dt * own.stiffness);
     support.lift += dt * speed;
+}
+
+/// What lies on the support goes with it: a contact dents it by less than that moves in a step, and would be lost.
+void carry(const MembraneModel& model, double lift, MembraneState& state) {
+    for (const SheetTouch& touch : state.touches) {
+        if (touch.partner == ContactPartner::support && !is_fixed(model, *state.sheet, touch.node)) {
+            state.position[at(touch.node)].z() += lift;
+        }
+    }
 }
 
 }  // namespace
@@ -133,6 +144,7 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
     held_.report(task.dt, contacts);
     next.grips = held_.kept();
     move_support(*model_, touching_.impulse_on_support() / dt, dt, next.support);
+    carry(*model_, next.support.lift - from.support.lift, next);
     return report;
 }
 
