@@ -62,7 +62,8 @@ void move_support(const MembraneModel& model, double force, double dt, SupportSt
 /// What lies on the support goes with it: a contact dents it by less than that moves in a step, and would be lost.
 void carry(const MembraneModel& model, double lift, MembraneState& state) {
     for (const SheetTouch& touch : state.touches) {
-        if (touch.partner == ContactPartner::support && !is_fixed(model, *state.sheet, touch.node)) {
+        if (touch.partner == ContactPartner::support && touch.triangle < 0 &&
+            !is_fixed(model, *state.sheet, touch.node)) {
             state.position[at(touch.node)].z() += lift;
         }
     }
@@ -127,23 +128,27 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
     }
     touching_.look(task.world, task.membrane, from, tools_, dt);
     held_.look(task.world, task.membrane, from, touching_.stiffness());
+    layers_.look(*model_, from, touching_.stiffness());
     place_tools(tools_, 1.0, poses_);
     CouplingFunction coupling;
-    if (!touching_.empty() || !held_.empty()) {
+    if (!touching_.empty() || !held_.empty() || !layers_.empty()) {
         coupling = [this](const std::vector<Vec3>& position, std::span<const RigidUnknown>,
                           std::vector<ContactTerm>& terms, std::vector<RigidTerm>&) {
             touching_.terms(position, poses_, terms);
             held_.terms(position, poses_, terms);
+            layers_.terms(position, terms);
         };
     }
     const ImplicitReport report = step(from, external_, dt, scene_settings, coupling, next);
     touching_.settle(next.position, poses_, dt);
     touching_.report(task.dt, contacts);
     next.touches = touching_.touches();
+    layers_.remember(next.touches);
     held_.settle(next.position, poses_, dt);
     held_.report(task.dt, contacts);
     next.grips = held_.kept();
-    move_support(*model_, touching_.impulse_on_support() / dt, dt, next.support);
+    const double on_support = touching_.impulse_on_support() / dt + layers_.force_on_support(next.position);
+    move_support(*model_, on_support, dt, next.support);
     carry(*model_, next.support.lift - from.support.lift, next);
     return report;
 }
