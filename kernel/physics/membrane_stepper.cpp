@@ -13,7 +13,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Forces of a scene are some 1,000 uN.
+/// Forces of a scene are some 1,000 to 20,000 uN. Tears end within 0.02 mm of where they end at 2 uN and 1e-6.
 const ImplicitSettings scene_settings{.tolerance = 1e-2,
                                       .max_newton = 8,
                                       .newton_tolerance = 1e-3,
@@ -139,7 +139,9 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
             layers_.terms(position, terms);
         };
     }
-    const ImplicitReport report = step(from, external_, dt, scene_settings, coupling, next);
+    ImplicitSettings settings = scene_settings;
+    settings.predict = model_->damping_stiffness == 0.0;
+    const ImplicitReport report = step(from, external_, dt, settings, coupling, next);
     touching_.settle(next.position, poses_, dt);
     touching_.report(task.dt, contacts);
     next.touches = touching_.touches();
