@@ -21,8 +21,8 @@ const ImplicitSettings scene_settings{.tolerance = 1e-2,
                                       .new_factors = true,
                                       .most_travel = 0.2};
 
-constexpr double farthest = 0.1;             // that an instrument near the sheet goes in a substep [mm],
-constexpr double farthest_of_radius = 0.25;  // and that of the radius of its thinnest end
+constexpr double farthest = 0.1;            // that an instrument near the sheet goes in a substep [mm],
+constexpr double farthest_of_radius = 0.5;  // and that of the radius of its thinnest end
 constexpr int most_substeps = 20;
 
 Box box_of(const std::vector<Vec3>& nodes) {

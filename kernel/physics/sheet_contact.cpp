@@ -93,6 +93,13 @@ double friction_of(const WorldModel& world, const MembraneModel& model, const Sh
     }
 }
 
+/// What contacts are found by, in ascending order; last those of the sheet with itself.
+std::array<int, 3> rank(const SheetTouch& touch) {
+    const bool own = touch.triangle >= 0 && touch.node >= 0;
+    const int partner = touch.partner == ContactPartner::support ? 0 : touch.partner == ContactPartner::plane ? 1 : 2;
+    return {own ? 3 : partner, touch.index, std::max(touch.node, touch.triangle)};
+}
+
 /// Whether a triangle is farther than the margin from a part of an instrument, by the ball about it.
 bool surely_apart(const RoundedCone& cone, const Pose& pose, const std::array<Vec3, 3>& x) {
     const Vec3 middle = (x[0] + x[1] + x[2]) / 3.0;
@@ -147,17 +154,12 @@ std::array<double, 3> nearest_to_segment(const std::array<Vec3, 3>& triangle, co
 
 void SheetContacts::add(SheetContact contact, const MembraneState& state, const Pose& start) {
     const std::vector<SheetTouch>& known = state.touches;
-    contact.touch.stretch = Vec3::Zero();
-    // they come in the order in which they were found, so the next is mostly the one behind the last
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        const std::size_t k = next_known_ + i < known.size() ? next_known_ + i : next_known_ + i - known.size();
-        if (known[k].triangle == contact.touch.triangle && known[k].node == contact.touch.node &&
-            known[k].partner == contact.touch.partner && known[k].index == contact.touch.index) {
-            contact.touch.stretch = known[k].stretch;
-            next_known_ = k + 1;
-            break;
-        }
+    const std::array<int, 3> own = rank(contact.touch);
+    while (next_known_ < known.size() && rank(known[next_known_]) < own) {
+        ++next_known_;
     }
+    const bool again = next_known_ < known.size() && rank(known[next_known_]) == own;
+    contact.touch.stretch = again ? known[next_known_].stretch : Vec3(Vec3::Zero());
     contact.anchor = start.to_body(point_of(contact, state.position)) - contact.touch.stretch;
     list_.push_back(contact);
 }

@@ -71,7 +71,7 @@ private:
     double stiffness_ = 0.0;
     Pose support_;  ///< where the body under the sheet is
     std::vector<SheetContact> list_;
-    std::size_t next_known_ = 0;  ///< of the state's touches: behind the one that was found last
+    std::size_t next_known_ = 0;  ///< of the state's touches, which come in the order in which contacts are found
 };
 
 }  // namespace rhexis

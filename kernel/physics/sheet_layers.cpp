@@ -57,11 +57,13 @@ bool folded(const MembraneState& state, int triangle) {
     return now.dot(front_of(state.sheet->mesh, triangle)) < 0.0;
 }
 
-void SheetLayers::take_layers(const MembraneState& state) {
+/// False where nothing is folded.
+bool SheetLayers::take_layers(const MembraneState& state) {
     const TriMesh& mesh = state.sheet->mesh;
     const std::vector<Vec3>& x = state.position;
     layers_.resize(mesh.triangles.size());
     upright_.assign(x.size(), 0.0);
+    bool any = false;
     for (std::size_t t = 0; t < layers_.size(); ++t) {
         Layer& layer = layers_[t];
         layer.nodes = mesh.triangles[t];
@@ -71,6 +73,7 @@ void SheetLayers::take_layers(const MembraneState& state) {
         const double size = now.norm();
         const double cosine = size > 0.0 ? now.dot(front) / (size * front.norm()) : 0.0;
         layer.over = cosine < 0.0;
+        any = any || layer.over;
         layer.up.setZero();
         if (std::abs(cosine) > steepest) {
             layer.up = (layer.over ? -1.0 : 1.0) / size * now;
@@ -82,6 +85,7 @@ void SheetLayers::take_layers(const MembraneState& state) {
             upright_[at(node)] += cosine * size;
         }
     }
+    return any;
 }
 
 int SheetLayers::cell(double x, double y) const {
@@ -178,7 +182,9 @@ void SheetLayers::look(const MembraneModel& model, const MembraneState& state, d
     if (distance_ == 0.0 || state.tips.empty()) {
         return;
     }
-    take_layers(state);
+    if (!take_layers(state)) {
+        return;
+    }
     fill_grid(state);
     const int nodes = static_cast<int>(state.position.size());
     above_.assign(at(nodes), -1);

@@ -17,8 +17,8 @@ bool folded(const MembraneState& state, int triangle);
 
 class SheetLayers {
 public:
-    /// What can meet in a substep. stiffness: of a contact [uN/mm]. Nothing where the model's layers keep no distance
-    /// and where nothing is torn.
+    /// What can meet in a substep. stiffness: of a contact [uN/mm]. Nothing where the model's layers keep no distance,
+    /// nothing is torn, or nothing is folded.
     void look(const MembraneModel& model, const MembraneState& state, double stiffness);
     [[nodiscard]] bool empty() const { return list_.empty(); }
 
@@ -55,7 +55,7 @@ private:
         std::vector<int> offset;
         std::vector<int> triangles;
     };
-    void take_layers(const MembraneState& state);
+    bool take_layers(const MembraneState& state);
     void fill_grid(const MembraneState& state);
     [[nodiscard]] int cell(double x, double y) const;
     void meet(const MembraneModel& model, const MembraneState& state, int node);
