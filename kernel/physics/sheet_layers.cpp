@@ -17,6 +17,7 @@ constexpr double steepest = 0.2;       // cosine, from where it looked at rest, 
 constexpr double near_at_rest = 1.5;   // edges: what belongs to the fold itself
 constexpr double beyond_edges = -0.1;  // share of a corner to which a triangle reaches beyond its edges
 constexpr double cell_size = 0.4;      // of the grid [mm]
+constexpr int most_cells = 200;        // each way; what is farther lies in the last
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -63,7 +64,7 @@ bool SheetLayers::take_layers(const MembraneState& state) {
     const std::vector<Vec3>& x = state.position;
     layers_.resize(mesh.triangles.size());
     upright_.assign(x.size(), 0.0);
-    bool any = false;
+    fold_ = Box{};
     for (std::size_t t = 0; t < layers_.size(); ++t) {
         Layer& layer = layers_[t];
         layer.nodes = mesh.triangles[t];
@@ -73,7 +74,6 @@ bool SheetLayers::take_layers(const MembraneState& state) {
         const double size = now.norm();
         const double cosine = size > 0.0 ? now.dot(front) / (size * front.norm()) : 0.0;
         layer.over = cosine < 0.0;
-        any = any || layer.over;
         layer.up.setZero();
         if (std::abs(cosine) > steepest) {
             layer.up = (layer.over ? -1.0 : 1.0) / size * now;
@@ -83,9 +83,12 @@ bool SheetLayers::take_layers(const MembraneState& state) {
         layer.high = x[at(n[0])].cwiseMax(x[at(n[1])]).cwiseMax(x[at(n[2])]);
         for (const int node : n) {
             upright_[at(node)] += cosine * size;
+            if (layer.over) {
+                fold_.add(x[at(node)], margin);
+            }
         }
     }
-    return any;
+    return fold_.low.x() <= fold_.high.x();
 }
 
 int SheetLayers::cell(double x, double y) const {
@@ -94,18 +97,21 @@ int SheetLayers::cell(double x, double y) const {
     return row * grid_.columns + column;
 }
 
-void SheetLayers::fill_grid(const MembraneState& state) {
-    Vec3 low = state.position.front();
-    Vec3 high = low;
-    for (const Vec3& node : state.position) {
-        low = low.cwiseMin(node);
-        high = high.cwiseMax(node);
-    }
-    grid_.low = low.head<2>();
-    grid_.columns = std::clamp(static_cast<int>((high.x() - low.x()) / cell_size) + 1, 1, 200);
-    grid_.rows = std::clamp(static_cast<int>((high.y() - low.y()) / cell_size) + 1, 1, 200);
+bool SheetLayers::in_view(const Layer& layer) const {
+    return layer.up.squaredNorm() > 0.0 && layer.low.x() < fold_.high.x() && layer.high.x() > fold_.low.x() &&
+           layer.low.y() < fold_.high.y() && layer.high.y() > fold_.low.y();
+}
+
+/// Where something is folded; elsewhere nothing lies on anything.
+void SheetLayers::fill_grid() {
+    grid_.low = fold_.low.head<2>();
+    grid_.columns = std::clamp(static_cast<int>((fold_.high.x() - fold_.low.x()) / cell_size) + 1, 1, most_cells);
+    grid_.rows = std::clamp(static_cast<int>((fold_.high.y() - fold_.low.y()) / cell_size) + 1, 1, most_cells);
     grid_.offset.assign(at(grid_.columns * grid_.rows) + 1, 0);
     const auto in_cells = [&](const Layer& layer, const auto& take) {
+        if (!in_view(layer)) {
+            return;
+        }
         const int first = cell(layer.low.x() - margin, layer.low.y() - margin);
         const int last = cell(layer.high.x() + margin, layer.high.y() + margin);
         for (int row = first / grid_.columns; row <= last / grid_.columns; ++row) {
@@ -139,7 +145,7 @@ void SheetLayers::meet(const MembraneModel& model, const MembraneState& state, i
         const int triangle = grid_.triangles[at(i)];
         const Layer& layer = layers_[at(triangle)];
         if (x.x() < layer.low.x() - margin || x.x() > layer.high.x() + margin || x.y() < layer.low.y() - margin ||
-            x.y() > layer.high.y() + margin || layer.up.isZero() || (over && layer.over)) {
+            x.y() > layer.high.y() + margin || (over && layer.over)) {
             continue;
         }
         const double height = layer.up.dot(x - layer.corner);
@@ -185,7 +191,7 @@ void SheetLayers::look(const MembraneModel& model, const MembraneState& state, d
     if (!take_layers(state)) {
         return;
     }
-    fill_grid(state);
+    fill_grid();
     const int nodes = static_cast<int>(state.position.size());
     above_.assign(at(nodes), -1);
     for (const SheetTouch& touch : state.touches) {
@@ -197,7 +203,10 @@ void SheetLayers::look(const MembraneModel& model, const MembraneState& state, d
     bears_.assign(at(nodes), 0);
     for (const bool over : {true, false}) {
         for (int node = 0; node < nodes; ++node) {
-            if ((upright_[at(node)] < 0.0) == over && bears_[at(node)] == 0) {
+            const Vec3& x = state.position[at(node)];
+            const bool inside =
+                x.x() > fold_.low.x() && x.x() < fold_.high.x() && x.y() > fold_.low.y() && x.y() < fold_.high.y();
+            if (inside && (upright_[at(node)] < 0.0) == over && bears_[at(node)] == 0) {
                 meet(model, state, node);
             }
         }

@@ -9,6 +9,7 @@
 
 #include "flow/membrane.hpp"
 #include "physics/contact_term.hpp"
+#include "physics/tool_shape.hpp"
 
 namespace rhexis {
 
@@ -56,7 +57,8 @@ private:
         std::vector<int> triangles;
     };
     bool take_layers(const MembraneState& state);
-    void fill_grid(const MembraneState& state);
+    [[nodiscard]] bool in_view(const Layer& layer) const;
+    void fill_grid();
     [[nodiscard]] int cell(double x, double y) const;
     void meet(const MembraneModel& model, const MembraneState& state, int node);
     [[nodiscard]] bool was_above(int node, const Layer& layer) const;
@@ -71,6 +73,7 @@ private:
     std::vector<double> upright_;      ///< per node: area of the triangles about it, less where they are folded
     std::vector<int> above_;           ///< per node: the triangle that it was above, or -1
     std::vector<std::uint8_t> bears_;  ///< per node: of a triangle that something is above
+    Box fold_;                         ///< about what is folded
     Grid grid_;
 };
 

