@@ -25,7 +25,8 @@ constexpr double zonule_stretch = 0.25;       ///< of the anterior zonules at re
 constexpr double vitreous_stiffness = 1.5e5;  ///< [uN/mm], as where the chamber is simulated. Proposal
 constexpr double settling = 0.02;             ///< time in which lens and capsule come to rest [s]
 constexpr double drag = 3e6;                  ///< of the viscoelastic, share of the mass [1/s]. Proposal
-constexpr double insertion_width = 0.25;      ///< of the ring in which the zonules insert, each way [mm]
+constexpr double layer_distance = 0.02;   ///< about its thickness, and less than its nodes sink in under a tool [mm]
+constexpr double insertion_width = 0.25;  ///< of the ring in which the zonules insert, each way [mm]
 
 constexpr std::array<TableRow, 2> pole{{{0.0, 0.011}, {98.0, 0.015}}};
 constexpr std::array<TableRow, 2> mid_periphery{{{0.0, 0.0135}, {98.0, 0.016}}};
@@ -121,6 +122,7 @@ MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& 
     model.piercing = piercing_force / piercing_thickness;
     model.damping_mass = drag;
     model.support = SupportModel{{lens.radius, lens.anterior, lens.posterior}, 0.05, 0.0, 0.0};
+    model.layer_distance = layer_distance;
     hang(bag, model);
     return model;
 }

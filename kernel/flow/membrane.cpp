@@ -61,7 +61,9 @@ Status check_numbers(const MembraneModel& model) {
                             {"turn_cosine", model.turn_cosine, -1.0, 1.0, ""},
                             {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
                             {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
-                            {"slack_share", model.slack_share, 1e-9, 1.0, ""}};
+                            {"slack_share", model.slack_share, 1e-9, 1.0, ""},
+                            // only on a support is it known which layer lies on which
+                            {"layer_distance", model.layer_distance, 0.0, model.support ? 0.1 : 0.0, " mm"}};
     for (const Field& f : fields) {
         if (Status s = check_range(f.name, f.value, f.least, f.most, model.name, f.unit); !s) {
             return s;

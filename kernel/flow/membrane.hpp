@@ -71,6 +71,9 @@ struct MembraneModel {
     std::vector<int> fixed_nodes;    ///< move only by hand of the caller, with their copies; ascending
     std::vector<NodeSpring> springs;
     std::optional<SupportModel> support;
+    /// What is folded over keeps it from what is below [mm], 0 to 0.1; 0: they pass through each other, as they must
+    /// where there is no support.
+    double layer_distance = 0.0;
 };
 
 /// The end of a tear, which may go on.
@@ -80,7 +83,8 @@ struct TearTip {
     Vec3 owed = Vec3::Zero();       ///< from the node, where the mesh allowed it to go, to where it ought to be [mm]
 };
 
-/// What friction remembers of a contact from step to step.
+/// What a contact is known by from step to step. With both a triangle and a node it is one of the sheet with itself:
+/// the node is above the triangle.
 struct SheetTouch {
     int triangle = -1;  ///< that touches; -1: the node does
     int node = -1;

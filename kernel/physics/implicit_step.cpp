@@ -5,8 +5,8 @@
 //   A = (1 + dt damping_mass) M + dt^2 (K + contact stiffness) + dt damping_stiffness K0,  A dv = r
 //
 // The first iteration is linearised about x0 and starts from v0: alone it is the step of [Dequidt2013]. The later ones
-// are Newton's with the projected tangent [Smith2019], near
-// the end with the consistent one while conjugate gradients find it positive definite. A step along dv is taken if the
+// are Newton's with the projected tangent [Smith2019], near the end with the consistent one while conjugate gradients
+// find it positive definite. A step that is predicted begins with them, at x0 + dt v0. A step along dv is taken if the
 // residual's component along dv has fallen to half or changed its sign less than that, and halved else: that asks for
 // no energy, which friction lacks.
 #include "physics/implicit_step.hpp"
@@ -69,7 +69,9 @@ struct ImplicitStep::Parts {
     void complete_matrix(const Task& task);
     [[nodiscard]] double rounding_of_forces(const Task& task) const;
     void linearised_residual(const Task& task);
+    void predicted_residual(const Task& task);
     void full_residual(const Task& task);
+    void balance(const Task& task);
     void build_tangent(const Task& task, Mode mode);
     bool solve(const Task& task, ImplicitReport& report);
     [[nodiscard]] double largest_step(const Task& task) const;
@@ -262,10 +264,27 @@ void ImplicitStep::Parts::linearised_residual(const Task& task) {
     reference = std::max(norm(residual), rounding);
 }
 
+/// r and A at where the velocities at the start lead.
+void ImplicitStep::Parts::predicted_residual(const Task& task) {
+    RHEXIS_ASSERT(elastic.damping_stiffness() == 0.0);
+    set_velocity(task, velocity0);
+    elastic.forces_and_stiffness(x, Mode::projected, task.dt * task.dt, force, matrix.solid());
+    evaluate_coupling(task);
+    complete_matrix(task);
+    balance(task);
+    rounding = rounding_of_forces(task) + 10.0 * ulp * norm(residual);
+    reference = std::max(norm(residual), rounding);
+}
+
 /// r at x and the bodies' poses, which belong to `velocity`, with the coupling of there.
 void ImplicitStep::Parts::full_residual(const Task& task) {
     elastic.forces(x, force);
     evaluate_coupling(task);
+    balance(task);
+}
+
+/// r of forces and coupling that are known.
+void ImplicitStep::Parts::balance(const Task& task) {
     std::fill(residual.begin(), residual.end(), 0.0);
     add_applied_forces(task, residual);
     add_inertia(velocity0, 1.0, residual);
@@ -296,6 +315,9 @@ void ImplicitStep::Parts::build_tangent(const Task& task, Mode mode) {
 bool ImplicitStep::Parts::solve(const Task& task, ImplicitReport& report) {
     const double size = norm(residual);
     const double target = std::max(task.settings.tolerance * size, 0.1 * rounding);
+    if (task.settings.new_factors) {
+        solver.expect_change();
+    }
     const KeptSolver::Outcome outcome =
         solver.solve(matrix, residual, target, task.settings.max_linear_iterations, change);
     report.linear_iterations += outcome.iterations;
@@ -362,7 +384,11 @@ void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
 }
 
 void ImplicitStep::Parts::iterate(const Task& task, ImplicitReport& report) {
-    linearised_residual(task);
+    if (task.settings.predict) {
+        predicted_residual(task);
+    } else {
+        linearised_residual(task);
+    }
     report.converged = reference == 0.0;
     report.residual = reference == 0.0 || !std::isfinite(reference) ? reference : 1.0;
     report.newton_residual = report.residual;

@@ -38,6 +38,8 @@ struct ImplicitSettings {
     double newton_tolerance = 1e-4;  ///< relative residual of the step at which Newton stops
     double force_tolerance = 0.0;    ///< residual force at which it stops, whatever the relative residual [uN]
     int max_linear_iterations = 1000;
+    bool predict = false;      ///< linearised first where the velocities lead; more than one iteration, no K0 damping
+    bool new_factors = false;  ///< one per linear solve: pays where the matrix changes much from each to the next
     double most_travel = 0.0;  ///< of any node in one iteration, so that nothing is jumped over [mm]; 0: no limit
 };
 

@@ -13,6 +13,7 @@
 #include "physics/membrane_body.hpp"
 #include "physics/sheet_contact.hpp"
 #include "physics/sheet_grip.hpp"
+#include "physics/sheet_layers.hpp"
 
 namespace rhexis {
 
@@ -62,6 +63,7 @@ private:
     std::vector<Vec3> external_;
     SheetContacts touching_;
     SheetGrips held_;
+    SheetLayers layers_;
     std::vector<ToolState> tools_;  ///< where they are in a substep
     PartnerPoses poses_;
     std::vector<RigidUnknown> no_bodies_;

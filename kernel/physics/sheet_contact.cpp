@@ -93,6 +93,13 @@ double friction_of(const WorldModel& world, const MembraneModel& model, const Sh
     }
 }
 
+/// What contacts are found by, in ascending order; last those of the sheet with itself.
+std::array<int, 3> rank(const SheetTouch& touch) {
+    const bool own = touch.triangle >= 0 && touch.node >= 0;
+    const int partner = touch.partner == ContactPartner::support ? 0 : touch.partner == ContactPartner::plane ? 1 : 2;
+    return {own ? 3 : partner, touch.index, std::max(touch.node, touch.triangle)};
+}
+
 /// Whether a triangle is farther than the margin from a part of an instrument, by the ball about it.
 bool surely_apart(const RoundedCone& cone, const Pose& pose, const std::array<Vec3, 3>& x) {
     const Vec3 middle = (x[0] + x[1] + x[2]) / 3.0;
@@ -146,11 +153,13 @@ std::array<double, 3> nearest_to_segment(const std::array<Vec3, 3>& triangle, co
 }
 
 void SheetContacts::add(SheetContact contact, const MembraneState& state, const Pose& start) {
-    const auto known = std::find_if(state.touches.begin(), state.touches.end(), [&](const SheetTouch& touch) {
-        return touch.triangle == contact.touch.triangle && touch.node == contact.touch.node &&
-               touch.partner == contact.touch.partner && touch.index == contact.touch.index;
-    });
-    contact.touch.stretch = known == state.touches.end() ? Vec3(Vec3::Zero()) : known->stretch;
+    const std::vector<SheetTouch>& known = state.touches;
+    const std::array<int, 3> own = rank(contact.touch);
+    while (next_known_ < known.size() && rank(known[next_known_]) < own) {
+        ++next_known_;
+    }
+    const bool again = next_known_ < known.size() && rank(known[next_known_]) == own;
+    contact.touch.stretch = again ? known[next_known_].stretch : Vec3(Vec3::Zero());
     contact.anchor = start.to_body(point_of(contact, state.position)) - contact.touch.stretch;
     list_.push_back(contact);
 }
@@ -253,6 +262,7 @@ void SheetContacts::look(const WorldModel& world, int membrane, const MembraneSt
     stiffness_ = stiffer * std::max(model.material.along, model.material.across) * mean_thickness(*state.sheet);
     support_.position = state.support.lift * Vec3::UnitZ();
     list_.clear();
+    next_known_ = 0;
     meet_support(state, dt);
     meet_planes(state, dt);
     for (int i = 0; i < static_cast<int>(tools.size()); ++i) {
@@ -262,17 +272,10 @@ void SheetContacts::look(const WorldModel& world, int membrane, const MembraneSt
     }
 }
 
-SheetContacts::Answer SheetContacts::answer(const SheetContact& contact, const std::vector<Vec3>& position,
-                                            const PartnerPoses& poses) const {
-    const MembraneModel& model = world_->membranes[at(membrane_)];
-    Answer result;
+SheetContacts::Meeting SheetContacts::meeting(const SheetContact& contact, const std::vector<Vec3>& position,
+                                              const PartnerPoses& poses) const {
+    Meeting result;
     result.point = point_of(contact, position);
-    Vec3 anchor = contact.anchor;
-    if (contact.touch.partner == ContactPartner::tool) {
-        anchor = poses.tools[at(contact.touch.index)].to_world(anchor);
-    } else if (contact.touch.partner == ContactPartner::support) {
-        anchor = support_.to_world(anchor);
-    }
     if (contact.plane) {
         result.gap = contact.normal.dot(result.point - contact.foot);
         result.normal = contact.normal;
@@ -292,44 +295,57 @@ SheetContacts::Answer SheetContacts::answer(const SheetContact& contact, const s
         result.gap = plane.normal.dot(result.point - plane.point);
         result.normal = plane.normal;
     }
-    const ContactSpring spring{stiffness_, friction_of(*world_, model, contact.touch)};
-    result.spring = spring_contact(spring, result.gap, result.normal, result.point - anchor, true);
     return result;
+}
+
+SpringResponse SheetContacts::spring(const SheetContact& contact, const Meeting& meeting,
+                                     const PartnerPoses& poses) const {
+    Vec3 anchor = contact.anchor;
+    if (contact.touch.partner == ContactPartner::tool) {
+        anchor = poses.tools[at(contact.touch.index)].to_world(anchor);
+    } else if (contact.touch.partner == ContactPartner::support) {
+        anchor = support_.to_world(anchor);
+    }
+    const ContactSpring spring{stiffness_, friction_of(*world_, world_->membranes[at(membrane_)], contact.touch)};
+    return spring_contact(spring, meeting.gap, meeting.normal, meeting.point - anchor, true);
 }
 
 void SheetContacts::terms(const std::vector<Vec3>& position, const PartnerPoses& poses,
                           std::vector<ContactTerm>& terms) const {
     for (const SheetContact& contact : list_) {
-        const Answer a = answer(contact, position, poses);
-        if (a.gap < 0.0) {
+        const Meeting now = meeting(contact, position, poses);
+        if (now.gap < 0.0) {
+            const SpringResponse pushed = spring(contact, now, poses);
             ContactTerm& term = terms.emplace_back();
             term.nodes = contact.nodes;
             term.weights = contact.weights;
-            term.force = a.spring.force;
-            term.stiffness = a.spring.stiffness;
+            term.force = pushed.force;
+            term.stiffness = pushed.stiffness;
         }
     }
 }
 
 void SheetContacts::settle(const std::vector<Vec3>& position, const PartnerPoses& poses, double dt) {
     for (SheetContact& contact : list_) {
-        const Answer a = answer(contact, position, poses);
-        contact.point = a.point;
-        contact.normal = a.normal;
-        contact.gap = a.gap;
-        contact.sliding = a.spring.sliding;
-        contact.impulse += dt * a.spring.force;
+        const Meeting now = meeting(contact, position, poses);
+        contact.point = now.point;
+        contact.normal = now.normal;
+        contact.gap = now.gap;
+        contact.sliding = false;
         const Pose pose = contact.touch.partner == ContactPartner::tool      ? poses.tools[at(contact.touch.index)]
                           : contact.touch.partner == ContactPartner::support ? support_
                                                                              : Pose{};
-        const Vec3 here = pose.to_body(a.point);
+        const Vec3 here = pose.to_body(now.point);
         Vec3 stretch = Vec3::Zero();
-        if (a.gap < 0.0) {
-            const Vec3 normal = pose.orientation.conjugate() * a.normal;
+        if (now.gap < 0.0) {
+            const SpringResponse pushed = spring(contact, now, poses);
+            contact.sliding = pushed.sliding;
+            contact.impulse += dt * pushed.force;
+            const Vec3 normal = pose.orientation.conjugate() * now.normal;
             const Vec3 offset = here - contact.anchor;
             const Vec3 tangential = offset - normal.dot(offset) * normal;
             const double size = tangential.norm();
-            stretch = size > 0.0 ? Vec3(std::min(1.0, a.spring.stretch / size) * tangential) : Vec3(Vec3::Zero());
+            stretch = size > 0.0 ? Vec3(std::min(1.0, pushed.stretch / size) * tangential) : Vec3(Vec3::Zero());
         }
         contact.anchor = here - stretch;
         contact.touch.stretch = stretch;

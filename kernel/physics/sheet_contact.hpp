@@ -52,14 +52,15 @@ public:
     [[nodiscard]] std::vector<SheetTouch> touches() const;
 
 private:
-    struct Answer {
-        SpringResponse spring;
+    struct Meeting {
         double gap;
         Vec3 normal;
         Vec3 point;
     };
-    [[nodiscard]] Answer answer(const SheetContact& contact, const std::vector<Vec3>& position,
-                                const PartnerPoses& poses) const;
+    [[nodiscard]] Meeting meeting(const SheetContact& contact, const std::vector<Vec3>& position,
+                                  const PartnerPoses& poses) const;
+    [[nodiscard]] SpringResponse spring(const SheetContact& contact, const Meeting& meeting,
+                                        const PartnerPoses& poses) const;
     void meet_support(const MembraneState& state, double dt);
     void meet_planes(const MembraneState& state, double dt);
     void meet_tool(const MembraneState& state, const ToolState& tool, int index);
@@ -70,6 +71,7 @@ private:
     double stiffness_ = 0.0;
     Pose support_;  ///< where the body under the sheet is
     std::vector<SheetContact> list_;
+    std::size_t next_known_ = 0;  ///< of the state's touches, which come in the order in which contacts are found
 };
 
 }  // namespace rhexis

@@ -7,6 +7,7 @@
 
 #include "physics/needle.hpp"
 #include "physics/sheet_contact.hpp"
+#include "physics/sheet_layers.hpp"
 
 namespace rhexis {
 namespace {
@@ -18,14 +19,6 @@ constexpr double beside_tip = 0.8;  ///< of a needle from the end of a tear, at 
 constexpr double least_ahead = 0.1;  ///< cosine of the way from there to the needle to that of the tear
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// Its front looks against where it looked at rest.
-bool folded(const MembraneState& state, int triangle) {
-    const std::array<int, 3>& n = state.sheet->mesh.triangles[at(triangle)];
-    const Vec3& a = state.position[at(n[0])];
-    const Vec3 now = (state.position[at(n[1])] - a).cross(state.position[at(n[2])] - a);
-    return now.dot(front_of(state.sheet->mesh, triangle)) < 0.0;
-}
 
 /// Nodes of the triangles that come within reach of a place, ascending.
 std::vector<int> between_jaws(const MembraneState& state, const Vec3& place, double reach) {

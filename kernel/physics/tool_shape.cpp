@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rhexis {
 
@@ -69,6 +70,59 @@ double travel(const ToolModel& model, const ToolState& tool) {
         }
     }
     return farthest;
+}
+
+namespace {
+
+/// Shares of the way from a to b between which it lies in a box; first > second where it does not.
+std::pair<double, double> shares_within(const Box& box, const Vec3& a, const Vec3& b) {
+    double first = 0.0;
+    double last = 1.0;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const double way = b[k] - a[k];
+        if (way == 0.0) {
+            if (a[k] < box.low[k] || a[k] > box.high[k]) {
+                return {1.0, 0.0};
+            }
+            continue;
+        }
+        const double enters = ((way > 0.0 ? box.low[k] : box.high[k]) - a[k]) / way;
+        const double leaves = ((way > 0.0 ? box.high[k] : box.low[k]) - a[k]) / way;
+        first = std::max(first, enters);
+        last = std::min(last, leaves);
+    }
+    return {first, last};
+}
+
+bool overlap(const Box& a, const Box& b) {
+    return (a.low.array() <= b.high.array()).all() && (a.high.array() >= b.low.array()).all();
+}
+
+}  // namespace
+
+double travel_near(const ToolModel& model, const ToolState& tool, const Box& box) {
+    if (!overlap(swept_box(model, tool), box)) {
+        return 0.0;
+    }
+    double farthest = 0.0;
+    bool met = false;
+    for (const RoundedCone& part : model.parts) {
+        const double near = std::max(part.radius_a, part.radius_b) + 0.5;
+        const Box wide{box.low - Vec3::Constant(near), box.high + Vec3::Constant(near)};
+        const auto moved = [&](const Vec3& own) -> Vec3 {
+            return tool.pose.to_world(own) - tool.previous_pose.to_world(own);
+        };
+        for (const Pose& pose : {tool.previous_pose, tool.pose}) {
+            const auto [first, last] = shares_within(wide, pose.to_world(part.a), pose.to_world(part.b));
+            for (const double share : {first, last}) {
+                if (first <= last) {
+                    met = true;
+                    farthest = std::max(farthest, moved(part.a + share * (part.b - part.a)).norm());
+                }
+            }
+        }
+    }
+    return met ? farthest : travel(model, tool);
 }
 
 Box swept_box(const ToolModel& model, const ToolState& tool) {

@@ -178,12 +178,16 @@ void count(const MembraneModel& model, const MembraneSheet& sheet, const SheetEd
 }
 
 /// Tips at the end of a tear: the one it came to, unless it met an edge or another tear there. step: the way it went,
-/// meant: where it ought to have gone, unit; owed: of the tip before.
-void end_at(bool ends, int node, const Vec3& step, const Vec3& meant, const Vec3& owed, std::vector<TearTip>& tips) {
+/// meant: where it ought to have gone, unit; owed: of the tip before. What is owed lies in the sheet: on a curved one
+/// it would else grow by what that falls away.
+void end_at(const SheetEditor& editor, bool ends, int node, const Vec3& step, const Vec3& meant, const Vec3& owed,
+            std::vector<TearTip>& tips) {
     std::erase_if(tips, [node](const TearTip& tip) { return tip.node == node; });
     if (!ends) {
-        const Vec3 off = owed - step;
-        tips.push_back({node, meant, off - off.dot(meant) * meant});
+        const Fan fan = fan_at(editor, node);
+        Vec3 off = owed - step;
+        off -= off.dot(meant) * meant;
+        tips.push_back({node, meant, fan.e1.dot(off) * fan.e1 + fan.e2.dot(off) * fan.e2});
     }
 }
 
@@ -231,7 +235,7 @@ Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& 
     const Vec3 way = editor.mesh().nodes[at(next.value())] - editor.mesh().nodes[at(node)];
     const bool ends = editor.on_boundary(next.value());
     editor.open_edge(node, next.value());
-    end_at(ends, next.value(), way, direction.normalized(), from.owed, tips);
+    end_at(editor, ends, next.value(), way, direction.normalized(), from.owed, tips);
     return finished(editor, cost, std::move(tips));
 }
 
@@ -305,8 +309,8 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     const Vec3 way_ahead = editor.mesh().nodes[at(ahead.value())] - origin;
     const Vec3 way_back = editor.mesh().nodes[at(back.value())] - origin;
     editor.open_slit(back.value(), ahead.value(), node);
-    end_at(ahead_ends, ahead.value(), way_ahead, direction.normalized(), Vec3::Zero(), tips);
-    end_at(back_ends, back.value(), way_back, -direction.normalized(), Vec3::Zero(), tips);
+    end_at(editor, ahead_ends, ahead.value(), way_ahead, direction.normalized(), Vec3::Zero(), tips);
+    end_at(editor, back_ends, back.value(), way_back, -direction.normalized(), Vec3::Zero(), tips);
     return finished(editor, cost, std::move(tips));
 }
 

@@ -25,10 +25,12 @@ HalfEllipsoids lens_at(double age) {
 
 }  // namespace
 
-CapsuleScene::CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools)
+CapsuleScene::CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools,
+                           bool layers)
     : lens_(lens_at(age)), tools_(tools.size()) {
     WorldModel world;
     world.membranes.push_back(make_anterior_capsule(lens_, make_bag(lens_, lens_mass, age), age, settings));
+    world.membranes[0].layer_distance = layers ? world.membranes[0].layer_distance : 0.0;
     world.tools = std::move(tools);
     world_ = std::make_shared<const WorldModel>(std::move(world));
     physics_ = std::make_unique<Physics>(std::move(Physics::create(world_, {})).value());

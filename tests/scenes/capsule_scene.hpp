@@ -12,7 +12,8 @@ namespace rhexis::scenes {
 
 class CapsuleScene {
 public:
-    CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools);
+    /// layers: false: what is folded over passes through what is below.
+    CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools, bool layers = true);
 
     [[nodiscard]] const MembraneModel& model() const { return world_->membranes[0]; }
     [[nodiscard]] MembraneState& sheet() { return state_.membranes[0]; }

@@ -70,4 +70,26 @@ TEST_SUITE("anterior capsule") {
         CHECK(last_lift > 0.3);
         CHECK(last_lift < 0.8);
     }
+
+    TEST_CASE("what a tear owes its tip lies in the curved sheet") {
+        scenes::CapsuleScene scene(68.0, {}, {});
+        for (const double angle : {0.3, 0.6, 0.9}) {
+            scene.open_flap(1.0, 2.6, angle);
+            const MembraneState& state = scene.sheet();
+            const TearTip& tip = state.tips.back();
+            Vec3 front = Vec3::Zero();
+            const TriNeighbours& near = state.sheet->neighbours;
+            for (int i = near.offset[static_cast<std::size_t>(tip.node)];
+                 i < near.offset[static_cast<std::size_t>(tip.node) + 1]; ++i) {
+                const int t = near.triangles[static_cast<std::size_t>(i)];
+                const std::array<int, 3>& n = state.sheet->mesh.triangles[static_cast<std::size_t>(t)];
+                front += triangle_area(state.sheet->mesh.nodes[static_cast<std::size_t>(n[0])],
+                                       state.sheet->mesh.nodes[static_cast<std::size_t>(n[1])],
+                                       state.sheet->mesh.nodes[static_cast<std::size_t>(n[2])]) *
+                         front_of(state.sheet->mesh, t);
+            }
+            CHECK(std::abs(tip.owed.dot(front.normalized())) < 1e-9);
+            scene.sheet() = rest_state(scene.model());
+        }
+    }
 }
