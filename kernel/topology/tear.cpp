@@ -81,12 +81,16 @@ int nearest_edge(const SheetEditor& editor, const Fan& fan, int node, const Vec2
     return best;
 }
 
-/// Whether no triangle at a node has an angle of a greater cosine.
-bool well_shaped(const SheetEditor& editor, int node, double most_cosine) {
+/// Whether no triangle at a node has an angle of a greater cosine or a shorter edge.
+bool well_shaped(const SheetEditor& editor, int node, double most_cosine, double shortest) {
     const TriMesh& mesh = editor.mesh();
     for (const int t : editor.star(node)) {
         const std::array<int, 3>& n = mesh.triangles[at(t)];
-        if (largest_cosine(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]) > most_cosine) {
+        const Vec3& a = mesh.nodes[at(n[0])];
+        const Vec3& b = mesh.nodes[at(n[1])];
+        const Vec3& c = mesh.nodes[at(n[2])];
+        if (largest_cosine(a, b, c) > most_cosine ||
+            std::min({(b - a).norm(), (c - b).norm(), (a - c).norm()}) < shortest) {
             return false;
         }
     }
@@ -94,7 +98,8 @@ bool well_shaped(const SheetEditor& editor, int node, double most_cosine) {
 }
 
 /// The node that a tear from `node` reaches next. Splits an edge of the editor's sheet if that is needed for it.
-Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, const TearRules& rules) {
+Result<int> next_node(SheetEditor& editor, const MembraneModel& model, int node, const Vec3& direction,
+                      const TearRules& rules) {
     const Fan fan = fan_at(editor, node);
     Vec2 way = fan.flat(fan.origin + direction);
     if (!(way.norm() > 1e-9 * direction.norm())) {
@@ -117,7 +122,9 @@ Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, cons
         if (!rules.existing_edges && !near_p && !near_q) {
             SheetEditor tried = editor;
             const int middle = tried.split_edge(p, q, share);
-            if (well_shaped(tried, middle, rules.most_cosine)) {
+            // without a shortest edge random tears would go on to split scraps for ever
+            const double shortest = rules.shortest_edge * mean_edge(model.sheet->mesh);
+            if (well_shaped(tried, middle, rules.most_cosine, shortest)) {
                 editor = std::move(tried);
                 return middle;
             }
@@ -187,7 +194,7 @@ Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& 
                                const Vec3& direction, const TearRules& rules) {
     SheetEditor editor(*state.sheet);
     const int node = from.node;
-    const Result<int> next = next_node(editor, node, aim(direction, from.owed, reach_of(editor, node)), rules);
+    const Result<int> next = next_node(editor, model, node, aim(direction, from.owed, reach_of(editor, node)), rules);
     if (!next.ok()) {
         return next.error();
     }
@@ -256,11 +263,11 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
         return Error{"the nearest node " + std::to_string(node) + " is on an edge of the sheet", "puncture",
                      "a place inside the sheet"};
     }
-    const Result<int> ahead = next_node(editor, node, direction, rules);
+    const Result<int> ahead = next_node(editor, model, node, direction, rules);
     if (!ahead.ok()) {
         return ahead.error();
     }
-    const Result<int> back = next_node(editor, node, -direction, rules);
+    const Result<int> back = next_node(editor, model, node, -direction, rules);
     if (!back.ok()) {
         return back.error();
     }
