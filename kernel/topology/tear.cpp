@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "topology/sheet_editor.hpp"
 
 namespace rhexis {
@@ -209,6 +210,14 @@ Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& 
     return finished(editor, cost, std::move(tips));
 }
 
+double longest_edge(const TriMesh& mesh, int triangle) {
+    const std::array<int, 3>& n = mesh.triangles[at(triangle)];
+    const Vec3& a = mesh.nodes[at(n[0])];
+    const Vec3& b = mesh.nodes[at(n[1])];
+    const Vec3& c = mesh.nodes[at(n[2])];
+    return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
 }  // namespace
 
 Result<MembraneEdit> tear(const MembraneModel& model, const MembraneState& state, int tip, const Vec3& direction,
@@ -251,6 +260,11 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     }
     if (!place.allFinite()) {
         return Error{"the place is not finite", "puncture", "numbers"};
+    }
+    if (const double away = (place - triangle_middle(mesh, triangle)).norm(); away > longest_edge(mesh, triangle)) {
+        return Error{"the place is outside the sheet: " + short_number(away) + " mm from the middle of triangle " +
+                         std::to_string(triangle),
+                     "puncture", "a place of the triangle at rest"};
     }
     int node = mesh.triangles[at(triangle)][0];
     for (const int other : mesh.triangles[at(triangle)]) {

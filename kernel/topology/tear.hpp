@@ -30,7 +30,8 @@ Result<MembraneEdit> tear(const MembraneModel& model, const MembraneState& state
                           const TearRules& rules = {});
 
 /// A slit of two edges through the node that is nearest to a place of the triangle at rest, along a direction and
-/// against it; both its ends are tips. Fails where that node is on an edge of the sheet, and as tear() does.
+/// against it; both its ends are tips. Fails where the place is not on the triangle (farther from its middle than its
+/// longest edge), where that node is on an edge of the sheet, and as tear() does.
 Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& state, int triangle, const Vec3& place,
                               const Vec3& direction, const TearRules& rules = {});
 

@@ -122,7 +122,7 @@ Gates gates_of_tear_meshes(bool quick) {
             }
             gates.push_back({std::string("T19 path ") + (across > 1.0 ? "fibres " : "isotropic ") +
                                  std::to_string(even.triangles.size()),
-                             "largest distance of three meshes' paths from their mean, in edges", off, 1.0});
+                             "largest distance of three meshes' paths from their mean, in edges", off, 0.6});
         }
     }
     return gates;

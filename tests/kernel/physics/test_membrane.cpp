@@ -108,6 +108,21 @@ TEST_SUITE("membrane") {
         thin.thickness[3] = 0.0;
         bad.sheet = std::make_shared<const MembraneSheet>(thin);
         refused(bad, "thickness of triangle 3");
+        MembraneSheet flipped = *model.sheet;
+        std::swap(flipped.mesh.triangles[7][0], flipped.mesh.triangles[7][1]);
+        bad.sheet = std::make_shared<const MembraneSheet>(flipped);
+        refused(bad, "flipped");
+        MembraneSheet crossed = *model.sheet;
+        const std::array<int, 3> shared = crossed.mesh.triangles[7];
+        crossed.mesh.nodes.emplace_back(1.0, 1.0, 0.5);
+        crossed.mesh.triangles.push_back({shared[0], shared[1], static_cast<int>(crossed.mesh.nodes.size()) - 1});
+        crossed.mesh.triangles.push_back({shared[1], shared[0], static_cast<int>(crossed.mesh.nodes.size()) - 1});
+        bad.sheet = std::make_shared<const MembraneSheet>(crossed);
+        refused(bad, "is shared by triangles");
+        MembraneSheet bare = *model.sheet;
+        bare.fibre[5] = Vec3::Zero();
+        bad.sheet = std::make_shared<const MembraneSheet>(bare);
+        refused(bad, "fibre of triangle 5");
         bad.sheet = nullptr;
         refused(bad, "no sheet");
     }
