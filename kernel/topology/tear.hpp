@@ -17,11 +17,11 @@
 namespace rhexis {
 
 struct TearRules {
-    bool existing_edges = false;   ///< only along edges that are there
-    double snap_tangent = 0.1;     ///< of the angle of the wanted direction from an edge that is taken instead
-    double snap_share = 0.2;       ///< of the length of the opposite edge, from its ends
-    double most_cosine = 0.96593;  ///< of an angle that a split may leave: 15 degrees
-    double shortest_edge = 0.1;    ///< that a split may leave, share of the mean edge of the model's sheet
+    bool existing_edges = false;     ///< only along edges that are there
+    double snap_tangent = 0.1;       ///< of the angle of the wanted direction from an edge that is taken instead
+    double snap_share = 0.2;         ///< of the length of the opposite edge, from its ends
+    double most_cosine = 0.9659258;  ///< of an angle that a split may leave: 15 degrees
+    double shortest_edge = 0.1;      ///< that a split may leave, share of the mean edge of the model's sheet
 };
 
 /// The tear goes on from a tip. direction: in the sheet at rest, need not be unit. Fails on a tip that does not exist
