@@ -25,25 +25,25 @@ void check_sound(const scenes::RandomTears& found) {
 
 TEST_SUITE("random tears") {
     TEST_CASE("edits, grasps, pulls and stabs at random: no sliver, no fault, all accounts kept") {
-        const scenes::RandomTears found = scenes::random_tears({.operations = 150});
+        const scenes::RandomTears found = scenes::random_tears({.operations = 100});
         check_sound(found);
-        CHECK(found.edits > 40);
+        CHECK(found.edits > 30);
         CHECK(found.mad > 0);
-        CHECK(found.grasps > 5);
-        CHECK(found.pulls > 5);
+        CHECK(found.grasps > 2);
+        CHECK(found.pulls > 2);
         CHECK(found.given_up == 0);
     }
 
     TEST_CASE("torn to scraps by edits alone, the last ones are not split for ever") {
         const scenes::RandomTears found =
-            scenes::random_tears({.operations = 6000, .longest_sheet = 6000, .by_instrument = 0.0});
+            scenes::random_tears({.operations = 2500, .longest_sheet = 4000, .by_instrument = 0.0});
         check_sound(found);
-        CHECK(found.most_triangles > 700);
+        CHECK(found.most_triangles > 500);
     }
 
     TEST_CASE("the same seed gives the same bits") {
-        const scenes::RandomTearsTask task{.operations = 40, .seed = 7};
+        const scenes::RandomTearsTask task{.operations = 25, .seed = 7};
         CHECK(scenes::random_tears(task).print == scenes::random_tears(task).print);
-        CHECK(scenes::random_tears(task).print != scenes::random_tears({.operations = 40, .seed = 8}).print);
+        CHECK(scenes::random_tears(task).print != scenes::random_tears({.operations = 25, .seed = 8}).print);
     }
 }
