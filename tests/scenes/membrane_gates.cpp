@@ -17,7 +17,7 @@ constexpr double rounding = 1e-9;
 
 /// Nodes and triangles that a split in every step adds, and what its steps leave.
 void add_splits(Gates& gates, int steps) {
-    SplitRun run(400);
+    SplitRun run(1500);
     const double nodes = static_cast<double>(run.state().sheet->mesh.nodes.size());
     double residual = 0.0;
     double splits = 0.0;
@@ -77,7 +77,7 @@ Gates gates_of_numbering(bool) {
 
 Gates gates_of_random_tears(bool quick) {
     Gates gates;
-    add_splits(gates, quick ? 100 : 400);
+    add_splits(gates, quick ? 50 : 200);
     const RandomTears found = random_tears({.operations = quick ? 2000 : 10000});
     const std::string id = "T18 at random";
     const auto add = [&](const char* what, double measured, double limit) {
