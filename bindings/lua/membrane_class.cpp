@@ -141,13 +141,7 @@ int puncture(lua_State* L) {
     const Vec3 place = check_vec3(L, 2);
     const Vec3 direction = check_vec3(L, 3);
     const MembranePart membrane = check_membrane_part(L);
-    const TriMesh& mesh = membrane.state.sheet->mesh;
-    const int nearest = nearest_triangle(mesh, place);
-    const std::array<int, 3>& n = mesh.triangles[at(nearest)];
-    const double reach = 2.0 * (mesh.nodes[at(n[1])] - mesh.nodes[at(n[0])]).norm();
-    if (!((triangle_middle(mesh, nearest) - place).norm() < reach)) {
-        raise(L, "puncture: the place is outside the sheet: allowed: a place on it at rest");
-    }
+    const int nearest = nearest_triangle(membrane.state.sheet->mesh, place);
     raise_if_failed(L, "puncture", check_own(L, "puncture").puncture(membrane.index, nearest, place, direction));
     return 0;
 }

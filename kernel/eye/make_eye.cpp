@@ -37,7 +37,7 @@ SolidModel make_lens(const Patient& patient, const HalfEllipsoids& shape) {
 
 }  // namespace
 
-Result<EyeModel> make_eye(const Patient& patient) {
+Result<EyeModel> make_eye(const Patient& patient, bool solid_lens) {
     if (const Status status = check(patient); !status.ok()) {
         return status.error();
     }
@@ -45,9 +45,13 @@ Result<EyeModel> make_eye(const Patient& patient) {
     EyeModel eye;
     eye.patient = patient;
     eye.anatomy = make_anatomy(patient);
-    eye.lens = make_lens(patient, shape);
     eye.anatomy.lens_zones = lens_zones(patient);
-    eye.bag = make_bag(shape, remaining_mass(eye.lens, rest_state(eye.lens)), patient.age);
+    double lens_mass = shape_volume(shape) * lens_materials(patient)[nucleus].density;
+    if (solid_lens) {
+        eye.lens = make_lens(patient, shape);
+        lens_mass = remaining_mass(eye.lens, rest_state(eye.lens));
+    }
+    eye.bag = make_bag(shape, lens_mass, patient.age);
     return eye;
 }
 

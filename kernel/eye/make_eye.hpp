@@ -8,6 +8,7 @@
 namespace rhexis {
 
 /// Fails if a field of the patient is out of its range. The same patient gives the same bits on every machine.
-Result<EyeModel> make_eye(const Patient& patient);
+/// solid_lens: false: the lens gets no tetrahedra and the model's stays empty, where no tissue of a scene needs it.
+Result<EyeModel> make_eye(const Patient& patient, bool solid_lens = true);
 
 }  // namespace rhexis

@@ -207,6 +207,32 @@ std::vector<Vec3> along(const std::vector<Vec3>& path) {
     return way.places();
 }
 
+/// From the leading tip along one lip to that other tip of the same stretch to which it is farthest; empty: it has no
+/// other. Scraps that came loose on the way are passed on one side.
+std::vector<Vec3> between_tips(const TriMesh& mesh, const std::vector<TearTip>& tips, const Stretch& stretch,
+                               int place) {
+    std::vector<int> turned = stretch.nodes;
+    std::rotate(turned.begin(), turned.begin() + place, turned.end());
+    std::vector<Vec3> farthest;
+    double most = 0.0;
+    for (const TearTip& tip : tips) {
+        const auto found = std::find(turned.begin() + 1, turned.end(), tip.node);
+        if (found == turned.end()) {
+            continue;
+        }
+        const std::vector<Vec3> way = along(places_of(mesh, {turned.begin(), found + 1}));
+        double length = 0.0;
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            length += (way[i] - way[i - 1]).norm();
+        }
+        if (length > most) {
+            most = length;
+            farthest = way;
+        }
+    }
+    return farthest;
+}
+
 /// The stretches that follow openings of what still hangs at the outer edge.
 std::vector<Stretch> open_edges(const MembraneSheet& sheet, const std::vector<std::vector<int>>& loops,
                                 const std::vector<std::uint8_t>& outer, bool& run_out) {
@@ -318,6 +344,9 @@ Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
     opening.curve = without_slits(opening.edge);
     opening.closed = area_of(opening.curve) > least_area;
     if (!opening.closed) {
+        opening.curve = place >= 0 ? between_tips(mesh, state.tips, *chosen, place) : std::vector<Vec3>{};
+    }
+    if (opening.curve.empty()) {
         opening.curve = unfolded(opening.edge, place);
     }
     return opening;

@@ -125,7 +125,9 @@ bool has_tissue(const SceneDescription& scene, const std::string& name) {
 }
 
 Result<BuiltWorld> build_world(const SceneDescription& scene) {
-    Result<EyeModel> eye = make_eye(scene.patient);
+    // a bag alone takes its damping from the lens that it was made for
+    const bool solid_lens = has_tissue(scene, "lens") || has_tissue(scene, "bag");
+    Result<EyeModel> eye = make_eye(scene.patient, solid_lens);
     if (!eye) {
         return eye.error();
     }

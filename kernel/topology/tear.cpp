@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "topology/sheet_editor.hpp"
 
 namespace rhexis {
@@ -81,12 +82,16 @@ int nearest_edge(const SheetEditor& editor, const Fan& fan, int node, const Vec2
     return best;
 }
 
-/// Whether no triangle at a node has an angle of a greater cosine.
-bool well_shaped(const SheetEditor& editor, int node, double most_cosine) {
+/// Whether no triangle at a node has an angle of a greater cosine or a shorter edge.
+bool well_shaped(const SheetEditor& editor, int node, double most_cosine, double shortest) {
     const TriMesh& mesh = editor.mesh();
     for (const int t : editor.star(node)) {
         const std::array<int, 3>& n = mesh.triangles[at(t)];
-        if (largest_cosine(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]) > most_cosine) {
+        const Vec3& a = mesh.nodes[at(n[0])];
+        const Vec3& b = mesh.nodes[at(n[1])];
+        const Vec3& c = mesh.nodes[at(n[2])];
+        if (largest_cosine(a, b, c) > most_cosine ||
+            std::min({(b - a).norm(), (c - b).norm(), (a - c).norm()}) < shortest) {
             return false;
         }
     }
@@ -94,7 +99,8 @@ bool well_shaped(const SheetEditor& editor, int node, double most_cosine) {
 }
 
 /// The node that a tear from `node` reaches next. Splits an edge of the editor's sheet if that is needed for it.
-Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, const TearRules& rules) {
+Result<int> next_node(SheetEditor& editor, const MembraneModel& model, int node, const Vec3& direction,
+                      const TearRules& rules) {
     const Fan fan = fan_at(editor, node);
     Vec2 way = fan.flat(fan.origin + direction);
     if (!(way.norm() > 1e-9 * direction.norm())) {
@@ -117,7 +123,9 @@ Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, cons
         if (!rules.existing_edges && !near_p && !near_q) {
             SheetEditor tried = editor;
             const int middle = tried.split_edge(p, q, share);
-            if (well_shaped(tried, middle, rules.most_cosine)) {
+            // without a shortest edge random tears would go on to split scraps for ever
+            const double shortest = rules.shortest_edge * mean_edge(model.sheet->mesh);
+            if (well_shaped(tried, middle, rules.most_cosine, shortest)) {
                 editor = std::move(tried);
                 return middle;
             }
@@ -133,7 +141,8 @@ Result<int> next_node(SheetEditor& editor, int node, const Vec3& direction, cons
 
 /// The node of a triangle from which a slit through a place begins: its nearest one, or one that splits an edge where
 /// that comes nearer and leaves no slivers.
-int node_at(SheetEditor& editor, int triangle, const Vec3& place, const TearRules& rules) {
+int node_at(SheetEditor& editor, const MembraneModel& model, int triangle, const Vec3& place, const TearRules& rules) {
+    const double shortest = rules.shortest_edge * mean_edge(model.sheet->mesh);
     const std::array<int, 3> corners = editor.mesh().triangles[at(triangle)];
     const auto node = [&editor](int n) { return editor.mesh().nodes[at(n)]; };
     const int nearest = *std::min_element(corners.begin(), corners.end(), [&](int a, int b) {
@@ -155,7 +164,7 @@ int node_at(SheetEditor& editor, int triangle, const Vec3& place, const TearRule
         }
         SheetEditor tried = before;
         const int middle = tried.split_edge(a, b, share);
-        if (well_shaped(tried, middle, rules.most_cosine)) {
+        if (well_shaped(tried, middle, rules.most_cosine, shortest)) {
             least = distance;
             found = middle;
             editor = std::move(tried);
@@ -224,7 +233,7 @@ Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& 
                                const Vec3& direction, const TearRules& rules) {
     SheetEditor editor(*state.sheet);
     const int node = from.node;
-    const Result<int> next = next_node(editor, node, aim(direction, from.owed, reach_of(editor, node)), rules);
+    const Result<int> next = next_node(editor, model, node, aim(direction, from.owed, reach_of(editor, node)), rules);
     if (!next.ok()) {
         return next.error();
     }
@@ -237,6 +246,14 @@ Result<MembraneEdit> tear_from(const MembraneModel& model, const MembraneState& 
     editor.open_edge(node, next.value());
     end_at(editor, ends, next.value(), way, direction.normalized(), from.owed, tips);
     return finished(editor, cost, std::move(tips));
+}
+
+double longest_edge(const TriMesh& mesh, int triangle) {
+    const std::array<int, 3>& n = mesh.triangles[at(triangle)];
+    const Vec3& a = mesh.nodes[at(n[0])];
+    const Vec3& b = mesh.nodes[at(n[1])];
+    const Vec3& c = mesh.nodes[at(n[2])];
+    return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
 }
 
 }  // namespace
@@ -282,17 +299,22 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
     if (!place.allFinite()) {
         return Error{"the place is not finite", "puncture", "numbers"};
     }
+    if (const double away = (place - triangle_middle(mesh, triangle)).norm(); away > longest_edge(mesh, triangle)) {
+        return Error{"the place is outside the sheet: " + short_number(away) + " mm from the middle of triangle " +
+                         std::to_string(triangle),
+                     "puncture", "a place of the triangle at rest"};
+    }
     SheetEditor editor(*state.sheet);
-    const int node = node_at(editor, triangle, place, rules);
+    const int node = node_at(editor, model, triangle, place, rules);
     if (editor.on_boundary(node)) {
         return Error{"the nearest node " + std::to_string(node) + " is on an edge of the sheet", "puncture",
                      "a place inside the sheet"};
     }
-    const Result<int> ahead = next_node(editor, node, direction, rules);
+    const Result<int> ahead = next_node(editor, model, node, direction, rules);
     if (!ahead.ok()) {
         return ahead.error();
     }
-    const Result<int> back = next_node(editor, node, -direction, rules);
+    const Result<int> back = next_node(editor, model, node, -direction, rules);
     if (!back.ok()) {
         return back.error();
     }

@@ -8,8 +8,8 @@
 #include "base/clock.hpp"
 #include "bench/methods/kernel_factor.hpp"
 #include "bench/methods/split_solver.hpp"
-#include "bench/split_run.hpp"
 #include "physics/tear_tip.hpp"
+#include "scenes/split_run.hpp"
 
 namespace rhexis::bench {
 namespace {
@@ -25,14 +25,14 @@ double median(std::vector<double> values) {
 
 /// States just after each split.
 struct Recording {
-    std::unique_ptr<SplitRun> run;
+    std::unique_ptr<scenes::SplitRun> run;
     std::vector<MembraneState> states;
     double step_s = 0.0;  ///< CPU time of a whole step with its split, median [s]
 };
 
 Recording record(int triangles, double damping, int splits) {
     Recording recording;
-    recording.run = std::make_unique<SplitRun>(triangles, damping);
+    recording.run = std::make_unique<scenes::SplitRun>(triangles, damping);
     std::vector<double> seconds;
     while (static_cast<int>(recording.states.size()) < splits) {
         const double start = thread_cpu_seconds();
@@ -73,8 +73,8 @@ double triangles_changed_by_motion(const MembraneModel& model, const std::vector
         const std::vector<std::array<int, 3>>& now = states[i].sheet->mesh.triangles;
         for (std::size_t t = 0; t < before.size(); ++t) {
             if (before[t] == now[t]) {
-                const Mat9 was = triangle_share(model, states[i - 1], static_cast<int>(t), SplitRun::step_s);
-                const Mat9 is = triangle_share(model, states[i], static_cast<int>(t), SplitRun::step_s);
+                const Mat9 was = triangle_share(model, states[i - 1], static_cast<int>(t), scenes::SplitRun::step_s);
+                const Mat9 is = triangle_share(model, states[i], static_cast<int>(t), scenes::SplitRun::step_s);
                 changed += (is - was).norm() > 0.5 * was.norm() ? 1.0 : 0.0;
             }
         }
@@ -88,7 +88,7 @@ FactorParts parts_of_default(const MembraneModel& model, const std::vector<Membr
     std::vector<double> order, analysis, numbers;
     for (const MembraneState& state : states) {
         body = std::make_unique<MembraneBody>(model, state.sheet, body.get());
-        const FactorParts parts = time_parts(assemble(model, state, *body, SplitRun::step_s));
+        const FactorParts parts = time_parts(assemble(model, state, *body, scenes::SplitRun::step_s));
         order.push_back(parts.order_s);
         analysis.push_back(parts.analysis_s);
         numbers.push_back(parts.numbers_s);
@@ -134,7 +134,7 @@ void replay_once(const MembraneModel& model, const std::vector<MembraneState>& s
     std::vector<double> x;
     for (std::size_t i = 0; i < states.size(); ++i) {
         body = std::make_unique<MembraneBody>(model, states[i].sheet, body.get());
-        const SplitSystem system = assemble(model, states[i], *body, SplitRun::step_s);
+        const SplitSystem system = assemble(model, states[i], *body, scenes::SplitRun::step_s);
         for (std::size_t k = 0; k < all.size(); ++k) {
             const SplitSolver::Report report = solvers[k]->solve(system, tolerance, x);
             Entrant& one = all[k];

@@ -10,6 +10,7 @@
 #include "bench/bench_membrane.hpp"
 #include "bench/bench_memory.hpp"
 #include "bench/bench_phaco.hpp"
+#include "bench/bench_random_tears.hpp"
 #include "bench/bench_render.hpp"
 #include "bench/bench_rotation.hpp"
 #include "bench/bench_stability.hpp"
@@ -30,6 +31,7 @@ std::vector<BenchCase> bench_cases() {
     add(lens_press_cases());
     add(membrane_cases());
     add(tear_cases());
+    add(random_tears_cases());
     add(factor_update_cases());
     add(chamber_cases());
     add(phaco_cases());

@@ -33,10 +33,16 @@ Gates gates_of_bad_starts(bool quick);     // T1
 Gates gates_of_big_turns(bool quick);      // T2
 Gates gates_of_stiff_volume(bool quick);   // T3
 Gates gates_of_slivers(bool quick);        // T4
+Gates gates_of_taut_sheets(bool quick);    // T5
+Gates gates_of_slack_sheets(bool quick);   // T6
+Gates gates_of_fibres(bool quick);         // T7
+Gates gates_of_numbering(bool quick);      // T8
 Gates gates_of_strikes(bool quick);        // T11
 Gates gates_of_inclines(bool quick);       // T14
 Gates gates_of_stale_factors(bool quick);  // T16
 Gates gates_of_deletion(bool quick);       // T17
+Gates gates_of_random_tears(bool quick);   // T18
+Gates gates_of_tear_meshes(bool quick);    // T19
 Gates gates_of_momentum(bool quick);       // T20
 Gates gates_of_energy(bool quick);         // T21
 Gates gates_of_input(bool quick);          // T22

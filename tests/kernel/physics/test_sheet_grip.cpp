@@ -93,6 +93,56 @@ TEST_SUITE("sheet grip") {
         CHECK(scene.sheet().grips.empty());
     }
 
+    TEST_CASE("jaws that are closed when they come to a flap push it and hold nothing") {
+        CapsuleScene scene(68.0, {}, {capsulorhexis_forceps()});
+        scene.open_flap(1.0, 2.6, 0.9);
+        scene.put(0, above(scene, 2.2, 0.4, 0.5), 0.0);
+        CHECK(scene.lead(0, above(scene, 2.2, 0.4, -0.05), 2.0, 0.0));
+        CHECK(scene.force().norm() > 100.0);
+        CHECK(scene.lead(0, above(scene, 1.6, 0.8, -0.05), 2.0, 0.0));
+        CHECK(scene.sheet().grips.empty());
+    }
+
+    TEST_CASE("a needle beside the sheet touches, pierces and hooks nothing") {
+        CapsuleScene scene(68.0, {}, {cystotome()});
+        double rim = 0.0;
+        for (const Vec3& node : scene.model().sheet->mesh.nodes) {
+            rim = std::max(rim, node.head<2>().norm());
+        }
+        scene.put(0, Vec3(rim + 0.4, 0.0, 2.0));
+        CHECK(scene.lead(0, Vec3(rim + 0.4, 0.0, -1.0), 5.0));
+        CHECK(scene.lead(0, Vec3(rim + 0.4, 1.0, -1.0), 5.0));
+        CHECK(scene.greatest_force == 0.0);
+        CHECK(scene.punctures == 0);
+        CHECK(scene.sheet().grips.empty());
+        CHECK(scene.sheet().tips.empty());
+    }
+
+    TEST_CASE("an instrument that appears behind the sheet bulges it; only a needle may go through") {
+        for (const ToolModel& tool : {probe(0.25, 30.0), capsulorhexis_forceps(), cystotome()}) {
+            for (const double depth : {0.05, 0.3, 0.8}) {
+                CapsuleScene scene(68.0, {.triangles = 600}, {tool});
+                const std::vector<Vec3> rest = scene.model().sheet->mesh.nodes;
+                scene.put(0, above(scene, 1.0, 0.3, -depth));
+                double farthest = 0.0;
+                double fastest = 0.0;
+                for (int i = 0; i < 20; ++i) {
+                    CHECK(scene.step());
+                    for (std::size_t n = 0; n < rest.size(); ++n) {
+                        REQUIRE(scene.sheet().position[n].allFinite());
+                        farthest = std::max(farthest, (scene.sheet().position[n] - rest[n]).norm());
+                        fastest = std::max(fastest, scene.sheet().velocity[n].norm());
+                    }
+                }
+                CHECK(farthest < 1.0);
+                CHECK(fastest < 100.0);
+                CHECK(scene.sheet().grips.empty());
+                CHECK((tool.kind == ToolKind::cystotome || scene.sheet().tips.empty()));
+                CHECK(scene.punctures <= 1);
+            }
+        }
+    }
+
     TEST_CASE("what is pulled harder than the jaws hold slips out of them") {
         ToolModel weak = capsulorhexis_forceps();
         weak.hold = 3000.0;

@@ -201,6 +201,9 @@ TEST_SUITE("tear") {
         refused(puncture(model, state, middle, Vec3(1, 1, 0), Vec3(std::nan(""), 0, 0)), "no direction");
         refused(puncture(model, state, middle, Vec3(1, std::nan(""), 0), Vec3::UnitX()), "not finite");
         refused(puncture(model, state, middle, Vec3(1, 1, 0), Vec3::UnitZ()), "out of the sheet");
+        refused(
+            puncture(model, state, nearest_triangle(model.sheet->mesh, Vec3(5, 1, 0)), Vec3(5, 1, 0), Vec3::UnitX()),
+            "the place is outside the sheet: 3.");
         refused(puncture(model, state, 0, model.sheet->mesh.nodes[0], Vec3::UnitX()), "on an edge");
         refused(notch(model, state, -3, Vec3::UnitX()), "no node -3");
         const int corner = nodes_at(model.sheet->mesh, 0, 0.0)[1];

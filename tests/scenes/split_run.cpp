@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/split_run.hpp"
+#include "scenes/split_run.hpp"
 
 #include <cmath>
 
 #include "mesh/shapes.hpp"
 
-namespace rhexis::bench {
+namespace rhexis::scenes {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 MembraneModel sheet_held_around(int triangles, double damping) {
-    MembraneModel model = scenes::membrane("sheet", round_sheet(4.6, triangles), isotropic(1e6, 0.45));
+    MembraneModel model = membrane("sheet", round_sheet(4.6, triangles), isotropic(1e6, 0.45));
     model.damping_mass = damping;
     const TriMesh& rest = model.sheet->mesh;
     for (int n = 0; n < static_cast<int>(rest.nodes.size()); ++n) {
@@ -50,6 +50,6 @@ bool SplitRun::split() {
     return true;
 }
 
-void SplitRun::step() { held_.step(step_s, {}, {.tolerance = 1e-4, .max_newton = 1}); }
+ImplicitReport SplitRun::step() { return held_.step(step_s, {}, {.tolerance = 1e-4, .max_newton = 1}); }
 
-}  // namespace rhexis::bench
+}  // namespace rhexis::scenes

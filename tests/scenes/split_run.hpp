@@ -4,7 +4,7 @@
 
 #include "scenes/tears.hpp"
 
-namespace rhexis::bench {
+namespace rhexis::scenes {
 
 class SplitRun {
 public:
@@ -16,15 +16,15 @@ public:
     /// A tear that winds goes on by an edge; a new puncture where the last one came to an end. False: it could not.
     bool split();
     /// One linearised step of 1 ms.
-    void step();
+    ImplicitReport step();
 
     [[nodiscard]] const MembraneModel& model() const { return held_.model(); }
     [[nodiscard]] const MembraneState& state() { return held_.state(); }
 
 private:
-    scenes::HeldSheet held_;
+    HeldSheet held_;
     int tries_ = 0;
     double angle_ = 0.0;  ///< of the way that is wanted [rad]
 };
 
-}  // namespace rhexis::bench
+}  // namespace rhexis::scenes
