@@ -65,7 +65,7 @@ std::optional<SheetPlace> where_through(const MembraneState& state, const Vec3& 
 }
 
 std::optional<NeedleLip> lip_of(const ToolModel& needle, const ToolState& tool, const MembraneState& state) {
-    if (needle.kind != ToolKind::cystotome || state.tips.empty()) {
+    if (needle.kind != ToolKind::cystotome || state.torn_area == 0.0) {
         return std::nullopt;
     }
     const MembraneSheet& sheet = *state.sheet;

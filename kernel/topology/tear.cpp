@@ -338,6 +338,29 @@ Result<MembraneEdit> puncture(const MembraneModel& model, const MembraneState& s
 
 namespace {
 
+/// Area of each part of a sheet that hangs together [mm^2].
+std::vector<double> areas_of_parts(const MembraneSheet& sheet) {
+    const std::vector<int> parts = sheet_parts(sheet.neighbours);
+    std::vector<double> areas;
+    for (int t = 0; t < static_cast<int>(parts.size()); ++t) {
+        const std::array<int, 3>& n = sheet.mesh.triangles[at(t)];
+        const Vec3& a = sheet.mesh.nodes[at(n[0])];
+        areas.resize(std::max(areas.size(), at(parts[at(t)]) + 1), 0.0);
+        areas[at(parts[at(t)])] += 0.5 * (sheet.mesh.nodes[at(n[1])] - a).cross(sheet.mesh.nodes[at(n[2])] - a).norm();
+    }
+    return areas;
+}
+
+/// Whether a cut takes out a scrap that the needle itself would push away rather than cut round.
+bool leaves_scrap(const MembraneSheet& before, const MembraneSheet& after) {
+    constexpr double scrap = 1.0;  // [mm^2]
+    const auto count = [](const MembraneSheet& sheet) {
+        const std::vector<double> areas = areas_of_parts(sheet);
+        return std::count_if(areas.begin(), areas.end(), [](double area) { return area < scrap; });
+    };
+    return count(after) > count(before);
+}
+
 /// One edge; from then on the needle pushes the end of the cut before it.
 bool cut(const MembraneModel& model, const CutProposal& proposal, MembraneState& state, const TearRules& rules) {
     const auto tip = std::find_if(state.tips.begin(), state.tips.end(),
@@ -354,7 +377,11 @@ bool cut(const MembraneModel& model, const CutProposal& proposal, MembraneState&
     }
     SheetGrip next = *pushed;
     const std::size_t tips = state.tips.size();
-    state = applied(state, edit.value());
+    MembraneState after = applied(state, edit.value());
+    if (after.tips.size() < tips && leaves_scrap(*state.sheet, *after.sheet)) {
+        return false;
+    }
+    state = std::move(after);
     std::erase_if(state.grips, [&](const SheetGrip& grip) { return grip.tool == proposal.tool; });
     if (state.tips.size() >= tips && !state.tips.empty()) {
         next.node = state.tips.back().node;

@@ -20,16 +20,18 @@ local deepest = 0.6         -- where it is not through the capsule by then, some
 local cut_speed = 1.2
 local first_angle = -10     -- where the needle goes in
 local first_radius = 0.9
-local spiral = 70           -- angle over which the cut comes out to the planned circle
+local spiral = 25           -- angle over which the cut comes out to the planned circle
 local cut_end = 110         -- angle at which it ends
 
 local pull_speed = 1.5
 local hand_inside = 0.85    -- of the circle: how much nearer to the middle the jaws go than the tear [mm]
-local steer = 1.3           -- how much farther out they go per mm that the tear is too far in
+local steer = 2.0           -- how much farther out they go per mm that the tear is too far in
 local pull_height = 0.2
 local ahead = 35            -- of the tear, where the jaws go next [degrees]
 local stretch = 2.3         -- from the tear to the jaws, at which one takes hold anew [mm]
 local tries = 6             -- to take hold, before one gives up
+local last_part = 30        -- angle before the tear meets the cut, from which one pulls to the middle [degrees]
+local shallow = 0.85        -- share of the chamber below which it is filled again
 
 --- A place by radius, angle and height.
 function capsulorhexis.place(eye, radius, angle, height)
@@ -130,7 +132,7 @@ local function grasp(me, eye)
         me.go(over(eye, flap.position, clear), free_speed)
         me.wait(0.3)
         flap = mark(me, "flap") or flap
-        me.go(flap.position, 2)
+        me.go(vector.add(flap.position, { 0, 0, 0.05 }), 2)
         me.jaw(0)
         if me.wait_until(function(seen) return seen.landmarks.held ~= nil end, 1.2) then return true end
         sculpting.look_at_height(me, eye)
@@ -159,6 +161,7 @@ local function pull(me, eye, radius)
         local lead = (hand - angle + 180) % 360 - 180
         local next_angle = angle + math.max(lead, 0) + ahead * 0.5
         local inside = math.max(0.3, radius - hand_inside + steer * (radius - tear_radius))
+        if (angle - first_angle + last_part) % 360 < last_part then inside = 0.5 * inside end
         me.go(capsulorhexis.place(eye, inside, next_angle, pull_height), pull_speed, nil, closed)
     end
 end
@@ -170,6 +173,14 @@ function capsulorhexis.tear_round(me, eye, radius, longest)
     capsulorhexis.bring(me, eye, "forceps", tip and tip.position or eye.pupil)
     while me.time_s() < until_s do
         if mark(me, "rim") then return "closed" end
+        if me.notices(function(seen)
+            return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size < shallow
+        end) then
+            capsulorhexis.take_away(me, eye)
+            capsulorhexis.fill(me, eye)
+            capsulorhexis.bring(me, eye, "forceps", me.see().landmarks.tear_tip
+                and me.see().landmarks.tear_tip.position or eye.pupil)
+        end
         if not grasp(me, eye) then return "not grasped" end
         local why = pull(me, eye, radius)
         if why == "closed" or why == "lost" then return why end
