@@ -10,28 +10,28 @@ local vector = require "surgeons.vector"
 
 local capsulorhexis = {}
 
-local free_speed = sculpting.free_speed
+local free_speed = 8        -- where nothing is near [mm/s]
 local clear = 0.6           -- height at which an instrument touches nothing
 local full = 1.0            -- share of the chamber that viscoelastic is to fill
 
 local pierce_speed = 0.6    -- of the needle, down [mm/s]
 local back = 0.15           -- how far it is raised again once it is seen to be through
 local deepest = 0.6         -- where it is not through the capsule by then, something is wrong
-local cut_speed = 1.2
+local cut_speed = 2.5
 local first_angle = -10     -- where the needle goes in
 local first_radius = 0.9
 local spiral = 25           -- angle over which the cut comes out to the planned circle
 local cut_end = 110         -- angle at which it ends
 
-local pull_speed = 1.5
-local hand_inside = 0.85    -- of the circle: how much nearer to the middle the jaws go than the tear [mm]
-local steer = 2.0           -- how much farther out they go per mm that the tear is too far in
+local pull_speed = 5.0
+local pull_step = 0.5       -- of one look to the next [mm]
 local pull_height = 0.2
-local ahead = 35            -- of the tear, where the jaws go next [degrees]
-local stretch = 2.3         -- from the tear to the jaws, at which one takes hold anew [mm]
+local early_pull = 70       -- inwards from the circle, at which the tear follows it at first [degrees]
+local late_pull = 115       -- and at last, when little holds the flap and the tear tends outwards
+local steer = 110           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
+local stretch = 3.2         -- from the tear to the jaws, at which one takes hold anew [mm]
 local tries = 6             -- to take hold, before one gives up
-local last_part = 30        -- angle before the tear meets the cut, from which one pulls to the middle [degrees]
-local shallow = 0.85        -- share of the chamber below which it is filled again
+local shallow = 0.80        -- share of the chamber below which it is filled again
 
 --- A place by radius, angle and height.
 function capsulorhexis.place(eye, radius, angle, height)
@@ -130,9 +130,9 @@ local function grasp(me, eye)
         if not flap then return false end
         me.jaw(1)
         me.go(over(eye, flap.position, clear), free_speed)
-        me.wait(0.3)
+        me.wait(0.15)
         flap = mark(me, "flap") or flap
-        me.go(vector.add(flap.position, { 0, 0, 0.05 }), 2)
+        me.go(vector.add(flap.position, { 0, 0, 0.05 }), 3)
         me.jaw(0)
         if me.wait_until(function(seen) return seen.landmarks.held ~= nil end, 1.2) then return true end
         sculpting.look_at_height(me, eye)
@@ -142,11 +142,26 @@ end
 
 local function let_go(me, eye)
     me.jaw(1)
-    me.wait(0.3)
+    me.wait(0.2)
     me.go(over(eye, me.tip(), clear), free_speed)
 end
 
 local function closed(seen) return seen.landmarks.rim ~= nil end
+
+-- Where the jaws go next, from the end of the tear: along the circle and inwards, and the farther out the tear is the
+-- more back the way it came, for it runs at a right angle to the pull.
+local function aim(me, eye, tip, radius)
+    local tear_radius, angle = capsulorhexis.polar(eye, tip)
+    local gone = ((angle - cut_end) % 360) / (360 - cut_end)
+    local even_pull = early_pull + (late_pull - early_pull) * math.min(1, gone)
+    local inwards = math.rad(math.max(0, math.min(150, even_pull + steer * (tear_radius - radius))))
+    local a = math.rad(angle)
+    local along, across = math.cos(inwards), math.sin(inwards)
+    local reach = vector.distance(me.tip(), tip) + pull_step
+    local x = tip[1] + reach * (-along * math.sin(a) - across * math.cos(a))
+    local y = tip[2] + reach * (along * math.cos(a) - across * math.sin(a))
+    return over(eye, { x, y, 0 }, pull_height)
+end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
@@ -155,14 +170,8 @@ local function pull(me, eye, radius)
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
-        local tear_radius, angle = capsulorhexis.polar(eye, tip.position)
         if vector.distance(me.tip(), tip.position) > stretch then return "far" end
-        local _, hand = capsulorhexis.polar(eye, me.tip())
-        local lead = (hand - angle + 180) % 360 - 180
-        local next_angle = angle + math.max(lead, 0) + ahead * 0.5
-        local inside = math.max(0.3, radius - hand_inside + steer * (radius - tear_radius))
-        if (angle - first_angle + last_part) % 360 < last_part then inside = 0.5 * inside end
-        me.go(capsulorhexis.place(eye, inside, next_angle, pull_height), pull_speed, nil, closed)
+        me.go(aim(me, eye, tip.position, radius), pull_speed, nil, closed)
     end
 end
 
@@ -183,8 +192,9 @@ function capsulorhexis.tear_round(me, eye, radius, longest)
         end
         if not grasp(me, eye) then return "not grasped" end
         local why = pull(me, eye, radius)
-        if why == "closed" or why == "lost" then return why end
+        if why == "closed" then return why end
         let_go(me, eye)
+        if why == "lost" then return why end
     end
     return "late"
 end
