@@ -26,7 +26,10 @@ constexpr double zonule_stretch = 0.25;       ///< of the anterior zonules at re
 constexpr double vitreous_stiffness = 1.5e5;  ///< [uN/mm], as where the chamber is simulated. Proposal
 constexpr double settling = 0.02;             ///< time in which lens and capsule come to rest [s]
 constexpr double drag = 3e6;                  ///< of the viscoelastic, share of the mass [1/s]. Proposal
-constexpr double layer_distance = 0.02;   ///< about its thickness, and less than its nodes sink in under a tool [mm]
+constexpr double layer_distance = 0.02;  ///< about its thickness, and less than its nodes sink in under a tool [mm]
+/// Of the capsule that goes on beyond the sheet until lens and cortex hold it [mm]. Proposal: it is 1.0 mm to the
+/// equator, where it bends round and the zonules insert; and a pull over a third of the rim dies away within 1.4 mm.
+constexpr double beyond_length = 1.0;
 constexpr double insertion_width = 0.25;  ///< of the ring in which the zonules insert, each way [mm]
 
 constexpr std::array<TableRow, 2> pole{{{0.0, 0.011}, {98.0, 0.015}}};
@@ -67,8 +70,23 @@ Vec3 ciliary_place(const Vec3& node, const ZonuleSpring& zonule) {
            zonule.on_ciliary.z() * Vec3::UnitZ();
 }
 
-/// Springs that together are as stiff as those of the bag's zonules on one side of it.
-void hang(const BagModel& bag, MembraneModel& model) {
+/// The sheet's rim hangs on the capsule that goes on beyond it and lies on the lens. Returns how stiffly, in all.
+double hang_on_lens(const std::vector<int>& rim, double age, double equator, MembraneModel& model) {
+    const std::vector<Vec3>& nodes = model.sheet->mesh.nodes;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+        const Vec3& node = nodes[at(rim[i])];
+        const Vec3& next = nodes[at(rim[(i + 1) % rim.size()])];  // round sheets number their rim in turn, evenly
+        const double thickness = anterior_thickness(age, across(node), equator);
+        const double stiffness = capsule_modulus(age) * thickness / beyond_length * (next - node).norm();
+        model.springs.push_back({rim[i], node, stiffness, 0.0, true});
+        sum += stiffness;
+    }
+    return sum;
+}
+
+/// Springs that together are as stiff as those of the bag's zonules on one side of it, and the rest of the bag.
+void hang(const BagModel& bag, double age, MembraneModel& model) {
     const TriMesh& mesh = model.sheet->mesh;
     const std::vector<std::uint8_t> edge = on_boundary(mesh, model.sheet->neighbours);
     double anterior = 0.0;
@@ -98,7 +116,8 @@ void hang(const BagModel& bag, MembraneModel& model) {
         model.springs.push_back({node, mesh.nodes[at(node)], posterior / static_cast<double>(rim.size()), 0.0});
     }
     model.support->stiffness = vitreous_stiffness;
-    model.support->damping = settling * (vitreous_stiffness + anterior + posterior);
+    const double on_lens = hang_on_lens(rim, age, model.support->shape.radius, model);
+    model.support->damping = settling * (vitreous_stiffness + anterior + posterior + on_lens);
 }
 
 }  // namespace
@@ -124,7 +143,7 @@ MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& 
     model.damping_mass = drag;
     model.support = SupportModel{{lens.radius, lens.anterior, lens.posterior}, 0.05, 0.0, 0.0};
     model.layer_distance = layer_distance;
-    hang(bag, model);
+    hang(bag, age, model);
     return model;
 }
 
