@@ -90,7 +90,7 @@ Pull pull(CapsuleScene& scene, const Vec3& place) {
 nlohmann::json run(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     const std::vector<double> shares =
-        options.quick ? std::vector<double>{1.0} : std::vector<double>{0.7, 1.0, 1.6, 1.7, 2.0};
+        options.quick ? std::vector<double>{1.0} : std::vector<double>{0.6, 0.8, 1.0, 1.2};
     for (const double share : shares) {
         const double start = thread_cpu_seconds();
         CapsuleScene scene(age, {.toughness = share}, {capsulorhexis_forceps()});
