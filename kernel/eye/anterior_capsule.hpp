@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The anterior capsule of a patient as a membrane: from the pole to beyond the insertion of the zonules, on the lens as
-// a smooth rigid body. Zonule springs hold it, and where it ends the rest of the bag does; the vitreous holds the lens.
+// a smooth rigid body. Zonule springs hold it, and where it ends the capsule that goes on does; the vitreous holds the
+// lens.
 #pragma once
 
 #include "flow/eye_model.hpp"
@@ -20,7 +21,8 @@ struct AnteriorCapsuleSettings {
 double anterior_thickness(double age, double rho, double equator);
 
 /// lens: its contour; bag: whose zonules, as stiff as they are there, hold this sheet: the anterior ones where they
-/// insert, the posterior ones at its edge, in place of the rest of the bag. age: [years], 20 to 95.
+/// insert, the posterior ones at its edge, in place of the rest of the bag. The edge also hangs on the capsule that
+/// goes on round the equator, which lies on the lens and goes with it. age: [years], 20 to 95.
 MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& bag, double age,
                                     const AnteriorCapsuleSettings& settings);
 

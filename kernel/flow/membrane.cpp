@@ -99,6 +99,9 @@ Status check_holds(const MembraneModel& model) {
         if (!spring.anchor.allFinite() || !(spring.slack >= 0.0)) {
             return Error{"a spring's anchor or slack is no number", model.name, "finite numbers, slack >= 0"};
         }
+        if (spring.on_support && !model.support) {
+            return Error{"a spring hangs on a support that there is not", model.name, "on_support where one is"};
+        }
     }
     return success();
 }

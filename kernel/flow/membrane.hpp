@@ -40,6 +40,7 @@ struct NodeSpring {
     Vec3 anchor = Vec3::Zero();  ///< [mm]
     double stiffness = 0.0;      ///< [uN/mm]
     double slack = 0.0;          ///< length below which it does not pull [mm]
+    bool on_support = false;     ///< the place goes with the support, which feels the spring along z
 };
 
 /// A smooth rigid body that a membrane lies on: the lens under its capsule. It stays where it is, or moves along z.
@@ -140,8 +141,8 @@ struct MembraneState {
     std::vector<SheetGrip> grips;     ///< by tools
     SupportState support;
     std::vector<Vec3> punctures;  ///< where needles went through, in the sheet at rest [mm]
-    double torn_area = 0.0;    ///< that tears have opened so far: length times thickness [mm^2]
-    double torn_energy = 0.0;  ///< that they took [nJ]
+    double torn_area = 0.0;       ///< that tears have opened so far: length times thickness [mm^2]
+    double torn_energy = 0.0;     ///< that they took [nJ]
 };
 
 /// Fibres all one way and the same thickness everywhere. fibre: need not lie in the sheet; not at a right angle to it.

@@ -76,9 +76,9 @@ struct SpringPull {
     Mat3 stiffness = Mat3::Zero();  ///< positive semidefinite
 };
 
-SpringPull pull_of(const NodeSpring& spring, const Vec3& x) {
+SpringPull pull_of(const NodeSpring& spring, double lift, const Vec3& x) {
     SpringPull pull;
-    const Vec3 way = spring.anchor - x;
+    const Vec3 way = spring.anchor + (spring.on_support ? lift : 0.0) * Vec3::UnitZ() - x;
     if (spring.slack == 0.0) {
         return {spring.stiffness * way, spring.stiffness * Mat3::Identity()};
     }
@@ -229,6 +229,14 @@ void MembraneBody::weigh() {
     mass_.weight.assign(node_of_.size(), 0.0);  // a capsule floats
 }
 
+double MembraneBody::springs_on_support(const std::vector<Vec3>& position) const {
+    double sum = 0.0;
+    for (const NodeSpring& spring : springs_) {
+        sum -= spring.on_support ? pull_of(spring, lift_, position[at(node_of_[at(spring.node)])]).force.z() : 0.0;
+    }
+    return sum;
+}
+
 void MembraneBody::forces(const std::vector<double>& position, std::vector<double>& force) {
     force.assign(3 * node_of_.size() + 1, 0.0);
     TrianglePoints x;
@@ -245,7 +253,7 @@ void MembraneBody::forces(const std::vector<double>& position, std::vector<doubl
     for (const NodeSpring& spring : springs_) {
         const std::size_t row = at(spring.node);
         Eigen::Map<Vec3>(force.data() + 3 * row) +=
-            pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * row)).force;
+            pull_of(spring, lift_, Eigen::Map<const Vec3>(position.data() + 3 * row)).force;
     }
 }
 
@@ -273,7 +281,7 @@ void MembraneBody::forces_and_stiffness(const std::vector<double>& position, Mod
     }
     for (const NodeSpring& spring : springs_) {
         const int row = spring.node;
-        const SpringPull pull = pull_of(spring, Eigen::Map<const Vec3>(position.data() + 3 * at(row)));
+        const SpringPull pull = pull_of(spring, lift_, Eigen::Map<const Vec3>(position.data() + 3 * at(row)));
         Eigen::Map<Vec3>(force.data() + 3 * at(row)) += pull.force;
         if (moves_[at(row)] != 0) {
             add_block(stiffness, pattern_.diagonal[at(row)], scale * pull.stiffness);

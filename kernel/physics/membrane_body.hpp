@@ -32,6 +32,11 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
 
+    /// Where the support is from now on, along z from where it rests [mm]: springs on it go with it.
+    void follow_support(double lift) { lift_ = lift; }
+    /// Of those springs, along z; position: by nodes [uN].
+    [[nodiscard]] double springs_on_support(const std::vector<Vec3>& position) const;
+
     void forces(const std::vector<double>& position, std::vector<double>& force) override;
     void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
                               std::vector<double>& force, BlockValues& stiffness) override;
@@ -46,6 +51,7 @@ private:
     std::shared_ptr<const MembraneSheet> sheet_;
     std::vector<MembraneTriangle> triangles_;  ///< corners by ascending row
     std::vector<NodeSpring> springs_;          ///< of rows
+    double lift_ = 0.0;                        ///< of the support [mm]
     std::vector<std::array<int, 3>> corner_;   ///< rows per triangle
     std::vector<std::array<int, 6>> slot_;     ///< per triangle and pair a <= b: upper slot; negative: not to be added
 };

@@ -97,6 +97,7 @@ ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const
                                      const ImplicitSettings& settings, const CouplingFunction& coupling,
                                      MembraneState& next) {
     follow(state);
+    body_->follow_support(state.support.lift);
     const ImplicitReport report = step_->step(state.position, state.velocity, Vec3::Zero(), external, dt, settings,
                                               coupling, no_bodies_, motion_);
     next = state;
@@ -149,7 +150,8 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
     held_.settle(next.position, poses_, dt);
     held_.report(task.dt, contacts);
     next.grips = held_.kept();
-    const double on_support = touching_.impulse_on_support() / dt + layers_.force_on_support(next.position);
+    const double on_support = touching_.impulse_on_support() / dt + layers_.force_on_support(next.position) +
+                              body_->springs_on_support(next.position);
     move_support(*model_, on_support, dt, next.support);
     carry(*model_, next.support.lift - from.support.lift, next);
     return report;

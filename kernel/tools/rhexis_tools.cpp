@@ -30,7 +30,7 @@ ToolModel bent(const char* name, double length, double point, double shaft) {
 ToolModel cystotome() {
     ToolModel tool = bent("cystotome", 1.0, 0.12, 0.2);
     tool.kind = ToolKind::cystotome;
-    tool.cutting = 0.3;   // proposal
+    tool.cutting = 0.18;  // proposal: it cuts at about 3 mN
     tool.hold = 40000.0;  // proposal
     tool.friction = 0.2;
     return tool;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench.hpp"
 #include "bench/bench_calculix.hpp"
+#include "bench/bench_capsule_pulls.hpp"
 #include "bench/bench_chamber.hpp"
 #include "bench/bench_explicit.hpp"
 #include "bench/bench_factor_update.hpp"
@@ -32,6 +33,7 @@ std::vector<BenchCase> bench_cases() {
     add(membrane_cases());
     add(tear_cases());
     add(random_tears_cases());
+    add(capsule_pulls_cases());
     add(factor_update_cases());
     add(chamber_cases());
     add(phaco_cases());

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "eye/anatomy.hpp"
 #include "eye/capsular_bag.hpp"
+#include "eye/posterior_capsule.hpp"
 #include "physics/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
 
@@ -32,14 +35,21 @@ TEST_SUITE("anterior capsule") {
                     CHECK(std::abs(surface_level(lens, node) - 1.0) < 1e-9);
                 }
                 double springs = 0.0;
+                double beyond = 0.0;
                 for (const NodeSpring& spring : capsule.springs) {
-                    springs += spring.stiffness;
+                    (spring.on_support ? beyond : springs) += spring.stiffness;
                 }
                 double zonules = 0.0;
                 for (const ZonuleSpring& zonule : bag.zonules) {
                     zonules += zonule.stiffness;
                 }
                 CHECK(springs == doctest::Approx(zonules));
+                // the rim's length, of capsule as thick as there, 1 mm long
+                const double rim = 0.9 * lens.radius;
+                const double along_rim = 2.0 * std::numbers::pi * rim;
+                CHECK(beyond ==
+                      doctest::Approx(along_rim * capsule_modulus(age) * anterior_thickness(age, rim, lens.radius))
+                          .epsilon(0.01));
                 const double along = std::abs(capsule.sheet->fibre[700].dot(
                     Vec3::UnitZ().cross(triangle_middle(capsule.sheet->mesh, 700)).normalized()));
                 CHECK((along > 0.999) == circles);
@@ -69,6 +79,34 @@ TEST_SUITE("anterior capsule") {
         }
         CHECK(last_lift > 0.3);
         CHECK(last_lift < 0.8);
+    }
+
+    TEST_CASE("a pull of 15 mN near the pupil's edge leaves the outer rim where it is") {
+        for (const double heading : {0.0, 1.0}) {
+            scenes::CapsuleScene scene(68.0, {}, {});
+            const std::vector<Vec3> rest = scene.sheet().position;
+            const Vec3 outward(std::cos(heading), std::sin(heading), 0.0);
+            SheetLoad pull{{}, -15000.0 * outward};
+            for (int node = 0; node < static_cast<int>(rest.size()); ++node) {
+                const Vec3& place = rest[static_cast<std::size_t>(node)];
+                if ((place - scene.front(3.0 * outward.x(), 3.0 * outward.y())).norm() < 0.3) {
+                    pull.nodes.push_back(node);
+                }
+            }
+            REQUIRE(pull.nodes.size() >= 3);
+            scene.sheet().loads.push_back(pull);
+            for (int i = 0; i < 100; ++i) {
+                REQUIRE(scene.step());
+            }
+            double farthest = 0.0;
+            for (const NodeSpring& spring : scene.model().springs) {
+                const std::size_t node = static_cast<std::size_t>(spring.node);
+                farthest =
+                    std::max(farthest, spring.on_support ? (scene.sheet().position[node] - rest[node]).norm() : 0.0);
+            }
+            CHECK(farthest < 0.3);
+            CHECK(scene.sheet().velocity[0].norm() < 0.05);
+        }
     }
 
     TEST_CASE("what a tear owes its tip lies in the curved sheet") {

@@ -55,28 +55,28 @@ TEST_SUITE("sheet grip") {
 
     TEST_CASE("a needle that is through hooks the lip, drags it, and lets go when it is drawn out") {
         CapsuleScene scene(68.0, {}, {cystotome()});
-        scene.put(0, above(scene, 1.5, -0.5, 0.3));
-        CHECK(scene.lead(0, above(scene, 1.5, -0.5, -0.5), 1.0));
-        CHECK(scene.lead(0, above(scene, 1.5, 0.2, -0.5), 1.0));
+        scene.put(0, above(scene, 0.9, -0.5, 0.3));
+        CHECK(scene.lead(0, above(scene, 0.9, -0.5, -0.5), 1.0));
+        CHECK(scene.lead(0, above(scene, 0.9, -0.4, -0.5), 1.0));
         CHECK_FALSE(scene.sheet().grips.empty());
         const double first = scene.force().y();
-        CHECK(first > 2000.0);
-        CHECK(scene.lead(0, above(scene, 1.5, 0.6, -0.5), 1.0));
+        CHECK(first > 500.0);
+        CHECK(scene.lead(0, above(scene, 0.9, -0.3, -0.5), 1.0));
         CHECK(scene.force().y() > 1.3 * first);
-        CHECK(scene.lead(0, above(scene, 1.5, 0.6, 1.0), 5.0));
+        CHECK(scene.lead(0, above(scene, 0.9, -0.3, 1.0), 5.0));
         CHECK(scene.sheet().grips.empty());
         CHECK(scene.force().isZero());
     }
 
     TEST_CASE("led along its edge a needle cuts on") {
         CapsuleScene scene(68.0, {}, {cystotome()});
-        scene.put(0, above(scene, 0.3, 0.0, 0.3));
-        CHECK(scene.lead(0, above(scene, 0.3, 0.0, -0.5), 1.0));
+        scene.put(0, above(scene, 0.3, -0.2, 0.3));
+        CHECK(scene.lead(0, above(scene, 0.3, -0.2, -0.5), 1.0));
         const double torn = scene.sheet().torn_area;
         scene.greatest_force = 0.0;
-        CHECK(scene.lead(0, above(scene, 2.0, 0.0, -0.5), 1.0));
+        CHECK(scene.lead(0, above(scene, 2.0, -0.2, -0.5), 1.0));
         CHECK(scene.sheet().torn_area > torn + 0.8 * 0.0139);  // 0.8 mm at least
-        CHECK(scene.greatest_force < 12000.0);
+        CHECK(scene.greatest_force < 6000.0);
     }
 
     TEST_CASE("jaws that close on nothing hold nothing; closed ones take up nothing; opened ones let go") {
@@ -136,7 +136,7 @@ TEST_SUITE("sheet grip") {
                 }
                 CHECK(farthest < 1.0);
                 CHECK(fastest < 100.0);
-                CHECK(scene.sheet().grips.empty());
+                CHECK((scene.punctures > 0 || scene.sheet().grips.empty()));  // through, it pushes the lip
                 CHECK((tool.kind == ToolKind::cystotome || scene.sheet().tips.empty()));
                 CHECK(scene.punctures <= 1);
             }
