@@ -100,6 +100,7 @@ struct SheetGrip {
     int node = 0;
     Vec3 place = Vec3::Zero();  ///< where they hold it, in the tool's frame [mm]
     bool pushed = false;        ///< by a needle, across it only: it slides along it
+    double slack = 0.0;         ///< how far a needle goes before it pushes [mm]
 };
 
 /// What physics proposes: a needle goes through.

@@ -16,6 +16,7 @@ constexpr double lost_at = 2.0;  ///< times their reach from the middle of the j
 
 constexpr double beside_tip = 0.8;  ///< of a needle from the end of a tear, at rest [mm]
 
+constexpr double gape = 0.15;        ///< of the lips of a slit about a needle [mm]
 constexpr double least_ahead = 0.1;  ///< cosine of the way from there to the needle to that of the tear
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -76,11 +77,11 @@ void hook(const ToolModel& model, const ToolState& tool, int index, MembraneStat
         return;
     }
     if (const int tip = tip_at(lip->needle, state); tip >= 0) {
-        state.grips.push_back({index, tip, Vec3::Zero(), true});
+        state.grips.push_back({index, tip, Vec3::Zero(), true, 0.0});
         return;
     }
     for (const int node : lip->nodes) {
-        state.grips.push_back({index, node, Vec3::Zero(), true});
+        state.grips.push_back({index, node, Vec3::Zero(), true, gape});
     }
 }
 
@@ -124,6 +125,14 @@ SheetGrips::Pull SheetGrips::pull(const SheetGrip& grip, const std::vector<Vec3>
         const Vec3 needle = pose.orientation * Vec3::UnitZ();
         led -= needle * needle.transpose();
         way = led * way;
+        const double length = way.norm();
+        if (length <= grip.slack) {
+            return {};
+        }
+        const Vec3 along = way / length;
+        const double share = (length - grip.slack) / length;
+        led = share * led + (1.0 - share) * along * along.transpose();
+        way *= share;
     }
     const double wanted = stiffness_ * way.norm();
     const double limit = most(grip);

@@ -241,11 +241,12 @@ void membrane_fields(auto& io, auto& membrane) {
         inner(touch.index);
         inner(touch.stretch);
     });
-    io.list(membrane.grips, 33, [](auto& inner, auto& grip) {
+    io.list(membrane.grips, 41, [](auto& inner, auto& grip) {
         inner(grip.tool);
         inner(grip.node);
         inner(grip.place);
         inner(grip.pushed);
+        inner(grip.slack);
     });
     io.list(membrane.punctures, 24, [](auto& inner, auto& place) { inner(place); });
     io(membrane.support.lift);

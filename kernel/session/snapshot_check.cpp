@@ -101,7 +101,7 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state, int to
            std::all_of(state.grips.begin(), state.grips.end(),
                        [&](const SheetGrip& grip) {
                            return in_sheet(grip.node, state) && grip.tool >= 0 && grip.tool < tools &&
-                                  grip.place.allFinite();
+                                  grip.place.allFinite() && std::isfinite(grip.slack);
                        }) &&
            std::all_of(state.punctures.begin(), state.punctures.end(),
                        [](const Vec3& place) { return place.allFinite(); }) &&

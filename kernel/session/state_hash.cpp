@@ -73,6 +73,7 @@ void add(StateHash& hash, const MembraneState& membrane) {
         hash.add(static_cast<std::uint64_t>(grip.node));
         add(hash, grip.place);
         hash.add(static_cast<std::uint64_t>(grip.pushed));
+        hash.add(grip.slack);
     }
     hash.add(static_cast<std::uint64_t>(membrane.punctures.size()));
     for (const Vec3& place : membrane.punctures) {

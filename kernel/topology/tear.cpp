@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -361,31 +362,39 @@ bool leaves_scrap(const MembraneSheet& before, const MembraneSheet& after) {
     return count(after) > count(before);
 }
 
-/// One edge; from then on the needle pushes the end of the cut before it.
-bool cut(const MembraneModel& model, const CutProposal& proposal, MembraneState& state, const TearRules& rules) {
-    const auto tip = std::find_if(state.tips.begin(), state.tips.end(),
-                                  [&](const TearTip& other) { return other.node == proposal.node; });
+/// The state after one edge of a cut; nothing where the mesh does not allow it, or where it would take out a scrap.
+std::optional<MembraneState> cut_one_edge(const MembraneModel& model, const MembraneState& state, int node, int tip,
+                                          const Vec3& direction, const TearRules& rules) {
     const Result<MembraneEdit> edit =
-        tip == state.tips.end()
-            ? notch(model, state, proposal.node, proposal.direction, rules)
-            : tear(model, state, static_cast<int>(tip - state.tips.begin()), proposal.direction, rules);
-    const auto pushed = std::find_if(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
-        return grip.tool == proposal.tool && grip.node == proposal.node;
-    });
-    if (!edit.ok() || pushed == state.grips.end()) {
-        return false;
+        tip < 0 ? notch(model, state, node, direction, rules) : tear(model, state, tip, direction, rules);
+    if (!edit.ok()) {
+        return std::nullopt;
     }
-    SheetGrip next = *pushed;
-    const std::size_t tips = state.tips.size();
     MembraneState after = applied(state, edit.value());
-    if (after.tips.size() < tips && leaves_scrap(*state.sheet, *after.sheet)) {
+    const bool ended = after.tips.size() < state.tips.size() + (tip < 0 ? 1 : 0);
+    if (ended && leaves_scrap(*state.sheet, *after.sheet)) {
+        return std::nullopt;
+    }
+    return after;
+}
+
+/// One edge, to where the needle stands, or straight on; from then on the needle pushes the end of the cut before it.
+bool cut(const MembraneModel& model, const CutProposal& proposal, MembraneState& state, const TearRules& rules) {
+    const auto found = std::find_if(state.tips.begin(), state.tips.end(),
+                                    [&](const TearTip& other) { return other.node == proposal.node; });
+    const int tip = found == state.tips.end() ? -1 : static_cast<int>(found - state.tips.begin());
+    std::optional<MembraneState> after = cut_one_edge(model, state, proposal.node, tip, proposal.direction, rules);
+    if (!after && tip >= 0) {
+        after = cut_one_edge(model, state, proposal.node, tip, found->direction, rules);
+    }
+    if (!after) {
         return false;
     }
-    state = std::move(after);
+    const bool goes_on = after->tips.size() >= state.tips.size() + (tip < 0 ? 1 : 0);
+    state = std::move(*after);
     std::erase_if(state.grips, [&](const SheetGrip& grip) { return grip.tool == proposal.tool; });
-    if (state.tips.size() >= tips && !state.tips.empty()) {
-        next.node = state.tips.back().node;
-        state.grips.push_back(next);
+    if (goes_on) {
+        state.grips.push_back({proposal.tool, state.tips.back().node, Vec3::Zero(), true, 0.0});
     }
     return true;
 }
