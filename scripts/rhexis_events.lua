@@ -51,15 +51,15 @@ function rhexis_events.runs_out(own)
         harm = "rhexis.run_out",
         severity = "critical",
         cue = "The leading edge drifts outwards, and the flap hides where it hangs.",
-        advice = "Stop. Fill the chamber, unfold the flap so that it lies flat, take hold of it close to the tear, pull "
-            .. "back along the way it came, in the plane of the capsule, and then to the middle.",
+        advice = "Stop. Fill the chamber, unfold the flap so that it lies flat, take hold of it close to the tear, "
+            .. "pull back along the way it came, in the plane of the capsule, and then to the middle.",
         items = {},
         evidence = { "rhexis.tip_radius_mm", "rhexis.tip_heading_deg", "viscoelastic.fill", "forceps.force_mN" },
     }, own)
 end
 
---- The tear has come to the zonules. Nothing undoes that, and an opening whose edge is gone is never closed again: it is
---- put right when nobody pulls any more and the chamber is full, so that it goes no farther.
+--- The tear has come to the zonules. Nothing undoes that, and an opening whose edge is gone is never closed again: it
+--- is put right when nobody pulls any more and the chamber is full, so that it goes no farther.
 function rhexis_events.edge_lost(own)
     return with({
         when = "rhexis.run_out",

@@ -46,6 +46,8 @@ end
 
 local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhexis.tip_radius_mm > 3.37"
 
+local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
+
 local function run_out(t)
     t.forceps:enter({ speed = 20 })
     for _ = 1, 3 do
@@ -65,6 +67,18 @@ local function refill(t)
     t:wait_until("viscoelastic.fill > 0.98", 20)
     t.cannula:jaw(0)
     t.cannula:withdraw({ speed = 20 })
+end
+
+-- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
+-- anew and led farther ahead.
+local function bring_back(t)
+    t.forceps:enter({ speed = 20 })
+    for try = 1, 4 do
+        local radius, angle = take_hold(t, 8, 0.25)
+        t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 1.5 })
+        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2), { speed = 1.5, stop = back }) then break end
+        open_jaws(t)
+    end
 end
 
 -- Pulled on, again and again.
@@ -113,10 +127,7 @@ return scenarios {
         function(t)
             run_out(t)
             refill(t)
-            t.forceps:enter({ speed = 20 })
-            local radius, angle = take_hold(t, 8, 0.25)
-            t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 1.5 })
-            t.forceps:move_to(place(0.5, angle + 30, 0.2), { speed = 1.5, stop = "rhexis.tip_radius_mm < 2.9" })
+            bring_back(t)
             t:expect_event("Tear runs out", { recovered = true, within = 0.2 })
         end },
 
@@ -125,8 +136,8 @@ return scenarios {
         start = "shallow",
         function(t)
             lose_edge(t)
-            t:expect_event("Tear runs out", { recovered = false })
             t:expect_event("Edge lost", { recovered = false, within = 32 })
+            t:expect_event("Tear runs out", { recovered = false, within = 17 })
         end },
 
     scenario "the edge is lost, the flap is let go, and the chamber filled" {
