@@ -13,8 +13,18 @@ local function place(radius, angle, height)
     return { radius * math.cos(a), radius * math.sin(a), front + height }
 end
 
--- Of the end of the tear [mm], [degrees]: the cut begins 2 degrees before the surgeon's right.
-local function tear_end(t) return t:value("rhexis.tip_radius_mm"), t:value("rhexis.turned_deg") - 2 end
+local cut_end = 106     -- angle to which the needle has cut
+local turned_then = {}  -- per scenario: angle that the tear had gone round by then
+
+local function come_in(t)
+    turned_then[t] = turned_then[t] or t:value("rhexis.turned_deg")
+    t.forceps:enter({ speed = 20 })
+end
+
+-- Of the end of the tear: [mm], [degrees].
+local function tear_end(t)
+    return t:value("rhexis.tip_radius_mm"), cut_end + t:value("rhexis.turned_deg") - turned_then[t]
+end
 
 local function open_jaws(t)
     t.forceps:jaw(1)
@@ -36,12 +46,12 @@ local function take_hold(t, before, inside)
     return radius, angle, lift
 end
 
--- From near the end of the tear outwards and forwards, to the angle of the chamber.
-local function pull_outwards(t, stop)
+-- From near the end of the tear outwards and forwards, towards the angle of the chamber, so far ahead [degrees].
+local function pull_outwards(t, ahead, stop)
     local radius, angle, lift = take_hold(t, 5, 0.2)
     t.forceps:move_to(place(radius - 0.2, angle + 3, 0.3 + lift), { speed = 2 })
-    local to = place(4.8, angle + 30, 0)
-    return t.forceps:move_to({ to[1], to[2], 2.2 }, { speed = 2, motion = "even", stop = stop })
+    local to = place(4.6, angle + ahead, 0)
+    return t.forceps:move_to({ to[1], to[2], 2.4 }, { speed = 2, motion = "even", stop = stop })
 end
 
 local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhexis.tip_radius_mm > 3.37"
@@ -49,9 +59,9 @@ local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhex
 local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
 
 local function run_out(t)
-    t.forceps:enter({ speed = 20 })
-    for _ = 1, 3 do
-        if pull_outwards(t, out) then break end
+    come_in(t)
+    for ahead = 30, 60, 10 do
+        if pull_outwards(t, ahead, out) then break end
         open_jaws(t)
     end
     t:wait(0.05)
@@ -72,8 +82,8 @@ end
 -- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
 -- anew and led farther ahead.
 local function bring_back(t)
-    t.forceps:enter({ speed = 20 })
-    for try = 1, 4 do
+    come_in(t)
+    for try = 1, 5 do
         local radius, angle = take_hold(t, 8, 0.25)
         t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 1.5 })
         if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2), { speed = 1.5, stop = back }) then break end
@@ -83,9 +93,9 @@ end
 
 -- Pulled on, again and again.
 local function lose_edge(t)
-    t.forceps:enter({ speed = 20 })
-    for _ = 1, 8 do
-        if pull_outwards(t, "rhexis.run_out") then break end
+    come_in(t)
+    for pull = 1, 8 do
+        if pull_outwards(t, 30 + 10 * ((pull - 1) % 3), "rhexis.run_out") then break end
         open_jaws(t)
     end
     t:wait(0.05)
@@ -98,7 +108,7 @@ return scenarios {
         start = "flap",
         silent_twin_of = { "Tear runs out", "Edge lost", "Underfilled", "Iris touched" },
         function(t)
-            t.forceps:enter({ speed = 20 })
+            come_in(t)
             local _, angle = take_hold(t, 16, 0.4)
             local way = {}
             for i = 1, 12 do way[i] = place(1.7, angle - 10 + 10 * i, 0.2) end
@@ -112,8 +122,8 @@ return scenarios {
         start = "shallow",
         silent_twin_of = "Tear runs out",
         function(t)
-            t.forceps:enter({ speed = 20 })
-            pull_outwards(t, "rhexis.tip_radius_mm > 2.7")
+            come_in(t)
+            pull_outwards(t, 30, "rhexis.tip_radius_mm > 2.7")
             local radius, angle = tear_end(t)
             t.forceps:move_to(place(radius - 0.8, angle + 20, 0.4 + t:value("lens.lift_mm")), { speed = 3 })
             t:wait(1)
@@ -137,7 +147,7 @@ return scenarios {
         function(t)
             lose_edge(t)
             t:expect_event("Edge lost", { recovered = false, within = 32 })
-            t:expect_event("Tear runs out", { recovered = false, within = 17 })
+            t:expect_event("Tear runs out", { recovered = false, within = 25 })
         end },
 
     scenario "the edge is lost, the flap is let go, and the chamber filled" {
