@@ -23,7 +23,6 @@ local function begin_flap(t)
 end
 
 return starts {
-    full = { set = { ["viscoelastic.fill"] = 1 }, function() end },
     flap = { set = { ["viscoelastic.fill"] = 1 }, begin_flap },
     shallow = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20 }, begin_flap },
 }
