@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Error events of opening the anterior capsule, for the exercises that share them. An exercise names them, gives the items
--- that they cap, and may put another value in place of any field. They need the goals radius_mm and fill_percent.
+-- Error events of opening the anterior capsule, for the exercises that share them. An exercise names them, gives the
+-- items that they cap, and may put another value in place of any field. They need the goals radius_mm and fill_percent.
 
 local rhexis_events = {}
 
@@ -51,24 +51,26 @@ function rhexis_events.runs_out(own)
         harm = "rhexis.run_out",
         severity = "critical",
         cue = "The leading edge drifts outwards, and the flap hides where it hangs.",
-        advice = "Stop. Fill the chamber, unfold the flap so that it lies flat, take hold of it close to the tear, pull back "
-            .. "along the way it came, in the plane of the capsule, and then to the middle.",
+        advice = "Stop. Fill the chamber, unfold the flap so that it lies flat, take hold of it close to the tear, "
+            .. "pull back along the way it came, in the plane of the capsule, and then to the middle.",
         items = {},
         evidence = { "rhexis.tip_radius_mm", "rhexis.tip_heading_deg", "viscoelastic.fill", "forceps.force_mN" },
     }, own)
 end
 
---- The tear has come to the zonules.
+--- The tear has come to the zonules. Nothing undoes that, and an opening whose edge is gone is never closed again: it
+--- is put right when nobody pulls any more and the chamber is full, so that it goes no farther.
 function rhexis_events.edge_lost(own)
     return with({
         when = "rhexis.run_out",
-        recovered = "rhexis.closed",
-        deadline_s = 90,
+        recovered = "not forceps.holding and 100 * viscoelastic.fill >= goal.fill_percent",
+        recovered_hold_s = 1,
+        deadline_s = 30,
         near_miss_s = 0,
         severity = "critical",
         cue = "The end of the tear is gone behind the iris.",
-        advice = "Do not pull on. Begin again from the other end of the cut and lead the new tear into the old one; go on "
-            .. "gently, without pressing fluid under the edge.",
+        advice = "Do not pull on: let go and fill the chamber. Then begin again from the other end of the cut and lead "
+            .. "the new tear into the old one, gently, without pressing fluid under the edge.",
         evidence = { "rhexis.largest_radius_mm", "rhexis.torn_mm", "viscoelastic.fill" },
     }, own)
 end

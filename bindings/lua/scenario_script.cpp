@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lua/scenario_script.hpp"
 
+#include <cstdio>
 #include <filesystem>
 
 #include "lua/curriculum_files.hpp"
@@ -26,6 +27,9 @@ std::string short_name(const std::string& path) {
     return name;
 }
 
+/// What print() of a scenario shows. Not on standard output: that belongs to the results, and to reports.
+void print_line(std::string_view line) { std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data()); }
+
 }  // namespace
 
 void ScenarioScript::push_function(lua_State* L, const char* name) const {
@@ -40,6 +44,7 @@ Result<ScenarioScript> ScenarioScript::load(const std::string& path, const std::
         return text.error();
     }
     LuaOptions options;
+    options.print = print_line;
     options.folders = {{root + "/scripts", "scripts"},
                        {std::filesystem::path(path).parent_path().string(), "beside the file"}};
     Result<LuaState> state = LuaState::create(std::move(options));

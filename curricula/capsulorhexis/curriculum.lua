@@ -6,9 +6,9 @@ local rhexis_events = require "rhexis_events"
 return exercise {
     title = "Capsulorhexis",
     version = 1,
-    summary = "Fill the chamber with viscoelastic, pierce the anterior capsule with the cystotome and cut the beginning "
-        .. "of a flap, then take hold of it with the forceps and tear it round, so that the opening is a circle a little "
-        .. "smaller than the optic of the implant.",
+    summary = "Fill the chamber with viscoelastic, pierce the anterior capsule with the cystotome and cut the "
+        .. "beginning of a flap, then take hold of it with the forceps and tear it round, so that the opening is a "
+        .. "circle a little smaller than the optic of the implant.",
     objectives = {
         "Fill the chamber before the capsule is opened, so that it lies flat",
         "Take hold of the flap near the end of the tear, again and again, and lead it round",
@@ -22,7 +22,8 @@ return exercise {
 
     goals = {
         radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that is planned" },
-        fill_percent = { 90, from = 50, to = 100, meaning = "how full the chamber must be before one opens the capsule" },
+        fill_percent = { 90, from = 50, to = 100,
+            meaning = "how full the chamber must be before one opens the capsule" },
     },
     reference = { time_s = 75, path_mm = 120 },
 
@@ -35,15 +36,15 @@ return exercise {
         },
         step "open" {
             title = "Pierce the capsule and begin the flap",
-            hint = "With the cystotome: through the capsule a millimetre from its middle, outwards to the planned circle, "
-                .. "and a quarter of the way round along it.",
+            hint = "With the cystotome: through the capsule a millimetre from its middle, outwards to the planned "
+                .. "circle, and a quarter of the way round along it.",
             done = "rhexis.torn_mm > 3",
             time_limit_s = 90,
         },
         step "tear" {
             title = "Tear the flap round",
-            hint = "With the forceps: fold the flap over, take hold of it near the end of the tear, lead it round in the "
-                .. "plane of the capsule, and take hold anew before the tear is far from the jaws.",
+            hint = "With the forceps: fold the flap over, take hold of it near the end of the tear, lead it round in "
+                .. "the plane of the capsule, and take hold anew before the tear is far from the jaws.",
             done = "rhexis.closed",
             time_limit_s = 180,
         },

@@ -1,14 +1,21 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Ways to make one number of a quantity that changes during an attempt. Each collector has add(value, dt, time_s) and
--- result(), which gives the number (nil when nothing was ever added) and the time that it speaks of, if any.
+-- result(), which gives the number (nil when nothing was ever added) and the time that it speaks of, if any. Where a
+-- number is wanted, a condition is 1 when it holds and 0 when it does not.
 
 local collect = {}
+
+local function number(x)
+    if type(x) == "boolean" then return x and 1 or 0 end
+    return x
+end
 
 local function extreme(better)
     return function()
         local value, at
         return {
-            add = function(x, _, time_s)
+            add = function(given, _, time_s)
+                local x = number(given)
                 if value == nil or better(x, value) then value, at = x, time_s end
             end,
             result = function() return value, at end,
@@ -22,7 +29,7 @@ collect.min = extreme(function(a, b) return a < b end)
 function collect.last()
     local value, at
     return {
-        add = function(x, _, time_s) value, at = x, time_s end,
+        add = function(x, _, time_s) value, at = number(x), time_s end,
         result = function() return value, at end,
     }
 end
@@ -31,7 +38,7 @@ end
 function collect.mean()
     local sum, time = 0, 0
     return {
-        add = function(x, dt) sum, time = sum + x * dt, time + dt end,
+        add = function(x, dt) sum, time = sum + number(x) * dt, time + dt end,
         result = function() return time > 0 and sum / time or nil end,
     }
 end
@@ -40,7 +47,7 @@ end
 function collect.rms()
     local sum, time = 0, 0
     return {
-        add = function(x, dt) sum, time = sum + x * x * dt, time + dt end,
+        add = function(x, dt) sum, time = sum + number(x) ^ 2 * dt, time + dt end,
         result = function() return time > 0 and math.sqrt(sum / time) or nil end,
     }
 end

@@ -28,8 +28,8 @@ function instruments.way_out(wound)
     return vector.unit({ wound[1], wound[2], 0.5 * math.sqrt(wound[1] * wound[1] + wound[2] * wound[2]) })
 end
 
---- Direction of the shaft of an instrument with its tip at a place: through the wound; while the tip is outside or close
---- to the wound, as on the way in.
+--- Direction of the shaft of an instrument with its tip at a place: through the wound; while the tip is outside or
+--- close to the wound, as on the way in.
 function instruments.shaft(hold, wound, tip)
     local entry = instruments.way_out(wound)
     local back = vector.sub(wound, { tip[1], tip[2], tip[3] + hold.bend_mm })

@@ -70,6 +70,18 @@ case("a measure of what is not simulated is left out, one that never was defined
     near(score({ depth_measure({ if_never = 4 }) }, { 0 / 0 }).items[1].score, 1, 1e-9)
 end)
 
+case("a condition is 1 or 0 where a number is made of it", function()
+    for take, value in pairs({ max = 1, min = 0, last = 0, mean = 0.25, rms = 0.5, time = 0.5, share = 25,
+        count = 1 }) do
+        for _, of in ipairs({ "tip.depth_mm > 2", "tip.depth_mm > 2 or false" }) do
+            local result = score({ depth_measure({ of = of, take = take }) }, { 0, 3, 1, 1 })
+            near(result.items[1].measures[1].value, value, 1e-6, take)
+        end
+    end
+    local touch = depth_measure({ of = "tip.touch", take = "max", five = 0, three = 0.5, one = 1 })
+    near(score({ touch }, { 0 }).items[1].measures[1].value, 0, 1e-9)
+end)
+
 case("events cap their items by what became of them", function()
     local function capped(severity, outcome)
         return score({ depth_measure() }, { 0 }, { { id = "e", title = "E", severity = severity, outcome = outcome,

@@ -131,6 +131,10 @@ function Instrument:path(places, options) end
 ---@param position number
 function Instrument:pedal(position) end
 
+---The jaws of the forceps: 0 closed to 1 open. Of a cannula: how hard the hand presses its syringe, 0 to 1. At once.
+---@param opening number
+function Instrument:jaw(opening) end
+
 ---Where the tip is.
 ---@return rhexis.Vec3
 function Instrument:tip() end

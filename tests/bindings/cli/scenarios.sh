@@ -65,6 +65,10 @@ t:wait_until('phaco.speed_mm_s == 0', 0.1) t:expect_near('phaco.tip_x_mm', 0.52,
 assert(t:value('phaco.tip_x_mm') == t.phaco:tip()[1])"
 passes late 't:wait(2) t:expect_no_event() t:expect(function(eye) return eye.time_s > 1.99 end)'
 
+# What a scenario prints goes to stderr, and the results to stdout.
+expect 0 "seen	1.5	true" "$rhexis" test "$(scenario prints 'print("seen", 1.5, t:value("time_s") == 0)')"
+says "1 passed, 0 failed"
+
 # Wrong expectations: their line, what was expected, what was seen.
 fails wrong 4 'expected "phaco.tip_x_mm > 1", seen: phaco.tip_x_mm = 0 (after' "$into
 t:expect('phaco.tip_x_mm > 1')"
@@ -95,6 +99,8 @@ fails far_place 3 "phaco:move_to: z = 1e+300 is out of range (-50 to 50)" "$into
 fails no_place 3 "phaco:move_to must be a place { x, y, z } in mm" "$into t.phaco:move_to(3)"
 fails pedal 3 "phaco:pedal = 7 is out of range (0 to 3)" "$into t.phaco:pedal(7)"
 fails pedal_nan 3 "phaco:pedal must be a number" "$into t.phaco:pedal(0/0)"
+fails jaw 3 "phaco:jaw = 2 is out of range (0 to 1)" "$into t.phaco:jaw(2)"
+fails jaw_nan 3 "phaco:jaw must be a number" "$into t.phaco:jaw(0/0)"
 fails speed 3 "phaco:move_to: speed = 0 is out of range (0.01 to 200)" "$into t.phaco:move_to({ 1, 0, 3 }, { speed = 0 })"
 fails option 3 "phaco:move_to has no field 'sped' (did you mean speed?)" "$into t.phaco:move_to({ 1, 0, 3 }, { sped = 1 })"
 fails outside 3 "phaco:move_to: phaco is not in the eye; phaco:enter() brings it in" 't.phaco:move_to({ 0, 0, 3 })'

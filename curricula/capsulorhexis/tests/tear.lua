@@ -1,0 +1,161 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The tear: led round, run out, brought back, lost at the zonules. All begin with a flap whose tear is 2.4 mm from the
+-- middle, 106 degrees round.
+
+local full = { ["viscoelastic.fill"] = 1 }
+local shallow = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20 }
+
+-- A place by its distance from the middle [mm], angle [degrees, 0 to the surgeon's right, 90 away from the surgeon] and
+-- height over the front of the lens in a full chamber [mm].
+local function place(radius, angle, height)
+    local a = math.rad(angle)
+    local front = 1.878 * math.sqrt(1 - (radius / 4.82) ^ 2)
+    return { radius * math.cos(a), radius * math.sin(a), front + height }
+end
+
+local cut_end = 106     -- angle to which the needle has cut
+local turned_then = {}  -- per scenario: angle that the tear had gone round by then
+
+local function come_in(t)
+    turned_then[t] = turned_then[t] or t:value("rhexis.turned_deg")
+    t.forceps:enter({ speed = 20 })
+end
+
+-- Of the end of the tear: [mm], [degrees].
+local function tear_end(t)
+    return t:value("rhexis.tip_radius_mm"), cut_end + t:value("rhexis.turned_deg") - turned_then[t]
+end
+
+local function open_jaws(t)
+    t.forceps:jaw(1)
+    t:wait(0.1)
+    t.forceps:move_by({ 0, 0, 0.3 }, { speed = 8 })
+end
+
+-- Takes hold of the flap near the end of the tear: so many degrees before it, and nearer to the middle by so much.
+local function take_hold(t, before, inside)
+    local radius, angle = tear_end(t)
+    local lift = t:value("lens.lift_mm")
+    t.forceps:jaw(1)
+    t:wait(0.1)
+    t.forceps:move_to(place(radius - inside, angle - before, 0.7 + lift), { speed = 12 })
+    t.forceps:move_to(place(radius - inside, angle - before, 0.05 + lift), { speed = 3 })
+    t.forceps:jaw(0)
+    t:wait(0.15)
+    t:expect("forceps.holding")
+    return radius, angle, lift
+end
+
+-- From near the end of the tear outwards and forwards, towards the angle of the chamber, so far ahead [degrees].
+local function pull_outwards(t, ahead, stop)
+    local radius, angle, lift = take_hold(t, 5, 0.2)
+    t.forceps:move_to(place(radius - 0.2, angle + 3, 0.3 + lift), { speed = 2 })
+    local to = place(4.6, angle + ahead, 0)
+    return t.forceps:move_to({ to[1], to[2], 2.4 }, { speed = 2, motion = "even", stop = stop })
+end
+
+local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhexis.tip_radius_mm > 3.37"
+
+local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
+
+local function run_out(t)
+    come_in(t)
+    for ahead = 30, 60, 10 do
+        if pull_outwards(t, ahead, out) then break end
+        open_jaws(t)
+    end
+    t:wait(0.05)
+    t:expect_event("Tear runs out")
+end
+
+local function refill(t)
+    open_jaws(t)
+    t.forceps:withdraw({ speed = 20 })
+    t.cannula:enter({ speed = 20 })
+    t.cannula:move_to({ 0, -1.5, 3 }, { speed = 12 })
+    t.cannula:jaw(0.7)
+    t:wait_until("viscoelastic.fill > 0.98", 20)
+    t.cannula:jaw(0)
+    t.cannula:withdraw({ speed = 20 })
+end
+
+-- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
+-- anew and led farther ahead.
+local function bring_back(t)
+    come_in(t)
+    for try = 1, 5 do
+        local radius, angle = take_hold(t, 8, 0.25)
+        t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 1.5 })
+        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2), { speed = 1.5, stop = back }) then break end
+        open_jaws(t)
+    end
+end
+
+-- Pulled on, again and again.
+local function lose_edge(t)
+    come_in(t)
+    for pull = 1, 8 do
+        if pull_outwards(t, 30 + 10 * ((pull - 1) % 3), "rhexis.run_out") then break end
+        open_jaws(t)
+    end
+    t:wait(0.05)
+    t:expect_event("Edge lost")
+end
+
+return scenarios {
+    scenario "the flap led round: no error" {
+        set = full,
+        start = "flap",
+        silent_twin_of = { "Tear runs out", "Edge lost", "Underfilled", "Iris touched" },
+        function(t)
+            come_in(t)
+            local _, angle = take_hold(t, 16, 0.4)
+            local way = {}
+            for i = 1, 12 do way[i] = place(1.7, angle - 10 + 10 * i, 0.2) end
+            t.forceps:move_to(place(1.7, angle - 10, 0.4), { speed = 2 })
+            t.forceps:path(way, { speed = 1.5, motion = "even" })
+            t:expect("rhexis.turned_deg > 135")
+        end },
+
+    scenario "pulled outwards a little" {
+        set = shallow,
+        start = "shallow",
+        silent_twin_of = "Tear runs out",
+        function(t)
+            come_in(t)
+            pull_outwards(t, 30, "rhexis.tip_radius_mm > 2.7")
+            local radius, angle = tear_end(t)
+            t.forceps:move_to(place(radius - 0.8, angle + 20, 0.4 + t:value("lens.lift_mm")), { speed = 3 })
+            t:wait(1)
+            t:expect("rhexis.tip_radius_mm > 2.6")
+        end },
+
+    scenario "the tear runs out, and is brought back" {
+        set = shallow,
+        start = "shallow",
+        silent_twin_of = "Edge lost",
+        function(t)
+            run_out(t)
+            refill(t)
+            bring_back(t)
+            t:expect_event("Tear runs out", { recovered = true, within = 0.2 })
+        end },
+
+    scenario "the tear runs out, and one pulls on: the edge is lost" {
+        set = shallow,
+        start = "shallow",
+        function(t)
+            lose_edge(t)
+            t:expect_event("Edge lost", { recovered = false, within = 32 })
+            t:expect_event("Tear runs out", { recovered = false, within = 25 })
+        end },
+
+    scenario "the edge is lost, the flap is let go, and the chamber filled" {
+        set = shallow,
+        start = "shallow",
+        function(t)
+            lose_edge(t)
+            refill(t)
+            t:expect_event("Edge lost", { recovered = true, within = 3 })
+        end },
+}
