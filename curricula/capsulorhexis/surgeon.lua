@@ -5,7 +5,7 @@
 local capsulorhexis = require "surgeons.capsulorhexis"
 local sculpting = require "surgeons.sculpting"
 
-local wanted_radius = 2.58  -- an opening a little over 5 mm wide
+local wanted_radius = 2.70  -- an opening 5.25 mm wide
 
 return function(me)
     local eye = sculpting.look_around(me)

@@ -2,8 +2,8 @@
 -- How a virtual surgeon opens the anterior capsule: words that plans share. They see the picture only: no measure, no
 -- event, no score.
 --
--- The tear goes round against the clock as the surgeon sees it. Places about the middle of the pupil are given by radius
--- [mm], angle [degrees, 0 to the surgeon's right, 90 away from the surgeon] and height over the front of the lens [mm].
+-- The tear goes round against the clock as the surgeon sees it. Places about the middle of the pupil are given by
+-- radius [mm], angle [degrees, 0 to the surgeon's right, 90 away from the surgeon] and height over the lens [mm].
 
 local sculpting = require "surgeons.sculpting"
 local vector = require "surgeons.vector"
@@ -24,12 +24,14 @@ local spiral = 25           -- angle over which the cut comes out to the planned
 local cut_end = 110         -- angle at which it ends
 
 local pull_speed = 5.0
-local pull_step = 0.5       -- of one look to the next [mm]
+local pull_step = 0.7       -- of one look to the next [mm]
 local pull_height = 0.2
-local early_pull = 70       -- inwards from the circle, at which the tear follows it at first [degrees]
-local late_pull = 115       -- and at last, when little holds the flap and the tear tends outwards
+local early_pull = 65       -- inwards from the circle, at which the tear follows it at first [degrees]
+local late_pull = 110       -- and at last, when little holds the flap and the tear tends outwards
+local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
+local looks = 10            -- in one pull, before one takes hold anew
 local steer = 110           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
-local stretch = 3.2         -- from the tear to the jaws, at which one takes hold anew [mm]
+local stretch = 3.6         -- from the tear to the jaws, at which one takes hold anew [mm]
 local tries = 6             -- to take hold, before one gives up
 local shallow = 0.80        -- share of the chamber below which it is filled again
 
@@ -93,7 +95,7 @@ end
 
 --- How far from the middle this person means the opening's edge to be.
 function capsulorhexis.plan_radius(me, wanted)
-    return wanted * (0.7 + 0.3 * me.about(1))
+    return wanted * (0.85 + 0.15 * me.about(1))
 end
 
 local function is_open(seen) return seen.landmarks.tear_tip ~= nil end
@@ -154,7 +156,8 @@ local function aim(me, eye, tip, radius)
     local tear_radius, angle = capsulorhexis.polar(eye, tip)
     local gone = ((angle - cut_end) % 360) / (360 - cut_end)
     local even_pull = early_pull + (late_pull - early_pull) * math.min(1, gone)
-    local inwards = math.rad(math.max(0, math.min(150, even_pull + steer * (tear_radius - radius))))
+    local wanted = even_pull + steer * (tear_radius - radius)
+    local inwards = math.rad(math.max(0, math.min(farthest_back, wanted)))
     local a = math.rad(angle)
     local along, across = math.cos(inwards), math.sin(inwards)
     local reach = vector.distance(me.tip(), tip) + pull_step
@@ -165,7 +168,7 @@ end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
-    while true do
+    for _ = 1, looks do
         if mark(me, "rim") then return "closed" end
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
@@ -173,6 +176,7 @@ local function pull(me, eye, radius)
         if vector.distance(me.tip(), tip.position) > stretch then return "far" end
         me.go(aim(me, eye, tip.position, radius), pull_speed, nil, closed)
     end
+    return "far"
 end
 
 --- Tears the flap round with the forceps. Returns "closed", or why it stopped.
