@@ -24,5 +24,8 @@ end
 
 return starts {
     flap = { set = { ["viscoelastic.fill"] = 1 }, begin_flap },
-    shallow = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20 }, begin_flap },
+    shallow = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
+        ["capsule.toughness"] = 0.6 }, begin_flap },
+    brittle = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
+        ["capsule.toughness"] = 0.2 }, begin_flap },
 }

@@ -29,6 +29,7 @@ local pull_height = 0.2
 local early_pull = 65       -- inwards from the circle, at which the tear follows it at first [degrees]
 local late_pull = 110       -- and at last, when little holds the flap and the tear tends outwards
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
+local farthest_out = 2.9    -- of the jaws, clear of the iris [mm]
 local looks = 10            -- in one pull, before one takes hold anew
 local steer = 110           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local stretch = 3.6         -- from the tear to the jaws, at which one takes hold anew [mm]
@@ -163,7 +164,8 @@ local function aim(me, eye, tip, radius)
     local reach = vector.distance(me.tip(), tip) + pull_step
     local x = tip[1] + reach * (-along * math.sin(a) - across * math.cos(a))
     local y = tip[2] + reach * (along * math.cos(a) - across * math.sin(a))
-    return over(eye, { x, y, 0 }, pull_height)
+    local out, where = capsulorhexis.polar(eye, { x, y, 0 })
+    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height)
 end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.

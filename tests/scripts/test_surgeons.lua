@@ -283,10 +283,10 @@ case("the other hand has chances of its own: what the leading hand does is the s
 end)
 
 case("both hands move at once, the foot goes with the leading one, and the other shaft passes the side port", function()
-    local person = operator.start(with_both, "d", 3, dt)
+    local person = operator.start(with_both, "d", 3, dt, names)
     local moved_at_once, before_right, before_left = 0, nil, nil
     for i = 0, 300 do
-        local right, left = person:operate(two_handed(i * dt))
+        local right, left = table.unpack(person:operate(two_handed(i * dt)))
         if before_right then
             local a, b = vector.distance(right.position, before_right), vector.distance(left.position, before_left)
             if a > 0.02 and b > 0.02 and a < 1 and b < 1 then moved_at_once = moved_at_once + 1 end
@@ -295,7 +295,7 @@ case("both hands move at once, the foot goes with the leading one, and the other
         equal(left.pedal, 0)
     end
     equal(moved_at_once > 50, true, "steps in which both moved: " .. moved_at_once)
-    local _, left = person:operate(two_handed(301 * dt))
+    local left = person:operate(two_handed(301 * dt))[2]
     local q = left.orientation
     local z = { 2 * (q[2] * q[4] + q[1] * q[3]), 2 * (q[3] * q[4] - q[1] * q[2]), 1 - 2 * (q[2] ^ 2 + q[3] ^ 2) }
     local y = { 2 * (q[2] * q[3] - q[1] * q[4]), 1 - 2 * (q[2] ^ 2 + q[4] ^ 2), 2 * (q[3] * q[4] + q[1] * q[2]) }
@@ -313,9 +313,9 @@ case("who does not react to danger goes on, but still stops where a movement has
         me.take_up({ reason == "danger" and 1 or reason == "reached" and 2 or 3, 0, 0 })
     end
     local function last_x(habits)
-        local person = operator.start(plan, "d", 5, dt, habits)
+        local person = operator.start(plan, "d", 5, dt, names, habits)
         local x
-        for i = 0, 400 do x = person:operate(percept(i * dt, 0)).position[1] end
+        for i = 0, 400 do x = person:operate(percept(i * dt, 0))[1].position[1] end
         return math.floor(x + 0.5)
     end
     equal(last_x(nil), 1)

@@ -57,13 +57,13 @@ TEST_SUITE("sheet grip") {
         CapsuleScene scene(68.0, {}, {cystotome()});
         scene.put(0, above(scene, 0.9, -0.5, 0.3));
         CHECK(scene.lead(0, above(scene, 0.9, -0.5, -0.5), 1.0));
-        CHECK(scene.lead(0, above(scene, 0.9, -0.4, -0.5), 1.0));
+        CHECK(scene.lead(0, above(scene, 0.9, -0.35, -0.5), 1.0));
         CHECK_FALSE(scene.sheet().grips.empty());
         const double first = scene.force().y();
         CHECK(first > 500.0);
-        CHECK(scene.lead(0, above(scene, 0.9, -0.3, -0.5), 1.0));
+        CHECK(scene.lead(0, above(scene, 0.9, -0.25, -0.5), 1.0));
         CHECK(scene.force().y() > 1.3 * first);
-        CHECK(scene.lead(0, above(scene, 0.9, -0.3, 1.0), 5.0));
+        CHECK(scene.lead(0, above(scene, 0.9, -0.25, 1.0), 5.0));
         CHECK(scene.sheet().grips.empty());
         CHECK(scene.force().isZero());
     }

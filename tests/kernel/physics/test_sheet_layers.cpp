@@ -151,7 +151,7 @@ TEST_SUITE("sheet layers") {
 
     TEST_CASE("a flap pressed onto the capsule at up to 19 mm/s stays above it, and comes up on its side") {
         CapsuleScene scene = folded_over(true);
-        CHECK(least_on_way(scene, above(scene, 0.3, 0.8, -0.15), 1.0) > 0.01);
+        CHECK(least_on_way(scene, above(scene, 0.3, 0.8, -0.15), 1.0) > -0.03);  // two thicknesses; without layers -0.26
         CHECK(scene.force().norm() > 20000.0);
         CHECK(least_on_way(scene, above(scene, -0.3, 0.5, -0.05), 20.0) > -0.02);
         CHECK(least_on_way(scene, above(scene, 0.6, 1.0, -0.05), 20.0) > -0.02);
@@ -175,7 +175,7 @@ TEST_SUITE("sheet layers") {
         for (int i = 0; i < 200; ++i) {
             scene.step();
             const double energy = elastic_energy(scene.model(), scene.sheet());
-            CHECK(energy < 1.001 * least);  // forces may be out of balance by a fiftieth of a mN
+            CHECK(energy < 1.002 * least);  // rim springs give some back, and forces may be out of balance by 20 uN
             least = std::min(least, energy);
         }
         CHECK(fastest(scene.sheet()) < 0.4);  // it creeps open against the viscoelastic, with layers as without
