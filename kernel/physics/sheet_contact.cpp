@@ -211,7 +211,7 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
     box.low -= Vec3::Constant(margin);
     box.high += Vec3::Constant(margin);
     const bool in_tear = lip_of(model, tool, state).has_value();  // then its end is hooked, or free
-    std::vector<Vec3> met;                                             // points that neighbours share count once
+    std::vector<Vec3> met;                                        // points that neighbours share count once
     for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
         const std::array<int, 3>& n = state.sheet->mesh.triangles[at(t)];
         const std::array<Vec3, 3> x{state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]};

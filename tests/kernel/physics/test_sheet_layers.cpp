@@ -151,7 +151,8 @@ TEST_SUITE("sheet layers") {
 
     TEST_CASE("a flap pressed onto the capsule at up to 19 mm/s stays above it, and comes up on its side") {
         CapsuleScene scene = folded_over(true);
-        CHECK(least_on_way(scene, above(scene, 0.3, 0.8, -0.15), 1.0) > -0.03);  // two thicknesses; without layers -0.26
+        CHECK(least_on_way(scene, above(scene, 0.3, 0.8, -0.15), 1.0) >
+              -0.03);  // two thicknesses; without layers -0.26
         CHECK(scene.force().norm() > 20000.0);
         CHECK(least_on_way(scene, above(scene, -0.3, 0.5, -0.05), 20.0) > -0.02);
         CHECK(least_on_way(scene, above(scene, 0.6, 1.0, -0.05), 20.0) > -0.02);
