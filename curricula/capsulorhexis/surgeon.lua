@@ -5,7 +5,7 @@
 local capsulorhexis = require "surgeons.capsulorhexis"
 local sculpting = require "surgeons.sculpting"
 
-local wanted_radius = 2.70  -- an opening 5.25 mm wide
+local wanted_radius = 2.75  -- for an opening 5.25 mm wide: the tear runs a little inside of what one aims at
 
 return function(me)
     local eye = sculpting.look_around(me)
