@@ -5,12 +5,9 @@
 --   local phaco_events = require "phaco_events"
 --   errors = { error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }) }
 
-local phaco_events = {}
+local with = require "with_fields"
 
-local function with(common, own)
-    for field, value in pairs(own) do common[field] = value end
-    return common
-end
+local phaco_events = {}
 
 --- The chamber runs empty: more leaves it than the bottle gives.
 function phaco_events.chamber_collapse(own)

@@ -2,12 +2,9 @@
 -- Error events of opening the anterior capsule, for the exercises that share them. An exercise names them, gives the
 -- items that they cap, and may put another value in place of any field. They need the goals radius_mm and fill_percent.
 
-local rhexis_events = {}
+local with = require "with_fields"
 
-local function with(common, own)
-    for field, value in pairs(own) do common[field] = value end
-    return common
-end
+local rhexis_events = {}
 
 --- The capsule is opened, or torn on, in a chamber that is not full.
 function rhexis_events.underfilled(own)

@@ -129,6 +129,13 @@ Vec3 front_of(const TriMesh& mesh, int triangle) {
     return (mesh.nodes[at(n[1])] - a).cross(mesh.nodes[at(n[2])] - a).normalized();
 }
 
+bool folded(const MembraneState& state, int triangle) {
+    const std::array<int, 3>& n = state.sheet->mesh.triangles[at(triangle)];
+    const Vec3& a = state.position[at(n[0])];
+    const Vec3 now = (state.position[at(n[1])] - a).cross(state.position[at(n[2])] - a);
+    return now.dot(front_of(state.sheet->mesh, triangle)) < 0.0;
+}
+
 MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness) {
     MembraneSheet sheet;
     sheet.mesh = std::move(mesh);

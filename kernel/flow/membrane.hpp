@@ -160,6 +160,9 @@ bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node);
 /// Unit vector to the front of a triangle at rest.
 Vec3 front_of(const TriMesh& mesh, int triangle);
 
+/// Whether a triangle is folded over: its front looks against where it looked at rest.
+bool folded(const MembraneState& state, int triangle);
+
 /// Energy per area of a tear that runs along a direction in a triangle [uN/mm].
 double toughness_along(const Toughness& toughness, const Vec3& fibre, const Vec3& direction);
 

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "observe/ring_area.hpp"
+
 namespace rhexis {
 namespace {
 
@@ -136,17 +138,6 @@ std::vector<Vec3> without_slits(std::vector<Vec3> ring) {
         }
     }
     return ring.size() > 2 ? ring : std::vector<Vec3>{};
-}
-
-/// As seen along the axis.
-double area_of(const std::vector<Vec3>& ring) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Vec3& a = ring[i];
-        const Vec3& b = ring[(i + 1) % ring.size()];
-        sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
-    }
-    return std::abs(sum);
 }
 
 constexpr double least_area = 2.0;  ///< of an opening; less is a scrap that a needle cut out [mm^2]
@@ -342,7 +333,7 @@ Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
         return opening;
     }
     opening.curve = without_slits(opening.edge);
-    opening.closed = area_of(opening.curve) > least_area;
+    opening.closed = std::abs(ring_area(opening.curve)) > least_area;
     if (!opening.closed) {
         opening.curve = place >= 0 ? between_tips(mesh, state.tips, *chosen, place) : std::vector<Vec3>{};
     }

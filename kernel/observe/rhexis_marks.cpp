@@ -21,13 +21,6 @@ Vec3 middle_now(const MembraneState& state, int triangle) {
     return (state.position[at(n[0])] + state.position[at(n[1])] + state.position[at(n[2])]) / 3.0;
 }
 
-/// Its front looks down.
-bool folded_over(const MembraneState& state, int triangle) {
-    const std::array<int, 3>& n = state.sheet->mesh.triangles[at(triangle)];
-    const Vec3& a = state.position[at(n[0])];
-    return (state.position[at(n[1])] - a).cross(state.position[at(n[2])] - a).z() < 0.0;
-}
-
 /// Of some places the one at the wanted distance from the tip towards their middle.
 std::optional<Vec3> one_of(const std::vector<Vec3>& places, const Vec3& tip) {
     if (places.empty()) {
@@ -53,7 +46,7 @@ std::optional<Vec3> on_fold(const MembraneState& state, const Vec3& tip) {
     std::vector<Vec3> places;
     for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
         const Vec3 middle = middle_now(state, t);
-        if (within_reach(middle, tip) && folded_over(state, t)) {
+        if (within_reach(middle, tip) && folded(state, t)) {
             places.push_back(middle);
         }
     }

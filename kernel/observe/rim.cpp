@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "observe/opening.hpp"
+#include "observe/ring_area.hpp"
 
 namespace rhexis {
 namespace {
@@ -68,17 +69,9 @@ std::vector<Vec2> smoothed(const std::vector<Vec2>& ring) {
 }
 
 /// Positive if counter-clockwise [mm^2].
-double area_of(const std::vector<Vec2>& ring) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        sum += 0.5 * cross(ring[i], ring[(i + 1) % ring.size()]);
-    }
-    return sum;
-}
-
 double circularity_of(const std::vector<Vec2>& ring) {
     const double perimeter = perimeter_of(ring);
-    return 4.0 * std::numbers::pi * std::abs(area_of(ring)) / (perimeter * perimeter);
+    return 4.0 * std::numbers::pi * std::abs(ring_area(ring)) / (perimeter * perimeter);
 }
 
 Vec2 centroid_of(const std::vector<Vec2>& ring) {
@@ -87,7 +80,7 @@ Vec2 centroid_of(const std::vector<Vec2>& ring) {
         const Vec2& next = ring[(i + 1) % ring.size()];
         sum += cross(ring[i], next) * (ring[i] + next) / 6.0;
     }
-    return sum / area_of(ring);
+    return sum / ring_area(ring);
 }
 
 /// Angle between the ends of a curve about the axis, 0 to 2 pi; what it goes back is taken off again.
@@ -130,7 +123,7 @@ constexpr double optic_radius = 3.0;  ///< of a usual implant [mm]
 
 void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
     const std::vector<Vec2> points = resampled(rim);
-    shape.flap_area = std::abs(area_of(points));
+    shape.flap_area = std::abs(ring_area(points));
     shape.turned = 2.0 * std::numbers::pi;
     if (shape.flap_area > 0.0) {
         shape.mean_diameter = 2.0 * std::sqrt(shape.flap_area / std::numbers::pi);
@@ -163,7 +156,7 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
         measure_rim(curve, shape);
     } else {
         shape.turned = turned_by(curve);
-        shape.flap_area = std::abs(area_of(curve));
+        shape.flap_area = std::abs(ring_area(curve));
     }
     if (opening.tip >= 0) {
         const TearTip& tip = state.tips[static_cast<std::size_t>(opening.tip)];

@@ -7,7 +7,6 @@
 
 #include "physics/needle.hpp"
 #include "physics/sheet_contact.hpp"
-#include "physics/sheet_layers.hpp"
 
 namespace rhexis {
 namespace {

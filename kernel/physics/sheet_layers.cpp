@@ -53,11 +53,6 @@ bool near_in_sheet(const TriMesh& mesh, int node, const std::array<int, 3>& n) {
 
 }  // namespace
 
-bool folded(const MembraneState& state, int triangle) {
-    const Vec3 now = normal_of(state.position, state.sheet->mesh.triangles[at(triangle)]);
-    return now.dot(front_of(state.sheet->mesh, triangle)) < 0.0;
-}
-
 /// False where nothing is folded.
 bool SheetLayers::take_layers(const MembraneState& state) {
     const TriMesh& mesh = state.sheet->mesh;

@@ -13,9 +13,6 @@
 
 namespace rhexis {
 
-/// Its front looks against where it looked at rest.
-bool folded(const MembraneState& state, int triangle);
-
 class SheetLayers {
 public:
     /// What can meet in a substep. stiffness: of a contact [uN/mm]. Nothing where the model's layers keep no distance,

@@ -345,9 +345,9 @@ std::vector<double> areas_of_parts(const MembraneSheet& sheet) {
     std::vector<double> areas;
     for (int t = 0; t < static_cast<int>(parts.size()); ++t) {
         const std::array<int, 3>& n = sheet.mesh.triangles[at(t)];
-        const Vec3& a = sheet.mesh.nodes[at(n[0])];
         areas.resize(std::max(areas.size(), at(parts[at(t)]) + 1), 0.0);
-        areas[at(parts[at(t)])] += 0.5 * (sheet.mesh.nodes[at(n[1])] - a).cross(sheet.mesh.nodes[at(n[2])] - a).norm();
+        areas[at(parts[at(t)])] +=
+            triangle_area(sheet.mesh.nodes[at(n[0])], sheet.mesh.nodes[at(n[1])], sheet.mesh.nodes[at(n[2])]);
     }
     return areas;
 }

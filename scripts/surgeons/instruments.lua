@@ -28,6 +28,12 @@ function instruments.way_out(wound)
     return vector.unit({ wound[1], wound[2], 0.5 * math.sqrt(wound[1] * wound[1] + wound[2] * wound[2]) })
 end
 
+--- Where a tip is taken up and put down: outside a wound.
+function instruments.outside(wound)
+    local across = math.sqrt(wound[1] ^ 2 + wound[2] ^ 2)
+    return { wound[1] * (1 + 2 / across), wound[2] * (1 + 2 / across), wound[3] + 1.0 }
+end
+
 --- Direction of the shaft of an instrument with its tip at a place: through the wound; while the tip is outside or
 --- close to the wound, as on the way in.
 function instruments.shaft(hold, wound, tip)

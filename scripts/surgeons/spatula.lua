@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- How a virtual surgeon brings the second instrument, the spatula in the other hand: words that plans share. [mm]
 
+local instruments = require "surgeons.instruments"
 local sculpting = require "surgeons.sculpting"
 
 local spatula = {}
@@ -12,11 +13,6 @@ function spatula.height(eye, place)
     return sculpting.surface(eye, math.sqrt((place[1] - eye.pupil[1]) ^ 2 + (place[2] - eye.pupil[2]) ^ 2))
 end
 
-local function outside_port(eye)
-    local across = math.sqrt(eye.port[1] ^ 2 + eye.port[2] ^ 2)
-    return { eye.port[1] * (1 + 2 / across), eye.port[2] * (1 + 2 / across), eye.port[3] + 1.0 }
-end
-
 --- Its end straight up or down, to a height over the lens.
 function spatula.lift(me, eye, by, speed)
     local tip = me.left.tip()
@@ -25,7 +21,7 @@ end
 
 --- Through the side port, over the lens.
 function spatula.bring(me, eye)
-    me.left.take_up(outside_port(eye))
+    me.left.take_up(instruments.outside(eye.port))
     me.wait(0.5)
     me.left.go(eye.port, sculpting.free_speed)
     local place = { eye.pupil[1] - 1.5, eye.pupil[2], 0 }
@@ -36,7 +32,7 @@ end
 function spatula.take_away(me, eye)
     spatula.lift(me, eye, spatula.clear_of_lens, sculpting.free_speed)
     me.left.go(eye.port, sculpting.free_speed)
-    me.left.go(outside_port(eye), sculpting.free_speed)
+    me.left.go(instruments.outside(eye.port), sculpting.free_speed)
     me.left.put_down()
 end
 
