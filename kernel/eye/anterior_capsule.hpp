@@ -14,6 +14,7 @@ struct AnteriorCapsuleSettings {
     int triangles = 1500;    ///< about so many, 200 to 20,000
     bool circles = false;    ///< fibres in circles about the pole [Dequidt2013]; false: isotropic, as anatomy has it
     double toughness = 1.0;  ///< share of the standard one
+    double zonule_tension = 1.0;  ///< of the anterior zonules at rest, share of the standard one, 0 to 2
 };
 
 /// Thickness at a distance from the axis [mm], where the equator is at another [mm]: 11 um at the pole at birth to 15

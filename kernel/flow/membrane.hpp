@@ -45,10 +45,11 @@ struct NodeSpring {
 
 /// A smooth rigid body that a membrane lies on: the lens under its capsule. It stays where it is, or moves along z.
 struct SupportModel {
-    BagShape shape;          ///< where it rests, in the eye's frame
-    double friction = 0.05;  ///< Coulomb coefficient
-    double stiffness = 0.0;  ///< of what holds it along z besides the membrane [uN/mm]; 0: it does not move
-    double damping = 0.0;    ///< of that motion [uN s/mm]; > 0 where it moves
+    BagShape shape;           ///< where it rests, in the eye's frame
+    double friction = 0.05;   ///< Coulomb coefficient
+    double stiffness = 0.0;   ///< of what holds it along z besides the membrane [uN/mm]; 0: it does not move
+    double slack_lift = 0.0;  ///< at which that neither pushes nor pulls [mm]
+    double damping = 0.0;     ///< of that motion [uN s/mm]; > 0 where it moves
 };
 
 struct SupportState {

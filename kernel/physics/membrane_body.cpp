@@ -163,7 +163,8 @@ void MembraneBody::number_rows(const MembraneBody* before) {
     for (int i = 0; i < static_cast<int>(same.size()); ++i) {
         same[at(i)] = i;
     }
-    if (before == nullptr) {
+    // with fewer nodes an earlier state has been gone back to, and there is no order to keep
+    if (before == nullptr || before->node_of_.size() > mesh.nodes.size()) {
         node_of_ = elimination_order(pattern_by(mesh, same));
     } else {
         node_of_ = postordered(pattern_by(mesh, same), with_new_nodes(before->node_of_, before->row_of_, mesh));

@@ -88,6 +88,7 @@ AnteriorCapsuleSettings capsule_settings(const std::map<std::string, double>& se
     capsule.triangles = static_cast<int>(settings.at("capsule.triangles"));
     capsule.circles = settings.at("capsule.fibres") >= 0.5;
     capsule.toughness = settings.at("capsule.toughness");
+    capsule.zonule_tension = settings.at("zonules.tension");
     return capsule;
 }
 

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 21> table{{
+constexpr std::array<SettingInfo, 22> table{{
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
@@ -37,10 +37,12 @@ constexpr std::array<SettingInfo, 21> table{{
     {"phaco.pulse_hz", "1/s", 0.0, 100.0, 0.0, true, "Ultrasound pulses per second; 0: continuous."},
     {"viscoelastic.fill", "1", 0.0, 1.2, 1.0, false,
      "Share of the anterior chamber that viscoelastic fills at the start."},
-    {"vitreous.pressure_mmhg", "mmHg", 0.0, 40.0, 10.0, false,
+    {"vitreous.pressure_mmhg", "mmHg", 0.0, 25.0, 10.0, false,
      "Pressure behind the lens, which viscoelastic stands against."},
     {"wound.leak_ml_min", "ml/min", 0.0, 15.0, 3.0, false, "Leak of the wounds around the instruments at 55 mmHg."},
     {"zonules.strength", "1", 0.05, 2.0, 1.0, false, "Stiffness of the zonules, share of that at the patient's age."},
+    {"zonules.tension", "1", 0.0, 2.0, 1.0, false,
+     "Tension of the zonules that hold the anterior capsule at rest, share of the standard one."},
 }};
 
 std::vector<std::string> names() {

@@ -69,7 +69,7 @@ TEST_SUITE("anterior capsule") {
             const double lift = scene.sheet().support.lift;
             const double energy = elastic_energy(scene.model(), scene.sheet());
             if (push == 0.0) {
-                CHECK(std::abs(lift) < 0.05);  // the zonules' own tension presses it back a little
+                CHECK(std::abs(lift) < 0.2);  // the zonules' own tension presses it back a little
                 CHECK(scene.sheet().velocity[0].norm() < 0.01);
             }
             CHECK(lift > last_lift);
@@ -77,8 +77,8 @@ TEST_SUITE("anterior capsule") {
             last_lift = lift;
             last_energy = energy;
         }
-        CHECK(last_lift > 0.3);
-        CHECK(last_lift < 0.8);
+        CHECK(last_lift > 0.6);
+        CHECK(last_lift < 1.1);
     }
 
     TEST_CASE("a pull of 15 mN near the pupil's edge leaves the outer rim where it is") {

@@ -87,7 +87,7 @@ TEST_SUITE("capsule session") {
         CHECK(refusal("capsule.strength", 3.0) == "settings.capsule.strength is 3 (0.1 to 2)");
         CHECK(refusal("capsule.trypan_blue", 2.0) == "settings.capsule.trypan_blue is 2 (0 to 1)");
         CHECK(refusal("viscoelastic.fill", 1.5) == "settings.viscoelastic.fill is 1.5 (0 to 1.2)");
-        CHECK(refusal("vitreous.pressure_mmhg", 80.0) == "settings.vitreous.pressure_mmhg is 80 (0 to 40)");
+        CHECK(refusal("vitreous.pressure_mmhg", 80.0) == "settings.vitreous.pressure_mmhg is 80 (0 to 25)");
         const double nan = std::numeric_limits<double>::quiet_NaN();
         for (const char* setting :
              {"capsule.triangles", "capsule.toughness", "viscoelastic.fill", "vitreous.pressure_mmhg"}) {
