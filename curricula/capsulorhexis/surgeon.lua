@@ -5,7 +5,7 @@
 local capsulorhexis = require "surgeons.capsulorhexis"
 local sculpting = require "surgeons.sculpting"
 
-local wanted_radius = 2.75  -- for an opening 5.25 mm wide: the tear runs a little inside of what one aims at
+local wanted_radius = 2.62  -- for an opening 5.25 mm wide
 
 return function(me)
     local eye = sculpting.look_around(me)

@@ -14,26 +14,33 @@ local capsulorhexis = {}
 
 local free_speed = 8        -- where nothing is near [mm/s]
 local clear = 0.6           -- height at which an instrument touches nothing
+local lift = 1.2            -- of an instrument that is taken away, at least, for what it hooks to slip off
+local lift_speed = 5
 local full = 1.0            -- share of the chamber that viscoelastic is to fill
 
 local pierce_speed = 0.6    -- of the needle, down [mm/s]
-local back = 0.15           -- how far it is raised again once it is seen to be through
+local back = 0.45           -- how far it is raised again once it is seen to be through: it has dented capsule and lens
 local deepest = 0.6         -- where it is not through the capsule by then, something is wrong
 local cut_speed = 2.5
 local first_angle = -10     -- where the needle goes in
 local first_radius = 0.9
 local spiral = 25           -- angle over which the cut comes out to the planned circle
-local cut_end = 110         -- angle at which it ends
+local cut_end = 200         -- angle at which it ends
+local cut_look = 20         -- angle from one look to the next
+local beside = 0.15         -- how far inside of the needle's way it cuts [mm]
+local left_behind = 1.4     -- the end of the tear, by the needle, when that is not in it [mm]
 
 local pull_speed = 5.0
-local pull_step = 0.7       -- of one look to the next [mm]
+local pull_step = 0.9       -- of one look to the next [mm]
 local pull_height = 0.2
-local early_pull = 60       -- inwards from the circle, at which the tear follows it at first [degrees]
-local late_pull = 110       -- and at last, when little holds the flap and the tear tends outwards
+local early_pull = 20       -- inwards from the circle, at which the tear follows it at first [degrees]
+local late_pull = 100      -- and at last, when little holds the flap and the tear tends outwards
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
 local farthest_out = 2.9    -- of the jaws, clear of the iris [mm]
-local looks = 10            -- in one pull, before one takes hold anew
-local steer = 110           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
+local looks = 16            -- in one pull, before one takes hold anew
+local drawn = 0.3           -- inwards, the end of a tear while it is pulled at [mm]
+local most_turn = 30        -- of the pull from one look to the next [degrees]
+local steer = 80            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local stretch = 3.6         -- from the tear to the jaws, at which one takes hold anew [mm]
 local tries = 6             -- to take hold, before one gives up
 local shallow = 0.80        -- share of the chamber below which it is filled again
@@ -66,7 +73,10 @@ end
 
 --- Straight up and out.
 function capsulorhexis.take_away(me, eye)
-    me.go(over(eye, me.tip(), clear), free_speed)
+    local tip = me.tip()
+    local up = over(eye, tip, clear)
+    up[3] = math.max(up[3], tip[3] + lift)
+    me.go(up, lift_speed)
     me.go(eye.wound, free_speed)
     me.go(instruments.outside(eye.wound), free_speed)
     me.put_down()
@@ -98,6 +108,33 @@ end
 
 local function is_open(seen) return seen.landmarks.tear_tip ~= nil end
 
+-- Cuts from the slit out to the circle and along it, a little at a time and with an eye on the tear, whose end may stay
+-- behind: then the needle is not deep enough. low: height under the front [mm].
+local function cut(me, eye, radius, low)
+    local angle = first_angle
+    local deeper = 0
+    while angle < cut_end do
+        local from, to = angle, math.min(cut_end, angle + cut_look)
+        local tip = mark(me, "tear_tip")
+        local off = angle > first_angle + spiral and tip
+            and capsulorhexis.polar(eye, tip.position) - radius or 0
+        local aim = radius + beside - math.max(-beside, math.min(beside, off))
+        me.follow(function(share)
+            local now = from + share * (to - from)
+            local out = math.sqrt(math.min(1, (now - first_angle) / spiral))  -- along the slit at first
+            return capsulorhexis.place(eye, first_radius + (aim - first_radius) * out, now, low - deeper)
+        end, cut_speed)
+        angle = to
+        tip = mark(me, "tear_tip")
+        if tip and vector.distance(me.tip(), tip.position) > left_behind and deeper < deepest then
+            local _, there = capsulorhexis.polar(eye, tip.position)
+            deeper = deeper + 0.15
+            angle = math.max(first_angle, there)
+            me.go({ tip.position[1], tip.position[2], me.tip()[3] }, cut_speed)
+        end
+    end
+end
+
 --- Pierces the capsule and cuts until the flap is begun. True when that was seen to be so.
 function capsulorhexis.begin_flap(me, eye, radius)
     local start = capsulorhexis.place(eye, first_radius, first_angle, 0)
@@ -115,24 +152,20 @@ function capsulorhexis.begin_flap(me, eye, radius)
     end
     me.go(vector.add(me.tip(), { 0, 0, back }), pierce_speed)
     local low = me.tip()[3] - start[3]  -- felt, where the front is only seen
-    me.follow(function(share)
-        local angle = first_angle + share * (cut_end - first_angle)
-        local out = math.sqrt(math.min(1, (angle - first_angle) / spiral))  -- along the slit at first
-        return capsulorhexis.place(eye, first_radius + (radius - first_radius) * out, angle, low)
-    end, cut_speed)
+    cut(me, eye, radius, low)
     return true
 end
 
 -- Takes hold of the flap near the tear; true when it is seen to be held.
 local function grasp(me, eye)
-    for _ = 1, tries do
+    for try = 1, tries do
         local flap = mark(me, "flap")
         if not flap then return false end
         me.jaw(1)
         me.go(over(eye, flap.position, clear), free_speed)
         me.wait(0.15)
         flap = mark(me, "flap") or flap
-        me.go(vector.add(flap.position, { 0, 0, 0.05 }), 3)
+        me.go(vector.add(flap.position, { 0, 0, 0.05 - 0.1 * (try - 1) }), 3)  -- lower, if it was not low enough
         me.jaw(0)
         if me.wait_until(function(seen) return seen.landmarks.held ~= nil end, 1.2) then return true end
         sculpting.look_at_height(me, eye)
@@ -149,31 +182,37 @@ end
 local function closed(seen) return seen.landmarks.rim ~= nil end
 
 -- Where the jaws go next, from the end of the tear: along the circle and inwards, and the farther out the tear is the
--- more back the way it came, for it runs at a right angle to the pull.
-local function aim(me, eye, tip, radius)
+-- more back the way it came, for it runs at a right angle to the pull. A pull draws the end of the tear along, so that
+-- its place is seen too far in or out: one turns the hand little by little. Returns the place and the angle inwards,
+-- after that of the last look.
+local function aim(me, eye, tip, radius, last)
     local tear_radius, angle = capsulorhexis.polar(eye, tip)
     local gone = ((angle - cut_end) % 360) / (360 - cut_end)
     local even_pull = early_pull + (late_pull - early_pull) * math.min(1, gone)
-    local wanted = even_pull + steer * (tear_radius - radius)
-    local inwards = math.rad(math.max(0, math.min(farthest_back, wanted)))
+    local wanted = even_pull + steer * (tear_radius + (last and drawn or 0) - radius)
+    wanted = math.max(0, math.min(farthest_back, wanted))
+    if last then wanted = math.max(last - most_turn, math.min(last + most_turn, wanted)) end
+    local inwards = math.rad(wanted)
     local a = math.rad(angle)
     local along, across = math.cos(inwards), math.sin(inwards)
     local reach = vector.distance(me.tip(), tip) + pull_step
     local x = tip[1] + reach * (-along * math.sin(a) - across * math.cos(a))
     local y = tip[2] + reach * (along * math.cos(a) - across * math.sin(a))
     local out, where = capsulorhexis.polar(eye, { x, y, 0 })
-    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height)
+    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height), wanted
 end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
+    local place, inwards
     for _ = 1, looks do
         if mark(me, "rim") then return "closed" end
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
         if vector.distance(me.tip(), tip.position) > stretch then return "far" end
-        me.go(aim(me, eye, tip.position, radius), pull_speed, nil, closed)
+        place, inwards = aim(me, eye, tip.position, radius, inwards)
+        me.go(place, pull_speed, nil, closed)
     end
     return "far"
 end
