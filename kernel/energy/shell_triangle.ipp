@@ -164,7 +164,7 @@ template <typename N>
 inline void find_gradients(Deformed<N>& d) {
     const N twice = (d.place[1][0] - d.place[0][0]) * (d.place[2][1] - d.place[0][1]) -
                     (d.place[1][1] - d.place[0][1]) * (d.place[2][0] - d.place[0][0]);
-    const N scale = 1.0 / larger(twice, twice - twice + 1e-60);
+    const N scale = twice / larger(twice * twice, twice - twice + 1e-60);  // of either sign: corners in any order
     for (int a = 0; a < 3; ++a) {
         const int j = (a + 1) % 3;
         const int k = (a + 2) % 3;
@@ -222,14 +222,9 @@ inline Triple<N> lift(const Triple<N>& theta, const Triple<N>& m) {
     return m * share + cross(theta, m) * (share - share + 0.5) + theta * (0.125 * dot(theta, m));
 }
 
+/// What follows from force and moment.
 template <typename N>
-inline void deform(const Rest<N>& rest, const Now<N>& now, Deformed<N>& d) {
-    find_frame(rest, now, d);
-    find_gradients(d);
-    for (int a = 0; a < 3; ++a) {
-        d.turned[a] = stereographic(transposed_times(d.frame, now.rotation[a] * rest.frame));
-    }
-    find_forces(rest, d);
+inline void find_resultants(const Rest<N>& rest, Deformed<N>& d) {
     d.unbalanced = d.force[0] - d.force[0];
     for (int a = 0; a < 3; ++a) {
         d.lifted[a] = lift(d.turned[a], d.moment[a]);
@@ -242,6 +237,17 @@ inline void deform(const Rest<N>& rest, const Now<N>& now, Deformed<N>& d) {
             {d.force[a][0] + rest.gradient[a][1] * twist, d.force[a][1] - rest.gradient[a][0] * twist,
              d.force[a][2] - (d.gradient[a][1] * d.unbalanced[0] - d.gradient[a][0] * d.unbalanced[1])}};
     }
+}
+
+template <typename N>
+inline void deform(const Rest<N>& rest, const Now<N>& now, Deformed<N>& d) {
+    find_frame(rest, now, d);
+    find_gradients(d);
+    for (int a = 0; a < 3; ++a) {
+        d.turned[a] = stereographic(transposed_times(d.frame, now.rotation[a] * rest.frame));
+    }
+    find_forces(rest, d);
+    find_resultants(rest, d);
 }
 
 // --- tangent ---------------------------------------------------------------------------------------------------------
@@ -267,6 +273,34 @@ inline Square<N> spin_rate(const Triple<N>& theta) {
     h.m[2][0] = h.m[2][0] + 0.5 * theta[1];
     h.m[2][1] = h.m[2][1] - 0.5 * theta[0];
     return h;
+}
+
+/// Forces and moments (K d) to first order after a step of the corners, movement and spin in space; overwrites those of
+/// d with them.
+template <typename N>
+inline void predict(const Rest<N>& rest, const Triple<N> (&movement)[3], const Triple<N> (&spin)[3], Deformed<N>& d) {
+    const N zero = d.trace - d.trace;
+    Triple<N> whole{{zero, zero, zero}};  // spin of the frame
+    Triple<N> step[3];
+    for (int a = 0; a < 3; ++a) {
+        for (int i = 0; i < 3; ++i) {
+            step[a][i] = d.frame.m[0][i] * movement[a][0] + d.frame.m[1][i] * movement[a][1] +
+                         d.frame.m[2][i] * movement[a][2];
+        }
+        whole[0] = whole[0] + d.gradient[a][1] * step[a][2];
+        whole[1] = whole[1] - d.gradient[a][0] * step[a][2];
+        whole[2] = whole[2] + (rest.gradient[a][0] * step[a][1] - rest.gradient[a][1] * step[a][0]) / d.trace;
+    }
+    for (int a = 0; a < 3; ++a) {
+        d.moved[a][0] = d.moved[a][0] + (step[a][0] + whole[2] * d.place[a][1]);
+        d.moved[a][1] = d.moved[a][1] + (step[a][1] - whole[2] * d.place[a][0]);
+        Triple<N> turn;
+        for (int i = 0; i < 3; ++i) {
+            turn[i] = d.frame.m[0][i] * spin[a][0] + d.frame.m[1][i] * spin[a][1] + d.frame.m[2][i] * spin[a][2];
+        }
+        d.turned[a] = d.turned[a] + times(spin_rate(d.turned[a]), turn - whole);
+    }
+    find_forces(rest, d);
 }
 
 /// Symmetric part of d(H' m)/dtheta H.
@@ -511,6 +545,7 @@ inline void add_tension(const Rest<N>& rest, const Deformed<N>& d, Tangent<N>& t
     const N s11 = rest.tension[0] * e11 + rest.tension[1] * e22;
     const N s22 = rest.tension[1] * e11 + rest.tension[0] * e22;
     const N s12 = rest.tension[2] * shear;
+    area = root(area * area);
     const N mean = 0.5 * (s11 + s22);
     const N half = 0.5 * (s11 - s22);
     const N radius = root(half * half + s12 * s12);

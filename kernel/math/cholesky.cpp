@@ -111,7 +111,7 @@ struct Cholesky::Parts {
             openblas_set_num_threads(1);
         }
         common.supernodal = kind == CholeskyKind::supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
-        common.final_ll = 1;
+        common.final_ll = kind == CholeskyKind::indefinite ? 0 : 1;
         common.quick_return_if_not_posdef = 1;
         factor = cholmod_analyze(upper.matrix, &common);
         RHEXIS_ASSERT(factor != nullptr);
@@ -168,6 +168,20 @@ bool Cholesky::factor(const BlockValues& values) {
 }
 
 bool Cholesky::factored() const { return parts_->valid; }
+
+int Cholesky::negative_pivots() const {
+    const cholmod_factor& factor = *parts_->factor;
+    if (!parts_->valid || factor.is_ll != 0) {
+        return 0;
+    }
+    const int* const column = static_cast<const int*>(factor.p);
+    const double* const value = static_cast<const double*>(factor.x);
+    int count = 0;
+    for (std::size_t j = 0; j < factor.n; ++j) {
+        count += value[column[j]] < 0.0 ? 1 : 0;
+    }
+    return count;
+}
 
 void Cholesky::solve(std::span<const double> b, std::span<double> x) {
     Parts& parts = *parts_;

@@ -11,8 +11,9 @@
 namespace rhexis {
 
 /// Simplicial: one thread and the same bits on every machine. Supernodal: dense blocks through BLAS, faster for larger
-/// systems, but its last bits depend on the BLAS core and thread count.
-enum class CholeskyKind { simplicial, supernodal };
+/// systems, but its last bits depend on the BLAS core and thread count. Indefinite: L D L^T, simplicial, of any
+/// symmetric matrix whose elimination meets no zero.
+enum class CholeskyKind { simplicial, supernodal, indefinite };
 
 /// L L^T = P A P^T of a symmetric positive definite block matrix with a fixed pattern.
 class Cholesky {
@@ -23,9 +24,12 @@ public:
     Cholesky(Cholesky&&) noexcept;
     Cholesky& operator=(Cholesky&&) noexcept;
 
-    /// False if the matrix is not positive definite (to rounding) or not finite; then there is no factor.
+    /// False if the matrix is not positive definite (to rounding; indefinite: not regular) or not finite; then there is
+    /// no factor.
     bool factor(const BlockValues& values);
     [[nodiscard]] bool factored() const;
+    /// Negative eigenvalues of the matrix that was factored; 0 unless indefinite.
+    [[nodiscard]] int negative_pivots() const;
 
     /// x = A^-1 b.
     void solve(std::span<const double> b, std::span<double> x);

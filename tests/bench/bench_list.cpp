@@ -14,6 +14,7 @@
 #include "bench/bench_random_tears.hpp"
 #include "bench/bench_render.hpp"
 #include "bench/bench_rotation.hpp"
+#include "bench/bench_shell.hpp"
 #include "bench/bench_stability.hpp"
 #include "bench/bench_tear.hpp"
 
@@ -35,6 +36,7 @@ std::vector<BenchCase> bench_cases() {
     add(random_tears_cases());
     add(capsule_pulls_cases());
     add(factor_update_cases());
+    add(shell_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

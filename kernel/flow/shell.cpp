@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/shell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/numbers.hpp"
+
+namespace rhexis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Status check_thickness(const ShellModel& model) {
+    if (model.thickness.size() != model.mesh.triangles.size()) {
+        return Error{std::string("thickness has ").append(std::to_string(model.thickness.size())).append(" entries"),
+                     model.name, std::string("one per triangle: ").append(std::to_string(model.mesh.triangles.size()))};
+    }
+    for (std::size_t t = 0; t < model.thickness.size(); ++t) {
+        const std::string field = std::string("thickness of triangle ").append(std::to_string(t));
+        if (Status s = check_range(field, model.thickness[t], 1e-4, 100.0, model.name, " mm"); !s) {
+            return s;
+        }
+    }
+    return success();
+}
+
+Status check_numbers(const ShellModel& model) {
+    struct Field {
+        const char* name;
+        double value;
+        double least;
+        double most;
+        const char* unit;
+    };
+    const Field fields[] = {{"young_modulus", model.material.young_modulus, 1.0, 1e12, " Pa"},
+                            {"poisson_ratio", model.material.poisson_ratio, 0.0, 0.499, ""},
+                            {"density", model.material.density, 1e-7, 1.0, " g/mm^3"},
+                            {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
+                            {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"}};
+    for (const Field& f : fields) {
+        if (Status s = check_range(f.name, f.value, f.least, f.most, model.name, f.unit); !s) {
+            return s;
+        }
+    }
+    return success();
+}
+
+Status check_holds(const ShellModel& model) {
+    const int nodes = static_cast<int>(model.mesh.nodes.size());
+    int last = -1;
+    for (const ShellHold& hold : model.holds) {
+        if (hold.node < 0 || hold.node >= nodes) {
+            return Error{std::string("holds names node ").append(std::to_string(hold.node)), model.name,
+                         std::string("0 to ").append(std::to_string(nodes - 1))};
+        }
+        if (hold.node <= last) {
+            return Error{std::string("holds names node ").append(std::to_string(hold.node)).append(" after node ") +
+                             std::to_string(last),
+                         model.name, "ascending nodes, each once"};
+        }
+        last = hold.node;
+    }
+    return success();
+}
+
+}  // namespace
+
+ShellModel uniform_shell(std::string name, TriMesh mesh, double thickness) {
+    ShellModel model;
+    model.name = std::move(name);
+    model.thickness.assign(mesh.triangles.size(), thickness);
+    model.mesh = std::move(mesh);
+    return model;
+}
+
+Status check_shell(const ShellModel& model) {
+    for (const auto& check : {+[](const ShellModel& m) { return validate_tri_mesh(m.mesh, m.name); }, check_thickness,
+                              check_numbers, check_holds}) {
+        if (Status status = check(model); !status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+Status check_shell_state(const ShellModel& model, const ShellState& state) {
+    const std::size_t nodes = model.mesh.nodes.size();
+    if (state.position.size() != nodes || state.rotation.size() != nodes || state.velocity.size() != nodes ||
+        state.spin.size() != nodes) {
+        return Error{"the state's lists differ in length from the mesh", model.name,
+                     std::string("one entry per node: ").append(std::to_string(nodes))};
+    }
+    for (std::size_t n = 0; n < nodes; ++n) {
+        if (!state.position[n].allFinite() || !state.velocity[n].allFinite() || !state.spin[n].allFinite() ||
+            !(std::abs(state.rotation[n].norm() - 1.0) < 1e-9)) {
+            return Error{std::string("the state of node ").append(std::to_string(n)).append(" is no state"), model.name,
+                         "finite numbers and a unit rotation"};
+        }
+    }
+    return success();
+}
+
+ShellState rest_state(const ShellModel& model) {
+    const std::size_t nodes = model.mesh.nodes.size();
+    ShellState state;
+    state.position = model.mesh.nodes;
+    state.rotation.assign(nodes, Quat::Identity());
+    state.velocity.assign(nodes, Vec3::Zero());
+    state.spin.assign(nodes, Vec3::Zero());
+    return state;
+}
+
+double shell_mass(const ShellModel& model) {
+    double mass = 0.0;
+    for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
+        const std::array<int, 3>& n = model.mesh.triangles[t];
+        mass += model.material.density * model.thickness[t] *
+                triangle_area(model.mesh.nodes[at(n[0])], model.mesh.nodes[at(n[1])], model.mesh.nodes[at(n[2])]);
+    }
+    return mass;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/shell_stepper.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/assert.hpp"
+#include "math/rotation.hpp"
+
+namespace rhexis {
+namespace {
+
+Quat turned(const Quat& rotation, const Vec3& turn) {
+    return (Quat(1.0, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()) * rotation).normalized();
+}
+
+}  // namespace
+
+Result<ShellStepper> ShellStepper::create(const ShellModel& model, std::string_view instruction_set) {
+    if (Status status = check_shell(model); !status) {
+        return status.error();
+    }
+    const linear_kernel::Kernel* const linear = linear_kernel::choose(instruction_set);
+    const shell_kernel::Kernel* const shell = shell_kernel::choose(instruction_set);
+    if (linear == nullptr || shell == nullptr) {
+        return Error{"unknown or missing instruction set \"" + std::string(instruction_set) + "\"", "instruction_set",
+                     "\"\", \"baseline\", \"avx2\" or \"avx512\", as the machine has"};
+    }
+    std::unique_ptr<ShellBody> body = std::make_unique<ShellBody>(model, *shell);
+    ShellBody& reference = *body;
+    return ShellStepper(ImplicitStep(std::move(body), *linear), reference);
+}
+
+/// Held freedoms bear their loads themselves.
+void ShellStepper::lay_out(const ShellState& state, const ShellLoad& load, const Vec3& gravity) {
+    const std::size_t nodes = state.position.size();
+    position_.assign(2 * nodes, Vec3::Zero());
+    velocity_.assign(2 * nodes, Vec3::Zero());
+    external_.assign(2 * nodes, Vec3::Zero());
+    for (std::size_t n = 0; n < nodes; ++n) {
+        const std::size_t row = 2 * static_cast<std::size_t>(body_->rank(static_cast<int>(n)));
+        position_[2 * n] = state.position[n];
+        velocity_[2 * n] = state.velocity[n];
+        velocity_[2 * n + 1] = state.spin[n];
+        external_[2 * n] = body_->mass().weight[row] * gravity;
+        if (!load.force.empty()) {
+            external_[2 * n] += load.force[n];
+        }
+        if (!load.moment.empty()) {
+            external_[2 * n + 1] = load.moment[n];
+        }
+        for (std::size_t i = 0; i < 6; ++i) {
+            if (body_->free()[3 * row + i] == 0) {
+                external_[2 * n + i / 3][static_cast<Eigen::Index>(i % 3)] = 0.0;
+                velocity_[2 * n + i / 3][static_cast<Eigen::Index>(i % 3)] = 0.0;
+            }
+        }
+    }
+}
+
+ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
+                                  const ImplicitSettings& settings, ShellState& next) {
+    const std::size_t nodes = state.position.size();
+    RHEXIS_ASSERT((load.force.empty() || load.force.size() == nodes) &&
+                  (load.moment.empty() || load.moment.size() == nodes));
+    body_->set_reference(state.rotation);
+    lay_out(state, load, gravity);
+    const ImplicitReport report =
+        step_.step(position_, velocity_, Vec3::Zero(), external_, dt, settings, {}, no_bodies_, motion_);
+    if (&next != &state) {
+        next = state;
+    }
+    for (std::size_t n = 0; n < nodes; ++n) {
+        next.position[n] = motion_.position[2 * n];
+        next.velocity[n] = motion_.velocity[2 * n];
+        next.spin[n] = motion_.velocity[2 * n + 1];
+        next.rotation[n] = turned(next.rotation[n], motion_.position[2 * n + 1]);
+    }
+    return report;
+}
+
+}  // namespace rhexis
