@@ -36,6 +36,7 @@ std::vector<BenchCase> bench_cases() {
     add(random_tears_cases());
     add(capsule_pulls_cases());
     add(factor_update_cases());
+    add(shell_speed_cases());
     add(shell_cases());
     add(chamber_cases());
     add(phaco_cases());

@@ -82,7 +82,8 @@ std::vector<BenchCase> shell_cases() {
                 }),
             one("shell_hemisphere", "open hemisphere, pulled and pushed",
                 [](int k) {
-                    return open_hemisphere(std::array{12, 19, 27}[static_cast<std::size_t>(k)]);
+                    return open_hemisphere(std::array{12, 20, 27}[static_cast<std::size_t>(k)],
+                                           std::array{12, 19, 27}[static_cast<std::size_t>(k)], GridCut::one_way);
                 }),
             one("shell_cylinder", "cylinder between diaphragms, pinched", [](int k) {
                 const int n = std::array{19, 27, 38}[static_cast<std::size_t>(k)];

@@ -6,5 +6,6 @@
 namespace rhexis::bench {
 
 std::vector<BenchCase> shell_cases();
+std::vector<BenchCase> shell_speed_cases();
 
 }  // namespace rhexis::bench

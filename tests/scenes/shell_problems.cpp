@@ -136,19 +136,19 @@ ShellProblem slit_ring(int around, int across, GridCut cut) {
     return result;
 }
 
-ShellProblem open_hemisphere(int each_way, GridCut cut) {
+ShellProblem open_hemisphere(int around, int up, GridCut cut) {
     const auto map = [](double s, double t) {
-        const double around = 0.5 * M_PI * s;
+        const double turn = 0.5 * M_PI * s;
         const double height = 72.0 / 180.0 * M_PI * t;
         return Vec3(10.0 *
-                    Vec3(std::cos(height) * std::cos(around), std::cos(height) * std::sin(around), std::sin(height)));
+                    Vec3(std::cos(height) * std::cos(turn), std::cos(height) * std::sin(turn), std::sin(height)));
     };
-    ShellProblem result = problem("open hemisphere", grid_mesh(each_way, each_way, cut, map), 0.04, 6.825e7, 0.3);
+    ShellProblem result = problem("open hemisphere", grid_mesh(around, up, cut, map), 0.04, 6.825e7, 0.3);
     hold(result, {true, false, false, false, true, true}, [](const Vec3& x) { return std::abs(x.x()) < 1e-9; });
     hold(result, {false, true, false, true, false, true}, [](const Vec3& x) { return std::abs(x.y()) < 1e-9; });
     hold(result, {false, false, true, false, false, false},
          [](const Vec3& x) { return (x - Vec3(10.0, 0.0, 0.0)).norm() < 1e-9; });
-    const int far = each_way;
+    const int far = around;
     result.load.force[0].x() = 200.0;
     result.load.force[at(far)].y() = -200.0;
     result.measure = [far](const ShellState& state) {

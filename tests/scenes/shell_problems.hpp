@@ -40,7 +40,7 @@ ShellProblem cantilever_moment(int length, int width, GridCut cut = GridCut::alt
 /// Flat ring, slit and clamped along one lip, the other lifted by a line force; W of the inner and the outer end.
 ShellProblem slit_ring(int around, int across, GridCut cut = GridCut::alternate);
 /// A quarter of a hemisphere with a hole of 18 degrees, pulled along x and pushed along y; outward and inward.
-ShellProblem open_hemisphere(int each_way, GridCut cut = GridCut::alternate);
+ShellProblem open_hemisphere(int around, int up, GridCut cut = GridCut::alternate);
 /// An eighth of a cylinder between diaphragms, pinched; -W under the force, U at its side.
 ShellProblem pinched_cylinder(int around, int along, GridCut cut = GridCut::alternate);
 /// A quarter of a hinged cylindrical roof of thickness 12.7 or 6.35 under a central force; W there, twice. Reference of

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step and a Newton iteration of a shell cost, on one thread.
+#include <algorithm>
+#include <cmath>
+
+#include "base/clock.hpp"
+#include "bench/bench_shell.hpp"
+#include "bench/timing.hpp"
+#include "physics/kept_solver.hpp"
+#include "physics/shell_stepper.hpp"
+#include "scenes/shells.hpp"
+
+namespace rhexis::bench {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// 10 ms steps of the lifted disc, one linear solve each.
+nlohmann::json steps_row(const BenchOptions& options, double tolerance) {
+    const Result<scenes::LiftedDisc> scene = scenes::lifted_disc();
+    const std::string name = "shell_743/steps";
+    if (!scene.ok()) {
+        return {{"name", name}, {"error_text", scene.error().text()}};
+    }
+    const scenes::LiftedDisc& disc = scene.value();
+    ShellStepper stepper = std::move(ShellStepper::create(disc.model)).value();
+    ShellState state = rest_state(disc.model);
+    const ImplicitSettings settings{.tolerance = tolerance, .max_newton = 1};
+    const int pieces = options.quick ? 1 : 8;
+    const int each = options.quick ? 10 : disc.measured_steps / pieces;
+    double time = 0.0;
+    double residual = 0.0;
+    double iterations = 0.0;
+    double lift = 0.0;
+    int factored = 0;
+    const auto advance = [&](int steps) {
+        double seconds = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            time += disc.step_s;
+            const ShellLoad load = scenes::disc_load(disc, scenes::moving_share(time));
+            const double start = thread_cpu_seconds();
+            const ImplicitReport report = stepper.step(state, load, disc.gravity, disc.step_s, settings, state);
+            seconds += thread_cpu_seconds() - start;
+            residual = std::max(residual, report.residual);
+            iterations += report.linear_iterations;
+            factored += report.factored ? 1 : 0;
+            lift = std::max(lift, state.position[at(disc.lifted[0])].z());
+        }
+        return seconds / steps;
+    };
+    advance(options.quick ? 5 : disc.warm_up_steps);
+    residual = iterations = factored = 0;
+    std::vector<double> seconds;
+    for (int piece = 0; piece < pieces; ++piece) {
+        seconds.push_back(advance(each));
+    }
+    std::sort(seconds.begin(), seconds.end());
+    const double median = seconds[seconds.size() / 2];
+    const double steps = static_cast<double>(pieces) * each;
+    return {{"name", name},
+            {"elements", disc.model.mesh.triangles.size()},
+            {"nodes", disc.model.mesh.nodes.size()},
+            {"tolerance", tolerance},
+            {"steps_per_second", 1.0 / median},
+            {"fastest_steps_per_second", 1.0 / seconds.front()},
+            {"slowest_steps_per_second", 1.0 / seconds.back()},
+            {"cpu_s_per_s", median / disc.step_s},
+            {"iterations", iterations / steps},
+            {"refactored", factored / steps},
+            {"largest_lift_mm", lift},
+            {"error", residual},
+            {"error_kind", "largest relative residual of a step"}};
+}
+
+/// Parts of a Newton iteration of a step, at the disc bent by its full load.
+nlohmann::json newton_row(const BenchOptions& options) {
+    const Result<scenes::LiftedDisc> scene = scenes::lifted_disc();
+    if (!scene.ok()) {
+        return {{"name", "shell_743/newton"}, {"error_text", scene.error().text()}};
+    }
+    const scenes::LiftedDisc& disc = scene.value();
+    ShellState state = rest_state(disc.model);
+    ShellStepper stepper = std::move(ShellStepper::create(disc.model)).value();
+    for (int i = 0; i < 25; ++i) {
+        stepper.step(state, scenes::disc_load(disc, 1.0), disc.gravity, disc.step_s, {}, state);
+    }
+    const linear_kernel::Kernel& linear = *linear_kernel::choose({});
+    ShellBody body(disc.model, *shell_kernel::choose({}));
+    body.set_reference(state.rotation);
+    std::vector<double> position(6 * state.position.size() + 1, 0.0);
+    for (std::size_t n = 0; n < state.position.size(); ++n) {
+        Eigen::Map<Vec3>(position.data() + 6 * at(body.rank(static_cast<int>(n)))) = state.position[n];
+    }
+    CoupledMatrix matrix(body.pattern(), linear);
+    FactorPreconditioner factor(body.pattern(), linear);
+    KeptSolver fresh(body.pattern(), linear);
+    KeptSolver kept(body.pattern(), linear);
+    std::vector<double> force;
+    const double dt = disc.step_s;
+    const auto assemble = [&] {
+        body.forces_and_stiffness(position, elastic_kernel::Mode::consistent, dt * dt, force, matrix.solid());
+        for (int i = 0; i < body.rows(); ++i) {
+            add_block(matrix.solid(), body.pattern().diagonal[at(i)],
+                      (body.moves()[at(i)] != 0 ? body.mass().inertia[at(i)] : 1.0) * Mat3::Identity());
+        }
+        mirror_upper(body.pattern(), matrix.solid());
+    };
+    assemble();
+    std::vector<double> right(matrix.size());
+    std::vector<double> solution(matrix.size());
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        right[i] = body.free()[i] != 0 ? force[i] + (i % 6 == 2 ? 1.0 : 0.0) : 0.0;
+    }
+    const double tolerance = 1e-6 * std::sqrt(dot(right, right));
+    int iterations = 0;
+    kept.solve(matrix, right, tolerance, 500, solution);
+    const std::vector<Timing> times =
+        time_interleaved({[&] { body.forces(position, force); }, assemble,
+                          [&] { factor.factor(matrix, FactorPreconditioner::Precision::single); },
+                          [&] { factor.apply(right, solution); },
+                          [&] {
+                              fresh.expect_change();
+                              iterations = fresh.solve(matrix, right, tolerance, 500, solution).iterations;
+                          },
+                          [&] {
+                              assemble();
+                              fresh.expect_change();
+                              fresh.solve(matrix, right, tolerance, 500, solution);
+                          },
+                          [&] {
+                              body.forces(position, force);
+                              kept.solve(matrix, right, tolerance, 500, solution);
+                          }},
+                         options.quick ? 1 : options.repeats);
+    const auto ms = [&](std::size_t i) { return 1e3 * times[i].seconds; };
+    return {{"name", "shell_743/newton"},
+            {"elements", disc.model.mesh.triangles.size()},
+            {"nodes", disc.model.mesh.nodes.size()},
+            {"forces_ms", ms(0)},
+            {"assembly_ms", ms(1)},
+            {"factor_ms", ms(2)},
+            {"one_solve_ms", ms(3)},
+            {"factor_and_solve_ms", ms(4)},
+            {"iteration_ms", ms(5)},
+            {"kept_iteration_ms", ms(6)},
+            {"iterations", iterations},
+            {"spread", times[5].spread},
+            {"single_precision", factor.precision() == FactorPreconditioner::Precision::single}};
+}
+
+}  // namespace
+
+std::vector<BenchCase> shell_speed_cases() {
+    return {
+        {"shell_743", "10 ms steps of a lifted disc of 742 triangles, one solve to 1e-9; parts of an iteration",
+         [](const BenchOptions& options) {
+             return nlohmann::json::array({steps_row(options, 1e-9), steps_row(options, 1e-6), newton_row(options)});
+         }}};
+}
+
+}  // namespace rhexis::bench
