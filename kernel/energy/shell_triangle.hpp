@@ -45,6 +45,10 @@ struct ShellTriangle {
 ShellTriangle shell_triangle(const std::array<Vec3, 3>& rest, double thickness, double young_modulus,
                              double poisson_ratio);
 
+/// How a triangle is made of the same: a seam for measuring other plates and membranes in the same frame.
+using ShellTriangleMaker = ShellTriangle (*)(const std::array<Vec3, 3>& rest, double thickness, double young_modulus,
+                                             double poisson_ratio);
+
 /// Where the corners of a triangle are and how they have turned since rest.
 struct ShellCorners {
     std::array<Vec3, 3> position{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< [mm]

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "base/assert.hpp"
-#include "energy/shell_triangle.hpp"
 #include "math/cholesky.hpp"
 #include "math/rotation.hpp"
 
@@ -75,12 +74,12 @@ Mat3 spin_of_turn(const Vec3& z) { return (Mat3::Identity() + 0.5 * cross_matrix
 
 }  // namespace
 
-ShellBody::ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel)
+ShellBody::ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker)
     : ElasticBody(model.damping_mass, model.damping_stiffness), model_(&model), kernel_(&kernel) {
     number_rows();
     hold();
     weigh();
-    fill_groups();
+    fill_groups(maker);
     reference_.assign(model.mesh.nodes.size(), Quat::Identity());
     rotation_.resize(9 * model.mesh.nodes.size());
     buffer_.resize(at(lanes * shell_kernel::buffer_length));
@@ -150,7 +149,7 @@ void ShellBody::weigh() {
     }
 }
 
-void ShellBody::fill_groups() {
+void ShellBody::fill_groups(ShellTriangleMaker maker) {
     const TriMesh& mesh = model_->mesh;
     const int count = static_cast<int>(mesh.triangles.size());
     const int groups = (count + lanes - 1) / lanes;
@@ -165,8 +164,8 @@ void ShellBody::fill_groups() {
         const std::array<int, 3>& corner = mesh.triangles[at(t)];
         const std::array<int, 3> local = by_rank(corner, rank_of);
         const ShellTriangle triangle =
-            shell_triangle({mesh.nodes[at(corner[0])], mesh.nodes[at(corner[1])], mesh.nodes[at(corner[2])]},
-                           model_->thickness[at(t)], model_->material.young_modulus, model_->material.poisson_ratio);
+            maker({mesh.nodes[at(corner[0])], mesh.nodes[at(corner[1])], mesh.nodes[at(corner[2])]},
+                  model_->thickness[at(t)], model_->material.young_modulus, model_->material.poisson_ratio);
         fill_data(triangle, local, i < count, data_.data() + at(i / lanes * lanes * data_length + i % lanes));
         int* to = index_.data() + at(i / lanes * lanes * index_length + i % lanes);
         for (const int a : local) {

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "energy/shell_triangle.hpp"
 #include "flow/shell.hpp"
 #include "physics/elastic_body.hpp"
 #include "physics/shell_kernel.hpp"
@@ -18,7 +19,7 @@ namespace rhexis {
 class ShellBody final : public ElasticBody {
 public:
     /// The model must outlive this and pass check_shell.
-    ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel);
+    ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker = shell_triangle);
 
     /// Turns count from here; by nodes.
     void set_reference(std::span<const Quat> rotation);
@@ -45,7 +46,7 @@ private:
     void number_rows();
     void hold();
     void weigh();
-    void fill_groups();
+    void fill_groups(ShellTriangleMaker maker);
     void turn(const std::vector<double>& position);
     [[nodiscard]] shell_kernel::Task task_at(const std::vector<double>& position);
     void run(shell_kernel::Mode mode, const std::vector<double>& position, double scale, std::vector<double>& force,

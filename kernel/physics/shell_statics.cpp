@@ -15,7 +15,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int most_halvings = 12;  // of a step between loads
+constexpr double least_stride = 1.0 / 4096.0;  // of a step between loads, of the way between them
+constexpr int most_strides = 300;
 constexpr double ulp = 2.2e-16;
 
 double norm(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
@@ -28,8 +29,8 @@ Quat turned(const Quat& rotation, const Vec3& turn) {
 
 // Vectors hold three numbers per row of the body.
 struct ShellStatics::Parts {
-    Parts(const ShellModel& shell, const shell_kernel::Kernel& kernel)
-        : model(&shell), body(shell, kernel), solver(body.pattern(), CholeskyKind::indefinite) {
+    Parts(const ShellModel& shell, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker)
+        : model(&shell), body(shell, kernel, maker), solver(body.pattern(), CholeskyKind::indefinite) {
         stiffness = zero_values(body.pattern());
     }
 
@@ -155,11 +156,11 @@ ShellStatics::~ShellStatics() = default;
 ShellStatics::ShellStatics(ShellStatics&&) noexcept = default;
 ShellStatics& ShellStatics::operator=(ShellStatics&&) noexcept = default;
 
-Result<ShellStatics> ShellStatics::create(const ShellModel& model) {
+Result<ShellStatics> ShellStatics::create(const ShellModel& model, ShellTriangleMaker maker) {
     if (Status status = check_shell(model); !status) {
         return status.error();
     }
-    return ShellStatics(std::make_unique<Parts>(model, *shell_kernel::choose({})));
+    return ShellStatics(std::make_unique<Parts>(model, *shell_kernel::choose({}), maker));
 }
 
 ShellStaticReport ShellStatics::equilibrate(const ShellLoad& load, double factor, const ShellStaticSettings& settings,
@@ -197,14 +198,14 @@ ShellStaticReport ShellStatics::load_to(const ShellLoad& load, double from, doub
     double stride = to - from;
     int iterations = 0;
     ShellStaticReport report;
-    for (int halvings = 0; halvings <= most_halvings;) {
+    const double least = least_stride * std::abs(to - from);
+    for (int k = 0; k < most_strides && std::abs(stride) >= least; ++k) {
         const bool last = std::abs(stride) >= std::abs(to - reached);
         const double goal = last ? to : reached + stride;
         report = equilibrate(load, goal, settings, state);
         report.iterations = iterations += report.iterations;
         if (!report.converged) {
             stride *= 0.5;
-            ++halvings;
             continue;
         }
         if (last) {
@@ -213,6 +214,7 @@ ShellStaticReport ShellStatics::load_to(const ShellLoad& load, double from, doub
         reached = goal;
         stride *= 1.5;
     }
+    report.converged = false;
     return report;
 }
 

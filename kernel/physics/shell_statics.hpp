@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/result.hpp"
+#include "energy/shell_triangle.hpp"
 #include "flow/shell.hpp"
 
 namespace rhexis {
@@ -33,7 +34,7 @@ struct ShellPath {
 class ShellStatics {
 public:
     /// The model must outlive this. Fails on one that check_shell refuses.
-    static Result<ShellStatics> create(const ShellModel& model);
+    static Result<ShellStatics> create(const ShellModel& model, ShellTriangleMaker maker = shell_triangle);
     ~ShellStatics();
     ShellStatics(ShellStatics&&) noexcept;
     ShellStatics& operator=(ShellStatics&&) noexcept;

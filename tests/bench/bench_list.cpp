@@ -38,6 +38,7 @@ std::vector<BenchCase> bench_cases() {
     add(factor_update_cases());
     add(shell_speed_cases());
     add(shell_cases());
+    add(shell_element_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

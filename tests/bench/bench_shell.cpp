@@ -72,12 +72,15 @@ std::vector<BenchCase> shell_cases() {
     };
     using namespace scenes;
     return {one("shell_cantilever", "strip bent by an end shear, against the elastica",
-                [](int k) { return cantilever_shear(8 << k, 1 << k); }),
+                [](int k) {
+                    return cantilever_shear(std::array{8, 16, 92}[static_cast<std::size_t>(k)],
+                                            std::array{1, 2, 4}[static_cast<std::size_t>(k)]);
+                }),
             one("shell_moment", "strip rolled up by an end moment, against the circle",
-                [](int k) { return cantilever_moment(8 << k, 1 << k); }),
+                [](int k) { return cantilever_moment(16 << k, 2 << k); }),
             one("shell_ring", "slit ring, lifted",
                 [](int k) {
-                    return slit_ring(std::array{30, 60, 90}[static_cast<std::size_t>(k)],
+                    return slit_ring(std::array{30, 62, 90}[static_cast<std::size_t>(k)],
                                      std::array{4, 6, 10}[static_cast<std::size_t>(k)]);
                 }),
             one("shell_hemisphere", "open hemisphere, pulled and pushed",

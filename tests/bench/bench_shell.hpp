@@ -7,5 +7,6 @@ namespace rhexis::bench {
 
 std::vector<BenchCase> shell_cases();
 std::vector<BenchCase> shell_speed_cases();
+std::vector<BenchCase> shell_element_cases();
 
 }  // namespace rhexis::bench

@@ -198,6 +198,25 @@ ShellProblem hinged_roof(int each_way, double thickness, GridCut cut) {
     return result;
 }
 
+ShellProblem clamped_plate(int each_way, GridCut cut) {
+    const double young = 1.092e6;
+    const double nu = 0.3;
+    const double thickness = 0.01;
+    const double bending = young * thickness * thickness * thickness / (12.0 * (1.0 - nu * nu));
+    const auto map = [](double s, double t) { return Vec3(s, t, 0.0); };
+    ShellProblem result = problem("clamped plate", grid_mesh(each_way, each_way, cut, map), thickness, young, nu);
+    hold(result, {true, true, true, true, true, true},
+         [](const Vec3& x) { return std::min(std::min(x.x(), 1.0 - x.x()), std::min(x.y(), 1.0 - x.y())) < 1e-9; });
+    const int middle = each_way / 2 * (each_way + 2);
+    const double deflection = 1e-4 * thickness;
+    result.load.force[at(middle)].z() = deflection * bending / 5.612e-3;
+    result.measure = [middle](const ShellState& state) {
+        return std::array<double, 2>{state.position[at(middle)].z(), state.position[at(middle)].z()};
+    };
+    result.reference = {{1.0, {deflection, deflection}}};
+    return result;
+}
+
 ShellProblem euler_column(int length, int width) {
     ShellProblem result = cantilever("Euler column", 10.0, length, width, GridCut::alternate);
     for (int j = 0; j <= width; ++j) {

@@ -47,6 +47,10 @@ ShellProblem pinched_cylinder(int around, int along, GridCut cut = GridCut::alte
 /// 12.7: load factor at the limit points only.
 ShellProblem hinged_roof(int each_way, double thickness, GridCut cut = GridCut::alternate);
 
+/// Square plate of side 1 and thickness 0.01, clamped all around, under a small central force; W there, twice.
+/// Reference: 5.612e-3 F a^2 / D [Timoshenko1959].
+ShellProblem clamped_plate(int each_way, GridCut cut = GridCut::alternate);
+
 /// Buckling load of the strip of cantilever_shear when pushed at its free end: pi^2 E I / (4 L^2).
 ShellProblem euler_column(int length, int width);
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -146,6 +147,23 @@ TEST_SUITE("math") {
             BlockValues bad = values;
             bad[7] = std::numeric_limits<double>::quiet_NaN();
             CHECK_FALSE(factor.factor(bad));
+        }
+    }
+
+    TEST_CASE("an indefinite factor solves, and counts the negative eigenvalues") {
+        const BlockPattern pattern = grid_pattern(3);
+        for (const double diagonal : {20.0, 2.0, -20.0}) {
+            const BlockValues values = random_matrix(pattern, diagonal, 5);
+            const MatX a = dense(pattern, values);
+            const VecX eigen = Eigen::SelfAdjointEigenSolver<MatX>(a).eigenvalues();
+            Cholesky factor(pattern, CholeskyKind::indefinite);
+            REQUIRE(factor.factor(values));
+            CHECK(factor.negative_pivots() == static_cast<int>((eigen.array() < 0.0).count()));
+            const VecX b = VecX::LinSpaced(a.rows(), -1.0, 1.0);
+            VecX x(a.rows());
+            factor.solve({b.data(), static_cast<std::size_t>(b.size())},
+                         {x.data(), static_cast<std::size_t>(x.size())});
+            CHECK((a * x - b).norm() < 1e-9 * b.norm());
         }
     }
 
