@@ -39,8 +39,8 @@ struct ShellState {
     std::vector<Vec3> spin;      ///< angular velocity, in space [rad/s]
 };
 
-/// Forces and moments that keep their direction in space; either list by nodes, or empty. Such moments have no potential,
-/// which costs Newton's method its last quick steps: the tangent stays symmetric.
+/// Forces and moments that keep their direction in space; either list by nodes, or empty. Such moments have no
+/// potential, which costs Newton's method its last quick steps: the tangent stays symmetric.
 struct ShellLoad {
     std::vector<Vec3> force;   ///< [uN]
     std::vector<Vec3> moment;  ///< [uN mm]
