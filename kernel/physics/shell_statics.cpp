@@ -41,7 +41,7 @@ struct ShellStatics::Parts {
     bool factor_tangent(const ShellState& state);
     double largest_share(const std::vector<double>& step, double most_turn) const;
     void apply(const std::vector<double>& step, double share, ShellState& state) const;
-    void advance(double share, ShellState& state);
+    void advance(double share, bool predict, ShellState& state);
     [[nodiscard]] double moved_dot(const std::vector<double>& a, const std::vector<double>& b) const;
 
     const ShellModel* model;
@@ -114,13 +114,15 @@ bool ShellStatics::Parts::factor_tangent(const ShellState& state) {
     return solver.factor(stiffness);
 }
 
-/// Goes a share of `step`, and makes the next tangent with the stress that this leads to.
-void ShellStatics::Parts::advance(double share, ShellState& state) {
+/// Goes a share of `step`; predict: and makes the next tangent with the stress that this leads to.
+void ShellStatics::Parts::advance(double share, bool predict, ShellState& state) {
     for (double& value : step) {
         value *= share;
     }
-    place(state);
-    body.predict(position, step);
+    if (predict) {
+        place(state);
+        body.predict(position, step);
+    }
     apply(step, 1.0, state);
 }
 
@@ -182,7 +184,7 @@ ShellStaticReport ShellStatics::equilibrate(const ShellLoad& load, double factor
         }
         report.negative_pivots = p.solver.negative_pivots();
         p.solver.solve(p.residual, p.step);
-        p.advance(p.largest_share(p.step, settings.most_turn), trial);
+        p.advance(p.largest_share(p.step, settings.most_turn), settings.predict, trial);
         ++report.iterations;
         p.balance(trial, factor);
     }
@@ -202,8 +204,15 @@ ShellStaticReport ShellStatics::load_to(const ShellLoad& load, double from, doub
     for (int k = 0; k < most_strides && std::abs(stride) >= least; ++k) {
         const bool last = std::abs(stride) >= std::abs(to - reached);
         const double goal = last ? to : reached + stride;
-        report = equilibrate(load, goal, settings, state);
-        report.iterations = iterations += report.iterations;
+        ShellStaticSettings either = settings;
+        for (const bool predict : {settings.predict, !settings.predict}) {
+            either.predict = predict;
+            report = equilibrate(load, goal, either, state);
+            report.iterations = iterations += report.iterations;
+            if (report.converged) {
+                break;
+            }
+        }
         if (!report.converged) {
             stride *= 0.5;
             continue;
@@ -264,7 +273,7 @@ ShellStaticReport ShellStatics::follow(const ShellLoad& load, double arc, const 
             p.step[i] += change * by_load[i];
             way[i] += p.step[i];
         }
-        p.advance(1.0, trial.state);
+        p.advance(1.0, settings.predict, trial.state);
         trial.factor += change;
         ++report.iterations;
         p.balance(trial.state, trial.factor);

@@ -15,6 +15,7 @@ struct ShellStaticSettings {
     double tolerance = 1e-7;  ///< norm of what does not balance, over that of all forces, held freedoms too
     int max_iterations = 30;  ///< of Newton's method
     double most_turn = 0.5;   ///< of any node in one iteration [rad]
+    bool predict = true;      ///< tangents with the stress that the last iteration predicted, else with the true one
 };
 
 struct ShellStaticReport {
@@ -44,8 +45,9 @@ public:
     ShellStaticReport equilibrate(const ShellLoad& load, double factor, const ShellStaticSettings& settings,
                                   ShellState& state);
 
-    /// The same by as many intermediate loads as it takes, from equilibrium under `from`: at first one step, halved
-    /// where Newton's method fails. The report is of the last, with all iterations.
+    /// The same by as many intermediate loads as it takes, from equilibrium under `from`: at first one step, tried with
+    /// tangents of either stress and halved where Newton's method fails with both. The report is of the last, with all
+    /// iterations.
     ShellStaticReport load_to(const ShellLoad& load, double from, double to, const ShellStaticSettings& settings,
                               ShellState& state);
 

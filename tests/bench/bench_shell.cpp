@@ -89,8 +89,8 @@ std::vector<BenchCase> shell_cases() {
                                            std::array{12, 19, 27}[static_cast<std::size_t>(k)], GridCut::one_way);
                 }),
             one("shell_cylinder", "cylinder between diaphragms, pinched", [](int k) {
-                const int n = std::array{19, 27, 38}[static_cast<std::size_t>(k)];
-                return pinched_cylinder(n, n);
+                const int n = std::array{27, 33, 38}[static_cast<std::size_t>(k)];
+                return pinched_cylinder(n, n, GridCut::one_way);
             })};
 }
 

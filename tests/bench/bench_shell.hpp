@@ -8,5 +8,6 @@ namespace rhexis::bench {
 std::vector<BenchCase> shell_cases();
 std::vector<BenchCase> shell_speed_cases();
 std::vector<BenchCase> shell_element_cases();
+std::vector<BenchCase> implant_cases();
 
 }  // namespace rhexis::bench
