@@ -33,6 +33,12 @@ public:
     virtual void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
                                       std::vector<double>& force, BlockValues& stiffness) = 0;
 
+    /// The consistent stiffness is from now on made with the stress that a step from here leads to by linear
+    /// prediction, until the next call or forget_prediction(); for bodies that turn far while they strain little.
+    /// Others need not.
+    virtual void predict(const std::vector<double>& /*position*/, const std::vector<double>& /*step*/) {}
+    virtual void forget_prediction() {}
+
 protected:
     ElasticBody(double damping_mass, double damping_stiffness)
         : damping_mass_(damping_mass), damping_stiffness_(damping_stiffness) {}

@@ -99,6 +99,7 @@ struct ImplicitStep::Parts {
 };
 
 void ImplicitStep::Parts::begin(const Task& task) {
+    elastic.forget_prediction();
     if (last_dt != task.dt) {
         solver.expect_change();
         last_dt = task.dt;
@@ -344,6 +345,12 @@ void ImplicitStep::Parts::search(const Task& task) {
     const std::vector<double> start = velocity;
     const double slope = dot(residual, change);
     double step = largest_step(task);
+    if (task.settings.predict_stress) {
+        for (std::size_t i = 0; i < image.size(); ++i) {
+            image[i] = step * task.dt * change[i];
+        }
+        elastic.predict(x, image);
+    }
     for (int halving = 0;; ++halving) {
         for (std::size_t i = 0; i < velocity.size(); ++i) {
             velocity[i] = start[i] + step * change[i];
@@ -351,7 +358,8 @@ void ImplicitStep::Parts::search(const Task& task) {
         set_velocity(task, velocity);
         full_residual(task);
         const double left = dot(residual, change);
-        if ((std::isfinite(left) && left >= -descent_left * slope) || halving == max_halvings) {
+        if ((std::isfinite(left) && (left >= -descent_left * slope || task.settings.predict_stress)) ||
+            halving == max_halvings) {
             return;
         }
         step *= 0.5;
@@ -361,7 +369,7 @@ void ImplicitStep::Parts::search(const Task& task) {
 void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
     for (int iteration = 0; iteration < task.settings.max_newton; ++iteration) {
         bool solved = false;
-        if (iteration > 0 && report.newton_residual < near) {
+        if (iteration > 0 && (report.newton_residual < near || task.settings.predict_stress)) {
             build_tangent(task, Mode::consistent);
             solved = solve(task, report);
         }

@@ -40,6 +40,9 @@ struct ImplicitSettings {
     int max_linear_iterations = 1000;
     bool predict = false;      ///< linearised first where the velocities lead; more than one iteration, no K0 damping
     bool new_factors = false;  ///< one per linear solve: pays where the matrix changes much from each to the next
+    /// Tangents with the stress that the last iteration predicted, whole iterations whatever the residual does between:
+    /// for shells, which turn far while they strain little.
+    bool predict_stress = false;
     double most_travel = 0.0;  ///< of any node in one iteration, so that nothing is jumped over [mm]; 0: no limit
 };
 

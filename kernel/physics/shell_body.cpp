@@ -229,9 +229,15 @@ void ShellBody::run(shell_kernel::Mode mode, const std::vector<double>& position
 void ShellBody::predict(const std::vector<double>& position, const std::vector<double>& step) {
     shell_kernel::Task task = task_at(position);
     predicted_.resize(at(task.groups * lanes * shell_kernel::predicted_length));
+    spins_ = step;
+    for (std::size_t k = 0; turned_ && k < reference_.size(); ++k) {
+        const Vec3 z(position[6 * k + 3], position[6 * k + 4], position[6 * k + 5]);
+        Eigen::Map<Vec3> turn(spins_.data() + 6 * k + 3);
+        turn = (spin_of_turn(z) * turn).eval();
+    }
     task.mode = shell_kernel::Mode::predict;
     task.predicted = predicted_.data();
-    task.step = step.data();
+    task.step = spins_.data();
     kernel_->assemble(task);
     predicting_ = true;
 }

@@ -32,11 +32,10 @@ public:
     /// The forces of the shell on what holds it are the negatives of what this leaves in held rows.
     void forces_everywhere(const std::vector<double>& position, std::vector<double>& force);
 
-    /// The consistent stiffness is from now on made with the stress that a step from here leads to by the linear
-    /// prediction, until the next call. Newton's method in large steps converges by it where the true stress, great
-    /// wherever a step along a straight line has stretched what it should have turned, throws it off [Magisano2017].
-    void predict(const std::vector<double>& position, const std::vector<double>& step);
-    void forget_prediction() { predicting_ = false; }
+    /// Newton's method in large steps converges by it where the true stress, great wherever a step along a straight
+    /// line has stretched what it should have turned, throws it off [Magisano2017].
+    void predict(const std::vector<double>& position, const std::vector<double>& step) override;
+    void forget_prediction() override { predicting_ = false; }
 
     /// Per number of a row vector: 1, or 0 where the freedom is held.
     [[nodiscard]] const std::vector<std::uint8_t>& free() const { return free_; }
@@ -65,6 +64,7 @@ private:
     std::vector<int> held_entries_;  ///< of the stiffness, to be cleared
     std::vector<double> buffer_;
     std::vector<double> predicted_;
+    std::vector<double> spins_;  ///< a step, in movements and spins
     bool predicting_ = false;
     bool turned_ = false;  ///< any z is not zero
 };

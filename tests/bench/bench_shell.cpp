@@ -58,6 +58,33 @@ void add_rows(const ShellProblem& problem, nlohmann::json& rows) {
     }
 }
 
+/// Loads of the flat ring by Newton's method with tangents of either stress: stride of a fortieth of the load at first,
+/// half as much again after each success, half after each failure.
+nlohmann::json newton_row(const ShellProblem& problem, bool predict) {
+    ShellStatics statics = std::move(ShellStatics::create(problem.model)).value();
+    ShellState state = rest_state(problem.model);
+    const ShellStaticSettings settings{.max_iterations = 60, .predict = predict};
+    double factor = 0.0;
+    double stride = 0.025;
+    int iterations = 0;
+    int loads = 0;
+    while (factor < 1.0 && stride > 1e-6) {
+        const double goal = std::min(1.0, factor + stride);
+        const ShellStaticReport report = statics.equilibrate(problem.load, goal, settings, state);
+        iterations += report.iterations;
+        ++loads;
+        factor = report.converged ? goal : factor;
+        stride *= report.converged ? 1.5 : 0.5;
+    }
+    return {{"name", predict ? "shell_newton/predicted" : "shell_newton/true"},
+            {"elements", problem.model.mesh.triangles.size()},
+            {"loads", loads},
+            {"iterations", iterations},
+            {"first", problem.measure(state)[0]},
+            {"error", 1.0 - factor},
+            {"error_kind", "share of the load that was not reached"}};
+}
+
 }  // namespace
 
 std::vector<BenchCase> shell_cases() {
@@ -88,6 +115,17 @@ std::vector<BenchCase> shell_cases() {
                     return open_hemisphere(std::array{12, 20, 27}[static_cast<std::size_t>(k)],
                                            std::array{12, 19, 27}[static_cast<std::size_t>(k)], GridCut::one_way);
                 }),
+            BenchCase{"shell_newton", "slit ring: iterations by the stress that the tangent is made with",
+                      [](const BenchOptions& options) {
+                          nlohmann::json rows = nlohmann::json::array();
+                          for (const bool predict : {true, false}) {
+                              rows.push_back(newton_row(slit_ring(30, 4), predict));
+                              if (!options.quick) {
+                                  rows.push_back(newton_row(slit_ring(62, 6), predict));
+                              }
+                          }
+                          return rows;
+                      }},
             one("shell_cylinder", "cylinder between diaphragms, pinched", [](int k) {
                 const int n = std::array{27, 33, 38}[static_cast<std::size_t>(k)];
                 return pinched_cylinder(n, n, GridCut::one_way);

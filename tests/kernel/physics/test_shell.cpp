@@ -207,6 +207,29 @@ TEST_SUITE("shell step") {
         }
     }
 
+    TEST_CASE("a flat ring is thrown out of its plane in one long step: few iterations with predicted stress (T9)") {
+        scenes::ShellProblem ring = scenes::slit_ring(30, 4);
+        ring.model.material.density = 1e-3;
+        int iterations[2] = {0, 0};
+        ShellState end[2];
+        for (const bool predict : {false, true}) {
+            ShellStepper stepper = std::move(ShellStepper::create(ring.model)).value();
+            ShellState state = rest_state(ring.model);
+            for (int i = 0; i < 3; ++i) {
+                const ImplicitReport report = stepper.step(
+                    state, ring.load, Vec3::Zero(), 0.01,
+                    {.tolerance = 1e-3, .max_newton = 60, .newton_tolerance = 1e-6, .predict_stress = predict}, state);
+                CHECK(report.converged);
+                iterations[predict ? 1 : 0] += report.newton_iterations;
+            }
+            end[predict ? 1 : 0] = state;
+        }
+        CHECK(iterations[1] < 25);
+        CHECK(2 * iterations[1] < iterations[0]);
+        CHECK((end[0].position[0] - end[1].position[0]).norm() < 1e-4);
+        CHECK(end[0].position[0].z() > 3.0);
+    }
+
     TEST_CASE("in free flight momentum stays (T20), and a spinning shell stays as it is") {
         ShellModel model = sample();
         ShellState state = rest_state(model);
