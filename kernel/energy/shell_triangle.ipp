@@ -284,8 +284,8 @@ inline void predict(const Rest<N>& rest, const Triple<N> (&movement)[3], const T
     Triple<N> step[3];
     for (int a = 0; a < 3; ++a) {
         for (int i = 0; i < 3; ++i) {
-            step[a][i] = d.frame.m[0][i] * movement[a][0] + d.frame.m[1][i] * movement[a][1] +
-                         d.frame.m[2][i] * movement[a][2];
+            step[a][i] =
+                d.frame.m[0][i] * movement[a][0] + d.frame.m[1][i] * movement[a][1] + d.frame.m[2][i] * movement[a][2];
         }
         whole[0] = whole[0] + d.gradient[a][1] * step[a][2];
         whole[1] = whole[1] - d.gradient[a][0] * step[a][2];
@@ -345,7 +345,7 @@ inline Square<N> rest_block(const Rest<N>& rest, int a, int b, int kind) {
     return {{{k(1, 1), k(1, 2), zero}, {k(2, 1), k(2, 2), zero}, {zero, zero, m(2, 2)}}};
 }
 
-/// The parts of the tangent in the frame: M = H' K H + L, its action on spins of the whole, and the result.
+/// First M = H' K H + L in the frame, in the end the tangent in space.
 template <typename N>
 struct Tangent {
     Square<N> block[blocks];

@@ -170,7 +170,7 @@ std::vector<int> grow_optic(const ImplantShape& shape, double scale, Growing& me
         }
         inner = ring;
     }
-    const std::vector<int> rim = mesh.add(rim_places(shape, scale));
+    std::vector<int> rim = mesh.add(rim_places(shape, scale));
     zip_rings(mesh, rim, inner);
     return rim;
 }

@@ -77,6 +77,10 @@ Mat3 cayley(const Vec3& w) {
     return q.normalized().toRotationMatrix();
 }
 
+Quat turned(const Quat& rotation, const Vec3& w) {
+    return (Quat(1.0, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()) * rotation).normalized();
+}
+
 Mat3 polar_rotation(const Mat3& f, const Mat3& previous) {
     const double i1 = f.squaredNorm();
     if (!(i1 > 0.0)) {

@@ -26,6 +26,9 @@ Vec3 skew_vector(const Mat3& a);
 /// Rotation by the vector w (angle |w| to third order in it): Cayley map, exactly orthogonal up to rounding.
 Mat3 cayley(const Vec3& w);
 
+/// A rotation turned further by cayley(w), of unit length again.
+Quat turned(const Quat& rotation, const Vec3& w);
+
 /// The proper rotation R of F = R S. Finite for every finite F; `previous` decides where R is not unique.
 Mat3 polar_rotation(const Mat3& f, const Mat3& previous = Mat3::Identity());
 

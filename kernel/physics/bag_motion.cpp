@@ -58,10 +58,6 @@ void accelerate_bag(const BagModel& bag, double dt, BagState& state) {
     state.angular_velocity = (bag_inertia(bag) * state.angular_velocity + dt * wrench.tail<3>()) / response.turning;
 }
 
-Quat turned(const Quat& orientation, const Vec3& angle) {
-    return (Quat(1.0, 0.5 * angle.x(), 0.5 * angle.y(), 0.5 * angle.z()) * orientation).normalized();
-}
-
 void move_bag(double dt, BagState& state) {
     state.pose.position += dt * state.velocity;
     state.pose.orientation = turned(state.pose.orientation, dt * state.angular_velocity);

@@ -34,7 +34,4 @@ void accelerate_bag(const BagModel& bag, double dt, BagState& state);
 /// Explicit: pose after dt [s] at the present velocity.
 void move_bag(double dt, BagState& state);
 
-/// Orientation turned by the vector `angle` [rad], without trigonometry (Cayley map).
-Quat turned(const Quat& orientation, const Vec3& angle);
-
 }  // namespace rhexis

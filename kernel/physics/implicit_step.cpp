@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "math/rotation.hpp"
 #include "physics/kept_solver.hpp"
 
 namespace rhexis {
@@ -31,11 +32,6 @@ constexpr double near = 1e-2;         // relative residual below which the unpro
 constexpr double ulp = 2.2e-16;
 
 double norm(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
-
-Quat turned(const Quat& orientation, const Vec3& angle) {
-    // Cayley map: no trigonometry, so no libm in the result
-    return (Quat(1.0, 0.5 * angle.x(), 0.5 * angle.y(), 0.5 * angle.z()) * orientation).normalized();
-}
 
 }  // namespace
 

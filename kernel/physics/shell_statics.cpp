@@ -8,6 +8,7 @@
 #include "base/assert.hpp"
 #include "math/cholesky.hpp"
 #include "math/pcg.hpp"
+#include "math/rotation.hpp"
 #include "physics/shell_body.hpp"
 
 namespace rhexis {
@@ -20,10 +21,6 @@ constexpr int most_strides = 300;
 constexpr double ulp = 2.2e-16;
 
 double norm(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
-
-Quat turned(const Quat& rotation, const Vec3& turn) {
-    return (Quat(1.0, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()) * rotation).normalized();
-}
 
 }  // namespace
 
@@ -42,6 +39,8 @@ struct ShellStatics::Parts {
     double largest_share(const std::vector<double>& step, double most_turn) const;
     void apply(const std::vector<double>& step, double share, ShellState& state) const;
     void advance(double share, bool predict, ShellState& state);
+    double first_change(const std::vector<double>& by_load, const std::vector<Vec3>& before, double arc) const;
+    double next_change(const std::vector<double>& by_load, const std::vector<double>& way, double arc) const;
     [[nodiscard]] double moved_dot(const std::vector<double>& a, const std::vector<double>& b) const;
 
     const ShellModel* model;
@@ -153,6 +152,32 @@ double ShellStatics::Parts::moved_dot(const std::vector<double>& a, const std::v
     return sum;
 }
 
+/// Change of the load's factor that begins a step along a path, on the way it came. by_load: movement per factor.
+double ShellStatics::Parts::first_change(const std::vector<double>& by_load, const std::vector<Vec3>& before,
+                                         double arc) const {
+    double onwards = 0.0;
+    for (std::size_t n = 0; n < before.size(); ++n) {
+        onwards += before[n].dot(Eigen::Map<const Vec3>(by_load.data() + 6 * at(body.rank(static_cast<int>(n)))));
+    }
+    const double forwards = before.empty() || onwards > 0.0 ? arc : -arc;
+    return forwards / std::sqrt(moved_dot(by_load, by_load));
+}
+
+/// The change with which |way + step + change by_load| = arc: of the two, the one that turns back less. Not a number
+/// where there is none.
+double ShellStatics::Parts::next_change(const std::vector<double>& by_load, const std::vector<double>& way,
+                                        double arc) const {
+    std::vector<double> without = way;
+    for (std::size_t i = 0; i < without.size(); ++i) {
+        without[i] += step[i];
+    }
+    const double a = moved_dot(by_load, by_load);
+    const double b = moved_dot(by_load, without);
+    const double c = moved_dot(without, without) - arc * arc;
+    const double root = std::sqrt(b * b - a * c);
+    return (moved_dot(by_load, way) > 0.0 ? root - b : -root - b) / a;
+}
+
 ShellStatics::ShellStatics(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 ShellStatics::~ShellStatics() = default;
 ShellStatics::ShellStatics(ShellStatics&&) noexcept = default;
@@ -235,39 +260,17 @@ ShellStaticReport ShellStatics::follow(const ShellLoad& load, double arc, const 
     p.load = p.by_rows(load);
     std::vector<double> by_load(p.size());
     std::vector<double> way(p.size(), 0.0);
-    std::vector<double> before(p.size(), 0.0);
-    for (std::size_t n = 0; n < path.way.size(); ++n) {
-        Eigen::Map<Vec3>(before.data() + 6 * at(p.body.rank(static_cast<int>(n)))) = path.way[n];
-    }
     p.step.assign(p.size(), 0.0);
     p.body.forget_prediction();
-    for (;;) {
-        if (!p.factor_tangent(trial.state)) {
-            return report;
-        }
+    while (!report.converged && report.iterations < settings.max_iterations && p.factor_tangent(trial.state)) {
         report.negative_pivots = p.solver.negative_pivots();
         p.solver.solve(p.load, by_load);
-        const double a = p.moved_dot(by_load, by_load);
         double change = 0.0;  // of the load's factor
         if (report.iterations == 0) {
-            const bool forward = path.way.empty() || p.moved_dot(by_load, before) > 0.0;
-            change = (forward ? arc : -arc) / std::sqrt(a);
-            std::fill(p.step.begin(), p.step.end(), 0.0);
+            change = p.first_change(by_load, path.way, arc);
         } else {
             p.solver.solve(p.residual, p.step);
-            // |way + step + change by_load| = arc: of the two, the one that turns back less
-            std::vector<double> without = way;
-            for (std::size_t i = 0; i < without.size(); ++i) {
-                without[i] += p.step[i];
-            }
-            const double b = p.moved_dot(by_load, without);
-            const double c = p.moved_dot(without, without) - arc * arc;
-            const double under = b * b - a * c;
-            if (!(under >= 0.0)) {
-                return report;
-            }
-            const double root = std::sqrt(under);
-            change = (p.moved_dot(by_load, way) > 0.0 ? root - b : -root - b) / a;
+            change = p.next_change(by_load, way, arc);
         }
         for (std::size_t i = 0; i < p.step.size(); ++i) {
             p.step[i] += change * by_load[i];
@@ -279,7 +282,7 @@ ShellStaticReport ShellStatics::follow(const ShellLoad& load, double arc, const 
         p.balance(trial.state, trial.factor);
         report.residual = p.relative;
         report.converged = p.relative <= settings.tolerance;
-        if (report.converged || report.iterations >= settings.max_iterations || !std::isfinite(p.relative)) {
+        if (!std::isfinite(p.relative)) {
             break;
         }
     }

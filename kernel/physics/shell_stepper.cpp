@@ -9,14 +9,6 @@
 #include "math/rotation.hpp"
 
 namespace rhexis {
-namespace {
-
-Quat turned(const Quat& rotation, const Vec3& turn) {
-    return (Quat(1.0, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()) * rotation).normalized();
-}
-
-}  // namespace
-
 Result<ShellStepper> ShellStepper::create(const ShellModel& model, std::string_view instruction_set) {
     if (Status status = check_shell(model); !status) {
         return status.error();
