@@ -7,6 +7,7 @@
 #include "base/clock.hpp"
 #include "bench/bench_shell.hpp"
 #include "eye/implant.hpp"
+#include "physics/shell_statics.hpp"
 #include "physics/shell_stepper.hpp"
 #include "scenes/shells.hpp"
 
@@ -82,6 +83,33 @@ nlohmann::json bent_row(double force, bool balanced, const BenchOptions& options
                                     : "largest relative residual of a step's solve"}};
 }
 
+/// The optic folded by ever greater forces on its sides, by the static solver.
+nlohmann::json fold_rows(int triangles) {
+    const scenes::FoldedOptic optic = scenes::folded_optic(triangles);
+    ShellStatics statics = std::move(ShellStatics::create(optic.implant.model)).value();
+    ShellState state = rest_state(optic.implant.model);
+    nlohmann::json rows = nlohmann::json::array();
+    double reached = 0.0;
+    for (const double force : {1e4, 2e4, 3e4, 4e4, 8e4, 16e4}) {
+        const double start = thread_cpu_seconds();
+        const ShellStaticReport report = statics.load_to(optic.load, reached, force, {}, state);
+        const double seconds = thread_cpu_seconds() - start;
+        rows.push_back({{"name", "implant_fold"},
+                        {"elements", optic.implant.model.mesh.triangles.size()},
+                        {"force_mN", 1e-3 * force},
+                        {"turn_deg", scenes::fold_degrees(optic, state)},
+                        {"iterations", report.iterations},
+                        {"cpu_s", seconds},
+                        {"error", report.residual},
+                        {"error_kind", "what does not balance, of all forces"}});
+        if (!report.converged) {
+            break;
+        }
+        reached = force;
+    }
+    return rows;
+}
+
 nlohmann::json mesh_row() {
     const Implant implant = std::move(make_implant({})).value();
     const TriMesh& mesh = implant.model.mesh;
@@ -112,6 +140,14 @@ std::vector<BenchCase> implant_cases() {
                  for (const double force : {20.0, 100.0, 400.0}) {
                      rows.push_back(bent_row(force, false, options));
                      rows.push_back(bent_row(force, true, options));
+                 }
+                 return rows;
+             }},
+            {"implant_fold", "the foldable lens held along a diameter, its sides pressed together: equilibria",
+             [](const BenchOptions& options) {
+                 nlohmann::json rows = fold_rows(743);
+                 for (const nlohmann::json& row : options.quick ? nlohmann::json::array() : fold_rows(3000)) {
+                     rows.push_back(row);
                  }
                  return rows;
              }},

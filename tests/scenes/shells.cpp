@@ -42,4 +42,39 @@ ShellLoad disc_load(const LiftedDisc& disc, double share) {
 
 double moving_share(double time_s) { return 0.5 - 0.5 * std::cos(2.0 * M_PI * time_s / 0.5); }
 
+FoldedOptic folded_optic(int triangles) {
+    ImplantShape shape;
+    shape.triangles = triangles;
+    FoldedOptic result{std::move(make_implant(shape)).value(), {}, 0};
+    ShellModel& model = result.implant.model;
+    const std::vector<Vec3>& nodes = model.mesh.nodes;
+    std::vector<std::size_t> pressed;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        if (nodes[n].norm() > 0.5 * shape.optic_diameter + 1e-9) {
+            continue;  // of a haptic
+        }
+        if (std::abs(nodes[n].x()) < 0.3) {
+            model.holds.push_back({static_cast<int>(n), {true, true, true, true, true, true}});
+        }
+        if (std::abs(nodes[n].x()) > 2.2 && std::abs(nodes[n].y()) < 1.2) {
+            pressed.push_back(n);
+        }
+        if (nodes[n].x() > nodes[static_cast<std::size_t>(result.edge)].x()) {
+            result.edge = static_cast<int>(n);
+        }
+    }
+    result.load.force.assign(nodes.size(), Vec3::Zero());
+    for (const std::size_t n : pressed) {
+        const Vec3 way(nodes[n].x() > 0.0 ? -1.0 : 1.0, 0.0, 0.5);
+        result.load.force[n] = 2.0 / static_cast<double>(pressed.size()) * way;
+    }
+    return result;
+}
+
+double fold_degrees(const FoldedOptic& optic, const ShellState& state) {
+    const Vec3 way = state.rotation[static_cast<std::size_t>(optic.edge)] * Vec3::UnitX();
+    const double turn = std::atan2(way.z(), way.x()) * 180.0 / M_PI;
+    return turn < 0.0 ? turn + 360.0 : turn;
+}
+
 }  // namespace rhexis::scenes

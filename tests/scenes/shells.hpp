@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "eye/implant.hpp"
 #include "flow/shell.hpp"
 
 namespace rhexis::scenes {
@@ -27,5 +28,16 @@ ShellLoad disc_load(const LiftedDisc& disc, double share);
 
 /// The share at a time: it swells and fades every half second.
 double moving_share(double time_s);
+
+/// The implant held along a diameter of its optic, whose sides are pressed together above it.
+struct FoldedOptic {
+    Implant implant;  ///< with holds
+    ShellLoad load;   ///< 1 uN towards the middle on either side, and half of it upwards
+    int edge = 0;     ///< node at the optic's right
+};
+FoldedOptic folded_optic(int triangles);
+
+/// How far the optic's right edge has turned up, 0 to 360 [deg].
+double fold_degrees(const FoldedOptic& optic, const ShellState& state);
 
 }  // namespace rhexis::scenes

@@ -7,6 +7,7 @@
 
 #include "physics/shell_statics.hpp"
 #include "scenes/shell_problems.hpp"
+#include "scenes/shells.hpp"
 
 using namespace rhexis;
 using scenes::GridCut;
@@ -100,6 +101,22 @@ TEST_SUITE("shells") {
             factor = row.factor;
         }
         CHECK(problem.measure(at_once)[0] == doctest::Approx(problem.measure(by_rows)[0]).epsilon(1e-5));
+    }
+
+    TEST_CASE("the implant's optic is folded past three quarters of half a turn, in few iterations a load") {
+        const scenes::FoldedOptic optic = scenes::folded_optic(743);
+        ShellStatics statics = std::move(ShellStatics::create(optic.implant.model)).value();
+        ShellState state = rest_state(optic.implant.model);
+        double reached = 0.0;
+        for (const double force : {1e4, 2e4, 3e4, 4e4, 8e4}) {
+            const ShellStaticReport report = statics.load_to(optic.load, reached, force, {}, state);
+            REQUIRE(report.converged);
+            CHECK(report.iterations < 10);
+            CHECK(report.negative_pivots == 0);
+            reached = force;
+        }
+        CHECK(scenes::fold_degrees(optic, state) > 135.0);
+        CHECK(scenes::fold_degrees(optic, state) < 150.0);
     }
 
     TEST_CASE("a hinged roof snaps through: the path passes both limit points (T10)") {
