@@ -33,15 +33,17 @@ local left_behind = 1.4     -- the end of the tear, by the needle, when that is 
 local pull_speed = 5.0
 local pull_step = 0.9       -- of one look to the next [mm]
 local pull_height = 0.2
-local early_pull = 20       -- inwards from the circle, at which the tear follows it at first [degrees]
-local late_pull = 100      -- and at last, when little holds the flap and the tear tends outwards
+local early_pull = 10       -- inwards from the circle, at which the tear follows it at first [degrees]
+local late_pull = 90       -- and at last, when little holds the flap and the tear tends outwards
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
+local outwards = 40         -- as far as one dares to pull [degrees]
 local farthest_out = 2.9    -- of the jaws, clear of the iris [mm]
 local looks = 16            -- in one pull, before one takes hold anew
-local drawn = 0.3           -- inwards, the end of a tear while it is pulled at [mm]
+local drawn = 0.1           -- inwards, the end of a tear while it is pulled at [mm]
 local most_turn = 30        -- of the pull from one look to the next [degrees]
 local steer = 80            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
-local stretch = 3.6         -- from the tear to the jaws, at which one takes hold anew [mm]
+local stretch = 3.4         -- from the tear to the jaws, at which one takes hold anew [mm]
+local late_stretch = 4.8    -- at last, when most of the flap is free and lies in folds
 local tries = 6             -- to take hold, before one gives up
 local shallow = 0.80        -- share of the chamber below which it is filled again
 
@@ -181,16 +183,18 @@ end
 
 local function closed(seen) return seen.landmarks.rim ~= nil end
 
+-- Share of what the forceps tear, at an angle.
+local function gone(angle) return math.min(1, ((angle - cut_end) % 360) / (360 - cut_end)) end
+
 -- Where the jaws go next, from the end of the tear: along the circle and inwards, and the farther out the tear is the
 -- more back the way it came, for it runs at a right angle to the pull. A pull draws the end of the tear along, so that
 -- its place is seen too far in or out: one turns the hand little by little. Returns the place and the angle inwards,
 -- after that of the last look.
 local function aim(me, eye, tip, radius, last)
     local tear_radius, angle = capsulorhexis.polar(eye, tip)
-    local gone = ((angle - cut_end) % 360) / (360 - cut_end)
-    local even_pull = early_pull + (late_pull - early_pull) * math.min(1, gone)
+    local even_pull = early_pull + (late_pull - early_pull) * gone(angle)
     local wanted = even_pull + steer * (tear_radius + (last and drawn or 0) - radius)
-    wanted = math.max(0, math.min(farthest_back, wanted))
+    wanted = math.max(-outwards, math.min(farthest_back, wanted))
     if last then wanted = math.max(last - most_turn, math.min(last + most_turn, wanted)) end
     local inwards = math.rad(wanted)
     local a = math.rad(angle)
@@ -210,7 +214,10 @@ local function pull(me, eye, radius)
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
-        if vector.distance(me.tip(), tip.position) > stretch then return "far" end
+        local _, angle = capsulorhexis.polar(eye, tip.position)
+        if vector.distance(me.tip(), tip.position) > stretch + (late_stretch - stretch) * gone(angle) then
+            return "far"
+        end
         place, inwards = aim(me, eye, tip.position, radius, inwards)
         me.go(place, pull_speed, nil, closed)
     end
