@@ -146,14 +146,14 @@ Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const
 }
 
 MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
-                           const MembraneBody* before)
+                           const MembraneBody* before, const membrane_kernel::Kernel& kernel)
     : ElasticBody(model.damping_mass, model.damping_stiffness),
       model_(&model),
       sheet_(std::move(sheet)),
-      triangles_(membrane_triangles(model, *sheet_)) {
+      kernel_(&kernel) {
     number_rows(before);
     hang();
-    find_slots();
+    pack();
     weigh();
 }
 
@@ -192,39 +192,84 @@ void MembraneBody::hang() {
     }
 }
 
-void MembraneBody::find_slots() {
+/// Corners by ascending row, so that their pairs are in the upper triangle.
+std::array<std::size_t, 3> MembraneBody::by_rows(std::size_t triangle) const {
+    const std::array<int, 3>& nodes = sheet_->mesh.triangles[triangle];
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return row_of_[at(nodes[a])] < row_of_[at(nodes[b])]; });
+    return order;
+}
+
+/// Lays the triangles out for the kernel.
+void MembraneBody::pack() {
     const TriMesh& mesh = sheet_->mesh;
-    corner_.resize(mesh.triangles.size());
-    slot_.resize(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        std::size_t pair = 0;
-        for (std::size_t a = 0; a < 3; ++a) {
-            corner_[t][a] = row_of_[at(mesh.triangles[t][a])];
-        }
-        // corners by ascending row, so that their pairs are in the upper triangle
-        std::array<std::size_t, 3> order{0, 1, 2};
-        std::sort(order.begin(), order.end(),
-                  [&](std::size_t a, std::size_t b) { return corner_[t][a] < corner_[t][b]; });
-        const std::array<int, 3> rows = corner_[t];
-        const std::array<Vec2, 3> gradient = triangles_[t].gradient;
-        for (std::size_t a = 0; a < 3; ++a) {
-            corner_[t][a] = rows[order[a]];
-            triangles_[t].gradient[a] = gradient[order[a]];
-        }
-        for (std::size_t a = 0; a < 3; ++a) {
-            for (std::size_t b = a; b < 3; ++b, ++pair) {
-                const bool moving = moves_[at(corner_[t][a])] != 0 && moves_[at(corner_[t][b])] != 0;
-                slot_[t][pair] = moving ? pattern_.slot(corner_[t][a], corner_[t][b]) : -1;
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(*model_, *sheet_);
+    groups_ = static_cast<int>((triangles.size() + membrane_kernel::lanes - 1) / membrane_kernel::lanes);
+    data_.assign(at(groups_ * membrane_kernel::numbers * membrane_kernel::lanes), 0.0);
+    index_.assign(at(groups_ * membrane_kernel::places * membrane_kernel::lanes), 0);
+    volume_.clear();
+    for (std::size_t t = 0; t < at(groups_ * membrane_kernel::lanes); ++t) {
+        const std::size_t group = t / membrane_kernel::lanes;
+        const std::size_t lane = t % membrane_kernel::lanes;
+        int* const places = index_.data() + group * membrane_kernel::places * membrane_kernel::lanes + lane;
+        if (t >= triangles.size()) {
+            for (std::size_t k = 3; k < membrane_kernel::places; ++k) {
+                places[k * membrane_kernel::lanes] = 9 * pattern_.blocks();  // dropped
             }
+            continue;
+        }
+        const std::array<std::size_t, 3> order = by_rows(t);
+        pack_numbers(triangles[t], order,
+                     data_.data() + group * membrane_kernel::numbers * membrane_kernel::lanes + lane);
+        std::array<int, 3> rows{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            rows[a] = row_of_[at(mesh.triangles[t][order[a]])];
+        }
+        pack_places(rows, places);
+        volume_.push_back(triangles[t].volume);
+    }
+}
+
+void MembraneBody::pack_numbers(const MembraneTriangle& triangle, const std::array<std::size_t, 3>& order, double* to) {
+    const auto put = [&to](double value) {
+        *to = value;
+        to += membrane_kernel::lanes;
+    };
+    for (const std::size_t a : order) {
+        put(triangle.gradient[a].x());
+        put(triangle.gradient[a].y());
+    }
+    put(triangle.volume);
+    for (Eigen::Index row = 0; row < 3; ++row) {
+        for (Eigen::Index column = row; column < 3; ++column) {
+            put(triangle.stiffness(row, column));
+        }
+    }
+    put(triangle.rest);
+}
+
+void MembraneBody::pack_places(const std::array<int, 3>& rows, int* to) const {
+    const auto put = [&to](int value) {
+        *to = value;
+        to += membrane_kernel::lanes;
+    };
+    for (const int row : rows) {
+        put(row);
+    }
+    for (std::size_t b = 0; b < 3; ++b) {
+        for (std::size_t a = 0; a <= b; ++a) {
+            const bool moving = moves_[at(rows[a])] != 0 && moves_[at(rows[b])] != 0;
+            put(9 * (moving ? pattern_.slot(rows[a], rows[b]) : pattern_.blocks()));
         }
     }
 }
 
 void MembraneBody::weigh() {
     mass_.inertia.assign(node_of_.size(), 0.0);
-    for (std::size_t t = 0; t < corner_.size(); ++t) {
-        for (const int row : corner_[t]) {
-            mass_.inertia[at(row)] += model_->density * triangles_[t].volume / 3.0;
+    for (std::size_t t = 0; t < volume_.size(); ++t) {
+        for (const int node : sheet_->mesh.triangles[t]) {
+            mass_.inertia[at(row_of_[at(node)])] += model_->density * volume_[t] / 3.0;
         }
     }
     mass_.weight.assign(node_of_.size(), 0.0);  // a capsule floats
@@ -238,19 +283,19 @@ double MembraneBody::springs_on_support(const std::vector<Vec3>& position) const
     return sum;
 }
 
-void MembraneBody::forces(const std::vector<double>& position, std::vector<double>& force) {
+membrane_kernel::Task MembraneBody::task(const std::vector<double>& position, std::vector<double>& force) const {
     force.assign(3 * node_of_.size() + 1, 0.0);
-    TrianglePoints x;
-    TrianglePoints f;
-    for (std::size_t t = 0; t < corner_.size(); ++t) {
-        for (std::size_t a = 0; a < 3; ++a) {
-            x[a] = Eigen::Map<const Vec3>(position.data() + 3 * at(corner_[t][a]));
-        }
-        membrane_forces(triangles_[t], x, f);
-        for (std::size_t a = 0; a < 3; ++a) {
-            Eigen::Map<Vec3>(force.data() + 3 * at(corner_[t][a])) += f[a];
-        }
-    }
+    membrane_kernel::Task task;
+    task.data = data_.data();
+    task.index = index_.data();
+    task.groups = groups_;
+    task.position = position.data();
+    task.force = force.data();
+    return task;
+}
+
+void MembraneBody::forces(const std::vector<double>& position, std::vector<double>& force) {
+    kernel_->assemble(task(position, force));
     for (const NodeSpring& spring : springs_) {
         const std::size_t row = at(spring.node);
         Eigen::Map<Vec3>(force.data() + 3 * row) +=
@@ -260,26 +305,12 @@ void MembraneBody::forces(const std::vector<double>& position, std::vector<doubl
 
 void MembraneBody::forces_and_stiffness(const std::vector<double>& position, Mode mode, double scale,
                                         std::vector<double>& force, BlockValues& stiffness) {
-    const MembraneTangent kind = mode == Mode::consistent ? MembraneTangent::consistent : MembraneTangent::definite;
-    force.assign(3 * node_of_.size() + 1, 0.0);
     clear_upper(pattern_, stiffness);
-    TrianglePoints x;
-    TrianglePoints f;
-    TriangleBlocks blocks;
-    for (std::size_t t = 0; t < corner_.size(); ++t) {
-        for (std::size_t a = 0; a < 3; ++a) {
-            x[a] = Eigen::Map<const Vec3>(position.data() + 3 * at(corner_[t][a]));
-        }
-        membrane_stiffness(triangles_[t], x, kind, f, blocks);
-        for (std::size_t a = 0; a < 3; ++a) {
-            Eigen::Map<Vec3>(force.data() + 3 * at(corner_[t][a])) += f[a];
-        }
-        for (std::size_t pair = 0; pair < 6; ++pair) {
-            if (slot_[t][pair] >= 0) {
-                add_block(stiffness, slot_[t][pair], scale * blocks[pair]);
-            }
-        }
-    }
+    membrane_kernel::Task task = this->task(position, force);
+    task.mode = mode == Mode::consistent ? membrane_kernel::Mode::consistent : membrane_kernel::Mode::definite;
+    task.scale = scale;
+    task.stiffness = stiffness.data();
+    kernel_->assemble(task);
     for (const NodeSpring& spring : springs_) {
         const int row = spring.node;
         const SpringPull pull = pull_of(spring, lift_, Eigen::Map<const Vec3>(position.data() + 3 * at(row)));

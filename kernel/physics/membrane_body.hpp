@@ -7,6 +7,7 @@
 #include "energy/membrane_triangle.hpp"
 #include "flow/membrane.hpp"
 #include "physics/elastic_body.hpp"
+#include "physics/membrane_kernel.hpp"
 
 namespace rhexis {
 
@@ -28,7 +29,8 @@ class MembraneBody final : public ElasticBody {
 public:
     /// The model must outlive this; the sheet is kept alive. before: of the sheet that this one came from, whose order
     /// of elimination is taken over, with the nodes that are new beside those they touch; or null.
-    MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet, const MembraneBody* before);
+    MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet, const MembraneBody* before,
+                 const membrane_kernel::Kernel& kernel = *membrane_kernel::choose({}));
 
     [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
 
@@ -44,16 +46,23 @@ public:
 private:
     void number_rows(const MembraneBody* before);
     void hang();
-    void find_slots();
+    [[nodiscard]] std::array<std::size_t, 3> by_rows(std::size_t triangle) const;
+    void pack();
+    static void pack_numbers(const MembraneTriangle& triangle, const std::array<std::size_t, 3>& order, double* to);
+    void pack_places(const std::array<int, 3>& rows, int* to) const;
     void weigh();
+    membrane_kernel::Task task(const std::vector<double>& position, std::vector<double>& force) const;
 
     const MembraneModel* model_;
     std::shared_ptr<const MembraneSheet> sheet_;
-    std::vector<MembraneTriangle> triangles_;  ///< corners by ascending row
-    std::vector<NodeSpring> springs_;          ///< of rows
-    double lift_ = 0.0;                        ///< of the support [mm]
-    std::vector<std::array<int, 3>> corner_;   ///< rows per triangle
-    std::vector<std::array<int, 6>> slot_;     ///< per triangle and pair a <= b: upper slot; negative: not to be added
+    const membrane_kernel::Kernel* kernel_;
+    std::vector<NodeSpring> springs_;  ///< of rows
+    double lift_ = 0.0;                ///< of the support [mm]
+    std::vector<double> volume_;       ///< per triangle [mm^3]
+    // as the kernel reads them; corners by ascending row
+    int groups_ = 0;
+    std::vector<double> data_;
+    std::vector<int> index_;
 };
 
 }  // namespace rhexis

@@ -88,7 +88,8 @@ void MembraneStepper::follow(const MembraneState& state) {
     if (step_ && body_->sheet() == state.sheet) {
         return;
     }
-    std::unique_ptr<MembraneBody> body = std::make_unique<MembraneBody>(*model_, state.sheet, step_ ? body_ : nullptr);
+    std::unique_ptr<MembraneBody> body = std::make_unique<MembraneBody>(*model_, state.sheet, step_ ? body_ : nullptr,
+                                                                        *membrane_kernel::choose(kernel_->name));
     body_ = body.get();
     step_.emplace(std::move(body), *kernel_);
 }
