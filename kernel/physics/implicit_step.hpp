@@ -37,6 +37,7 @@ struct ImplicitSettings {
     int max_newton = 4;              ///< 1: one linearised step, as in the paper
     double newton_tolerance = 1e-4;  ///< relative residual of the step at which Newton stops
     double force_tolerance = 0.0;    ///< residual force at which it stops, whatever the relative residual [uN]
+    double rest_tolerance = 0.0;     ///< residual force at which what was predicted is taken as it is [uN]
     int max_linear_iterations = 1000;
     bool predict = false;      ///< linearised first where the velocities lead; more than one iteration, no K0 damping
     bool new_factors = false;  ///< one per linear solve: pays where the matrix changes much from each to the next

@@ -13,17 +13,24 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+constexpr double rest_share = 0.1;  // of the force tolerance: what is no farther out of balance is left as it is
+
 /// Forces of a scene are some 1,000 to 20,000 uN. Tears end within 0.02 mm of where they end at 2 uN and 1e-6.
-const ImplicitSettings scene_settings{.tolerance = 1e-2,
-                                      .max_newton = 8,
-                                      .newton_tolerance = 1e-3,
-                                      .force_tolerance = 20.0,
-                                      .new_factors = true,
-                                      .most_travel = 0.2};
+ImplicitSettings scene_settings(const MembraneSolve& solve, bool predict) {
+    return {.tolerance = 1e-2,
+            .max_newton = solve.max_newton,
+            .newton_tolerance = 1e-3,
+            .force_tolerance = solve.force_tolerance,
+            .rest_tolerance = rest_share * solve.force_tolerance,
+            .predict = predict,
+            .new_factors = solve.new_factors,
+            .most_travel = 0.2};
+}
 
 constexpr double farthest = 0.1;            // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.5;  // and that of the radius of its thinnest end
 constexpr int most_substeps = 20;
+constexpr double beside_nodes = 0.8;  // more than from any place of the sheet to its nearest node [mm]
 
 Box box_of(const std::vector<Vec3>& nodes) {
     Box box;
@@ -31,6 +38,23 @@ Box box_of(const std::vector<Vec3>& nodes) {
         box.add(node, 0.0);
     }
     return box;
+}
+
+/// Whether anything of an instrument comes to the sheet in a step.
+bool comes_near(const ToolModel& model, const ToolState& tool, double travel, const std::vector<Vec3>& nodes) {
+    for (const RoundedCone& part : model.parts) {
+        const double reach = std::max(part.radius_a, part.radius_b) + travel + beside_nodes;
+        const Vec3 a = tool.pose.to_world(part.a);
+        const Vec3 along = tool.pose.to_world(part.b) - a;
+        const double square = along.squaredNorm();
+        for (const Vec3& node : nodes) {
+            const double share = square > 0.0 ? std::clamp(along.dot(node - a) / square, 0.0, 1.0) : 0.0;
+            if ((a + share * along - node).squaredNorm() < reach * reach) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 /// As many as the fastest of what instruments have near the sheet needs: not their handles, which go far when they
@@ -42,8 +66,12 @@ int substeps_for(const MembraneStepper::Task& task) {
         if (!task.tools[k].present) {
             continue;
         }
-        const double most = std::min(farthest, farthest_of_radius * thinnest(task.world.tools[k]));
-        parts = std::max(parts, travel_near(task.world.tools[k], task.tools[k], sheet) / most);
+        const ToolModel& model = task.world.tools[k];
+        const double travel = travel_near(model, task.tools[k], sheet);
+        const double wanted = travel / std::min(farthest, farthest_of_radius * thinnest(model));
+        if (wanted > parts && comes_near(model, task.tools[k], travel, task.state.position)) {
+            parts = wanted;
+        }
     }
     return std::min(static_cast<int>(std::ceil(parts)), most_substeps);
 }
@@ -71,7 +99,8 @@ void carry(const MembraneModel& model, double lift, MembraneState& state) {
 
 }  // namespace
 
-Result<MembraneStepper> MembraneStepper::create(const MembraneModel& model, std::string_view instruction_set) {
+Result<MembraneStepper> MembraneStepper::create(const MembraneModel& model, std::string_view instruction_set,
+                                                const MembraneSolve& solve) {
     if (Status status = check_membrane(model); !status) {
         return status.error();
     }
@@ -80,7 +109,7 @@ Result<MembraneStepper> MembraneStepper::create(const MembraneModel& model, std:
         return Error{"unknown or missing instruction set \"" + std::string(instruction_set) + "\"", "instruction_set",
                      "\"\", \"baseline\", \"avx2\" or \"avx512\", as the machine has"};
     }
-    return MembraneStepper(model, *kernel);
+    return MembraneStepper(model, *kernel, solve);
 }
 
 /// Takes over the state's sheet.
@@ -130,7 +159,7 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
     }
     touching_.look(task.world, task.membrane, from, tools_, dt);
     held_.look(task.world, task.membrane, from, touching_.stiffness());
-    layers_.look(*model_, from, touching_.stiffness());
+    layers_.look(*model_, from, touching_.stiffness(), dt);
     place_tools(tools_, 1.0, poses_);
     CouplingFunction coupling;
     if (!touching_.empty() || !held_.empty() || !layers_.empty()) {
@@ -141,9 +170,8 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
             layers_.terms(position, terms);
         };
     }
-    ImplicitSettings settings = scene_settings;
-    settings.predict = model_->damping_stiffness == 0.0;
-    const ImplicitReport report = step(from, external_, dt, settings, coupling, next);
+    const ImplicitReport report =
+        step(from, external_, dt, scene_settings(solve_, model_->damping_stiffness == 0.0), coupling, next);
     touching_.settle(next.position, poses_, dt);
     touching_.report(task.dt, contacts);
     next.touches = touching_.touches();

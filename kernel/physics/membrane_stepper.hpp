@@ -11,6 +11,7 @@
 #include "flow/step_outcome.hpp"
 #include "physics/implicit_step.hpp"
 #include "physics/membrane_body.hpp"
+#include "physics/membrane_solve.hpp"
 #include "physics/sheet_contact.hpp"
 #include "physics/sheet_grip.hpp"
 #include "physics/sheet_layers.hpp"
@@ -20,7 +21,8 @@ namespace rhexis {
 class MembraneStepper {
 public:
     /// The model must outlive this. instruction_set: as of ImplicitSolid. Fails on a model that check_membrane refuses.
-    static Result<MembraneStepper> create(const MembraneModel& model, std::string_view instruction_set = {});
+    static Result<MembraneStepper> create(const MembraneModel& model, std::string_view instruction_set = {},
+                                          const MembraneSolve& solve = {});
 
     /// One step of dt [s]. external: force per node [uN], or empty. The sheet, tips and what was torn are taken over.
     ImplicitReport step(const MembraneState& state, std::span<const Vec3> external, double dt,
@@ -45,8 +47,8 @@ public:
     void drop_caches() { step_.reset(); }
 
 private:
-    MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel)
-        : model_(&model), kernel_(&kernel) {}
+    MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel, const MembraneSolve& solve)
+        : model_(&model), kernel_(&kernel), solve_(solve) {}
     void follow(const MembraneState& state);
     void load(const MembraneState& state);
     bool run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report, ContactSet& contacts);
@@ -55,6 +57,7 @@ private:
 
     const MembraneModel* model_;
     const linear_kernel::Kernel* kernel_;
+    MembraneSolve solve_;
     std::optional<ImplicitStep> step_;
     MembraneBody* body_ = nullptr;  ///< of step_
     NodeMotion motion_;

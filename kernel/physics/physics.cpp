@@ -174,7 +174,8 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
         solvers->cracks.emplace_back(model->solids[solid]);
     }
     for (const MembraneModel& membrane : model->membranes) {
-        Result<MembraneStepper> stepper = MembraneStepper::create(membrane, settings.instruction_set);
+        Result<MembraneStepper> stepper =
+            MembraneStepper::create(membrane, settings.instruction_set, settings.membranes);
         if (!stepper) {
             return stepper.error();
         }

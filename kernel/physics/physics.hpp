@@ -12,6 +12,7 @@
 #include "flow/step_outcome.hpp"
 #include "flow/tool.hpp"
 #include "flow/world.hpp"
+#include "physics/membrane_solve.hpp"
 
 namespace rhexis {
 
@@ -20,6 +21,7 @@ struct PhysicsSettings {
     std::string instruction_set;  ///< "" chooses the best; "baseline", "avx2", "avx512": same bits, other speed
     double tolerance = 1e-3;      ///< residual at which an implicit step is done, as a share of all forces on the solid
     int max_newton = 8;           ///< Newton iterations of an implicit step
+    MembraneSolve membranes;
     bool elastic_energy = false;  ///< fills elastic_energy of the reports, at some 3 % of a step
 };
 

@@ -113,11 +113,27 @@ bool surely_apart(const RoundedCone& cone, const Pose& pose, const std::array<Ve
     return (a + share * along - middle).squaredNorm() > reach * reach;
 }
 
+/// The tangent of a part of an instrument where it is nearest to a point in its frame.
+void touch_plane(const RoundedCone& cone, const Vec3& point, SheetContact& contact) {
+    const ShapeDistance near = cone_distance(cone, point);
+    contact.out = near.normal;
+    contact.foot = point - near.distance * near.normal;
+}
+
 /// Whether a needle that goes on along its axis meets a place with its end.
 bool under_point(const ToolModel& model, const Pose& pose, const Vec3& place) {
     const Vec3 own = pose.to_body(place);
     return own.head<2>().norm() < model.parts[0].radius_a &&
            own.z() < deepest_dent;  // deeper, it lies beside the needle
+}
+
+/// Whether the jaws of an instrument hold a corner: then they lie on both sides of the triangle, and meeting it would
+/// push out what they hold.
+bool between_jaws(const MembraneState& state, const std::array<int, 3>& triangle, int tool) {
+    return std::any_of(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
+        return grip.tool == tool && !grip.pushed &&
+               std::find(triangle.begin(), triangle.end(), grip.node) != triangle.end();
+    });
 }
 
 /// Whether the sheet ends or is torn at a triangle: a needle that is through it touches what is left with its side.
@@ -171,9 +187,8 @@ void SheetContacts::meet_support(const MembraneState& state, double dt) {
         const SurfaceDistance near = bag_distance(model.support->shape, support_.to_body(state.position[at(node)]));
         if (near.distance < reach) {
             SheetContact contact;
-            contact.plane = true;  // its tangent: it is smooth, and no node goes far in a substep
-            contact.normal = near.normal;
-            contact.foot = state.position[at(node)] - near.distance * near.normal;
+            contact.out = near.normal;
+            contact.foot = support_.to_body(state.position[at(node)]) - near.distance * near.normal;
             contact.touch.node = contact.nodes[0] = node;
             contact.touch.partner = ContactPartner::support;
             add(contact, state, support_);
@@ -199,6 +214,8 @@ void SheetContacts::meet_planes(const MembraneState& state, double dt) {
                 contact.touch.node = contact.nodes[0] = node;
                 contact.touch.partner = ContactPartner::plane;
                 contact.touch.index = i;
+                contact.foot = plane.point;
+                contact.out = plane.normal;
                 add(contact, state, Pose{});
             }
         }
@@ -217,11 +234,13 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
         const std::array<Vec3, 3> x{state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]};
         const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]);
         const Vec3 high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
-        if ((low.array() > box.high.array()).any() || (high.array() < box.low.array()).any()) {
+        if ((low.array() > box.high.array()).any() || (high.array() < box.low.array()).any() ||
+            between_jaws(state, n, index)) {
             continue;
         }
         SheetContact best;
         double least = HUGE_VAL;
+        const RoundedCone* nearest = nullptr;
         for (int part = in_tear ? 1 : 0; part < static_cast<int>(model.parts.size()); ++part) {
             const RoundedCone& cone = model.parts[at(part)];
             if (surely_apart(cone, tool.pose, x)) {
@@ -232,7 +251,7 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
             const double gap = cone_distance(cone, tool.pose.to_body(blend(x, weights))).distance;
             if (gap < least) {
                 least = gap;
-                best.part = part;
+                nearest = &cone;
                 best.weights = weights;
             }
         }
@@ -240,8 +259,13 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
             continue;
         }
         const Vec3 point = blend(x, best.weights);
-        best.under_point = model.kind == ToolKind::cystotome && under_point(model, tool.previous_pose, point) &&
-                           !at_tear(*state.sheet, t);
+        touch_plane(*nearest, tool.previous_pose.to_body(point), best);
+        if (model.kind == ToolKind::cystotome && under_point(model, tool.previous_pose, point) &&
+            !at_tear(*state.sheet, t)) {
+            // a needle's end presses along the needle, however far it dents the sheet
+            best.foot.setZero();
+            best.out = -Vec3::UnitZ();
+        }
         const bool again =
             std::any_of(met.begin(), met.end(), [&](const Vec3& other) { return (other - point).norm() < 1e-9; });
         if (!again) {
@@ -272,40 +296,30 @@ void SheetContacts::look(const WorldModel& world, int membrane, const MembraneSt
     }
 }
 
+Pose SheetContacts::pose_of(const SheetContact& contact, const PartnerPoses& poses) const {
+    switch (contact.touch.partner) {
+        case ContactPartner::tool:
+            return poses.tools[at(contact.touch.index)];
+        case ContactPartner::support:
+            return support_;
+        default:
+            return {};
+    }
+}
+
 SheetContacts::Meeting SheetContacts::meeting(const SheetContact& contact, const std::vector<Vec3>& position,
                                               const PartnerPoses& poses) const {
+    const Pose pose = pose_of(contact, poses);
     Meeting result;
     result.point = point_of(contact, position);
-    if (contact.plane) {
-        result.gap = contact.normal.dot(result.point - contact.foot);
-        result.normal = contact.normal;
-    } else if (contact.touch.partner == ContactPartner::tool) {
-        const Pose& pose = poses.tools[at(contact.touch.index)];
-        const ShapeDistance distance =
-            cone_distance(world_->tools[at(contact.touch.index)].parts[at(contact.part)], pose.to_body(result.point));
-        result.gap = distance.distance;
-        result.normal = pose.orientation * distance.normal;
-        if (contact.under_point) {
-            // a needle's end presses along the needle, however far it dents the sheet
-            result.gap = -pose.to_body(result.point).z();
-            result.normal = pose.orientation * -Vec3::UnitZ();
-        }
-    } else {
-        const PlaneModel& plane = world_->planes[at(contact.touch.index)];
-        result.gap = plane.normal.dot(result.point - plane.point);
-        result.normal = plane.normal;
-    }
+    result.gap = contact.out.dot(pose.to_body(result.point) - contact.foot);
+    result.normal = pose.orientation * contact.out;
     return result;
 }
 
 SpringResponse SheetContacts::spring(const SheetContact& contact, const Meeting& meeting,
                                      const PartnerPoses& poses) const {
-    Vec3 anchor = contact.anchor;
-    if (contact.touch.partner == ContactPartner::tool) {
-        anchor = poses.tools[at(contact.touch.index)].to_world(anchor);
-    } else if (contact.touch.partner == ContactPartner::support) {
-        anchor = support_.to_world(anchor);
-    }
+    const Vec3 anchor = pose_of(contact, poses).to_world(contact.anchor);
     const ContactSpring spring{stiffness_, friction_of(*world_, world_->membranes[at(membrane_)], contact.touch)};
     return spring_contact(spring, meeting.gap, meeting.normal, meeting.point - anchor, true);
 }
@@ -332,9 +346,7 @@ void SheetContacts::settle(const std::vector<Vec3>& position, const PartnerPoses
         contact.normal = now.normal;
         contact.gap = now.gap;
         contact.sliding = false;
-        const Pose pose = contact.touch.partner == ContactPartner::tool      ? poses.tools[at(contact.touch.index)]
-                          : contact.touch.partner == ContactPartner::support ? support_
-                                                                             : Pose{};
+        const Pose pose = pose_of(contact, poses);
         const Vec3 here = pose.to_body(now.point);
         Vec3 stretch = Vec3::Zero();
         if (now.gap < 0.0) {

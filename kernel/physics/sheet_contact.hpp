@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside physics: a membrane against instruments, fixed half-spaces and the body that it lies on. Nodes meet what is
 // smooth and large; triangles meet instruments, at the point of each that is nearest, so that a thin tool does not slip
-// between nodes. Both sides of a sheet touch.
+// between nodes. Both sides of a sheet touch. For the length of a substep each contact is one with a plane that goes
+// with the partner, its tangent where it is nearest: nothing goes far in one, and the system stays one of straight
+// springs.
 #pragma once
 
 #include <span>
@@ -17,10 +19,8 @@ struct SheetContact {
     SheetTouch touch;
     std::array<int, 3> nodes{0, -1, -1};
     std::array<double, 3> weights{1.0, 0.0, 0.0};
-    int part = 0;                 ///< of an instrument
-    bool under_point = false;     ///< of a needle
-    bool plane = false;           ///< against a plane through `foot` with `normal`
-    Vec3 foot = Vec3::Zero();     ///< [mm]
+    Vec3 foot = Vec3::Zero();     ///< of the partner's plane of contact, in its frame [mm]
+    Vec3 out = Vec3::UnitZ();     ///< that plane's normal, in the partner's frame
     Vec3 anchor = Vec3::Zero();   ///< where friction holds it, in the partner's frame [mm]
     Vec3 impulse = Vec3::Zero();  ///< on the sheet, summed over the step [uN s]
     Vec3 point = Vec3::Zero();    ///< at the end [mm]
@@ -61,6 +61,7 @@ private:
                                   const PartnerPoses& poses) const;
     [[nodiscard]] SpringResponse spring(const SheetContact& contact, const Meeting& meeting,
                                         const PartnerPoses& poses) const;
+    [[nodiscard]] Pose pose_of(const SheetContact& contact, const PartnerPoses& poses) const;
     void meet_support(const MembraneState& state, double dt);
     void meet_planes(const MembraneState& state, double dt);
     void meet_tool(const MembraneState& state, const ToolState& tool, int index);

@@ -134,7 +134,8 @@ void SheetLayers::meet(const MembraneModel& model, const MembraneState& state, i
     const bool over = upright_[at(node)] < 0.0;
     const double least = over ? -level * distance_ : clear * distance_;
     double highest = std::min(most_reach, distance_ + margin);
-    Meeting found{-1, -1, {}, {}, Vec3::Zero(), false};
+    Meeting found{-1, -1, Vec3::Zero(), 0.0, false};
+    std::array<double, 3> share{};
     const int k = cell(x.x(), x.y());
     for (int i = grid_.offset[at(k)]; i < grid_.offset[at(k) + 1]; ++i) {
         const int triangle = grid_.triangles[at(i)];
@@ -151,17 +152,20 @@ void SheetLayers::meet(const MembraneModel& model, const MembraneState& state, i
         const std::array<double, 3> weights = weights_below(state.position, layer.nodes, x);
         if (*std::min_element(weights.begin(), weights.end()) > beyond_edges) {
             highest = height;
-            found = {node, triangle, layer.nodes, weights, layer.up, false};
+            found = {node, triangle, layer.up, 0.0, false};
+            share = weights;
         }
     }
     if (found.node < 0) {
         return;
     }
-    Vec3 place = place_of(state.position, found.below, found.weights);
+    const std::array<int, 3>& below = layers_[at(found.triangle)].nodes;
+    Vec3 place = place_of(state.position, below, share);
+    found.level = found.up.dot(place + dt_ * place_of(state.velocity, below, share)) + distance_;
     place.z() -= state.support.lift;
     found.on_support = bag_distance(model.support->shape, place).distance < distance_;
     list_.push_back(found);
-    for (const int corner : found.below) {
+    for (const int corner : below) {
         bears_[at(corner)] = 1;
     }
 }
@@ -176,8 +180,9 @@ bool SheetLayers::was_above(int node, const Layer& layer) const {
     return std::find_first_of(other.begin(), other.end(), layer.nodes.begin(), layer.nodes.end()) != other.end();
 }
 
-void SheetLayers::look(const MembraneModel& model, const MembraneState& state, double stiffness) {
+void SheetLayers::look(const MembraneModel& model, const MembraneState& state, double stiffness, double dt) {
     list_.clear();
+    dt_ = dt;
     distance_ = model.layer_distance;
     stiffness_ = stiffness;
     if (distance_ == 0.0 || state.tips.empty()) {
@@ -215,7 +220,7 @@ void SheetLayers::remember(std::vector<SheetTouch>& touches) const {
 }
 
 double SheetLayers::gap(const Meeting& meeting, const std::vector<Vec3>& position) const {
-    return meeting.up.dot(position[at(meeting.node)] - place_of(position, meeting.below, meeting.weights)) - distance_;
+    return meeting.up.dot(position[at(meeting.node)]) - meeting.level;
 }
 
 double SheetLayers::force_at(double depth) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside physics: layers of a membrane that is folded over on its support. A node that is above another part of the
 // sheet is held above the plane of the triangle there: by a one-sided spring, without friction. What is below does not
-// feel it; the support does, on which it lies.
+// feel it; the support does, on which it lies. The plane is where the triangle's velocities lead it: a plane that moved
+// with the solution would act on the node and not be acted on, which Newton's method does not see.
 #pragma once
 
 #include <array>
@@ -15,9 +16,9 @@ namespace rhexis {
 
 class SheetLayers {
 public:
-    /// What can meet in a substep. stiffness: of a contact [uN/mm]. Nothing where the model's layers keep no distance,
-    /// nothing is torn, or nothing is folded.
-    void look(const MembraneModel& model, const MembraneState& state, double stiffness);
+    /// What can meet in a substep of dt [s]. stiffness: of a contact [uN/mm]. Nothing where the model's layers keep no
+    /// distance, nothing is torn, or nothing is folded.
+    void look(const MembraneModel& model, const MembraneState& state, double stiffness, double dt);
     [[nodiscard]] bool empty() const { return list_.empty(); }
 
     /// Forces and stiffness at an iterate.
@@ -40,9 +41,8 @@ private:
     struct Meeting {
         int node;
         int triangle;
-        std::array<int, 3> below;       ///< its corners
-        std::array<double, 3> weights;  ///< of the place below the node
         Vec3 up;
+        double level;  ///< along `up`, that the node is held above [mm]
         bool on_support;
     };
     /// Cells of the view along z, with the triangles in each.
@@ -62,6 +62,7 @@ private:
     [[nodiscard]] double force_at(double depth) const;
     [[nodiscard]] double gap(const Meeting& meeting, const std::vector<Vec3>& position) const;
 
+    double dt_ = 0.0;         ///< of the substep [s]
     double distance_ = 0.0;   ///< that layers keep [mm]
     double stiffness_ = 0.0;  ///< [uN/mm]
     std::vector<Meeting> list_;

@@ -74,6 +74,9 @@ double travel(const ToolModel& model, const ToolState& tool) {
 
 namespace {
 
+constexpr double beside_box = 0.5;  // what is near one [mm]
+constexpr int looks = 8;            // at the way of an instrument in a step
+
 /// Shares of the way from a to b between which it lies in a box; first > second where it does not.
 std::pair<double, double> shares_within(const Box& box, const Vec3& a, const Vec3& b) {
     double first = 0.0;
@@ -104,25 +107,25 @@ double travel_near(const ToolModel& model, const ToolState& tool, const Box& box
     if (!overlap(swept_box(model, tool), box)) {
         return 0.0;
     }
+    if ((tool.pose.position - tool.previous_pose.position).norm() > looks * beside_box) {
+        return travel(model, tool);
+    }
     double farthest = 0.0;
-    bool met = false;
-    for (const RoundedCone& part : model.parts) {
-        const double near = std::max(part.radius_a, part.radius_b) + 0.5;
-        const Box wide{box.low - Vec3::Constant(near), box.high + Vec3::Constant(near)};
-        const auto moved = [&](const Vec3& own) -> Vec3 {
-            return tool.pose.to_world(own) - tool.previous_pose.to_world(own);
-        };
-        for (const Pose& pose : {tool.previous_pose, tool.pose}) {
+    for (int look = 0; look <= looks; ++look) {
+        const Pose pose = pose_within(tool, static_cast<double>(look) / looks);
+        for (const RoundedCone& part : model.parts) {
+            const double near = std::max(part.radius_a, part.radius_b) + beside_box;
+            const Box wide{box.low - Vec3::Constant(near), box.high + Vec3::Constant(near)};
             const auto [first, last] = shares_within(wide, pose.to_world(part.a), pose.to_world(part.b));
             for (const double share : {first, last}) {
+                const Vec3 own = part.a + share * (part.b - part.a);
                 if (first <= last) {
-                    met = true;
-                    farthest = std::max(farthest, moved(part.a + share * (part.b - part.a)).norm());
+                    farthest = std::max(farthest, (tool.pose.to_world(own) - tool.previous_pose.to_world(own)).norm());
                 }
             }
         }
     }
-    return met ? farthest : travel(model, tool);
+    return farthest;
 }
 
 Box swept_box(const ToolModel& model, const ToolState& tool) {

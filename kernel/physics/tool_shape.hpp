@@ -40,8 +40,8 @@ Box swept_box(const ToolModel& model, const ToolState& tool);
 /// Farthest that any point of a tool's parts travels in a step [mm].
 double travel(const ToolModel& model, const ToolState& tool);
 
-/// Likewise of what of it is within half a millimetre of a box at the start or end of the step; 0 where its way does
-/// not come near the box; all of it where it goes past the box within the step.
+/// Likewise of what of it comes within half a millimetre of a box in the step; of all of it where its tip goes farther
+/// than 4 mm.
 double travel_near(const ToolModel& model, const ToolState& tool, const Box& box);
 
 /// Radius of a tool's thinnest end [mm].

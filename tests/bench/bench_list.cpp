@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench.hpp"
 #include "bench/bench_calculix.hpp"
+#include "bench/bench_capsule_chart.hpp"
 #include "bench/bench_capsule_pulls.hpp"
 #include "bench/bench_chamber.hpp"
 #include "bench/bench_explicit.hpp"
@@ -35,6 +36,7 @@ std::vector<BenchCase> bench_cases() {
     add(tear_cases());
     add(random_tears_cases());
     add(capsule_pulls_cases());
+    add(capsule_chart_cases());
     add(factor_update_cases());
     add(shell_speed_cases());
     add(shell_cases());

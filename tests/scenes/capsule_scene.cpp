@@ -12,7 +12,6 @@
 namespace rhexis::scenes {
 namespace {
 
-constexpr double dt = 0.01;
 constexpr double lens_mass = 0.2;  // only scales the bag's damping
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -26,21 +25,21 @@ HalfEllipsoids lens_at(double age) {
 }  // namespace
 
 CapsuleScene::CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools,
-                           bool layers)
-    : lens_(lens_at(age)), tools_(tools.size()) {
+                           bool layers, double step_s, const PhysicsSettings& physics)
+    : lens_(lens_at(age)), step_s_(step_s), tools_(tools.size()) {
     WorldModel world;
     world.membranes.push_back(make_anterior_capsule(lens_, make_bag(lens_, lens_mass, age), age, settings));
     world.membranes[0].layer_distance = layers ? world.membranes[0].layer_distance : 0.0;
     world.tools = std::move(tools);
     world_ = std::make_shared<const WorldModel>(std::move(world));
-    physics_ = std::make_unique<Physics>(std::move(Physics::create(world_, {})).value());
+    physics_ = std::make_unique<Physics>(std::move(Physics::create(world_, physics)).value());
     state_ = rest_state(*world_);
 }
 
 Vec3 CapsuleScene::front(double x, double y) const { return {x, y, anterior_z(lens_, std::hypot(x, y))}; }
 
 bool CapsuleScene::step() {
-    const StepOutcome outcome = physics_->advance(state_, tools_, dt, next_, contacts_, profile_);
+    const StepOutcome outcome = physics_->advance(state_, tools_, step_s_, next_, contacts_, profile_);
     std::swap(state_, next_);
     force_.setZero();
     for (const Contact& contact : contacts_) {
@@ -68,7 +67,7 @@ void CapsuleScene::put(int tool, const Vec3& place, double jaw) {
 bool CapsuleScene::lead(int tool, const Vec3& to, double speed, double jaw) {
     ToolState& own = tools_[at(tool)];
     const Vec3 from = own.pose.position;
-    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (speed * dt))));
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (speed * step_s_))));
     bool good = true;
     for (int i = 1; i <= steps; ++i) {
         own.pose.position = from + (to - from) * (static_cast<double>(i) / steps);

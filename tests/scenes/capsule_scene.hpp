@@ -12,8 +12,9 @@ namespace rhexis::scenes {
 
 class CapsuleScene {
 public:
-    /// layers: false: what is folded over passes through what is below.
-    CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools, bool layers = true);
+    /// layers: false: what is folded over passes through what is below. step_s: of a step [s].
+    CapsuleScene(double age, const AnteriorCapsuleSettings& settings, std::vector<ToolModel> tools, bool layers = true,
+                 double step_s = 0.01, const PhysicsSettings& physics = {});
 
     [[nodiscard]] const MembraneModel& model() const { return world_->membranes[0]; }
     [[nodiscard]] MembraneState& sheet() { return state_.membranes[0]; }
@@ -21,7 +22,9 @@ public:
     /// Of the lens's front at a place across the view [mm].
     [[nodiscard]] Vec3 front(double x, double y) const;
 
-    /// A step of 10 ms, with what tears in it. False if it had to be given up.
+    [[nodiscard]] double step_s() const { return step_s_; }
+    [[nodiscard]] double time_s() const { return state_.time_s; }
+    /// A step, with what tears in it. False if it had to be given up.
     bool step();
     void put(int tool, const Vec3& place, double jaw = 0.0);
     /// In a straight line, at a speed [mm/s]; false if a step had to be given up.
@@ -40,6 +43,7 @@ public:
 
 private:
     HalfEllipsoids lens_;
+    double step_s_;
     std::shared_ptr<const WorldModel> world_;
     std::unique_ptr<Physics> physics_;
     WorldState state_;
