@@ -11,8 +11,9 @@ namespace rhexis {
 namespace {
 
 constexpr double stiffer = 5.0;  // a contact than the sheet's modulus times thickness
-constexpr double margin = 0.4;   // beyond what moves in a step, within which something may touch [mm]
-constexpr int narrowings = 24;   // of the search along an instrument's axis
+constexpr double softer_forceps = 0.3;
+constexpr double margin = 0.4;  // beyond what moves in a step, within which something may touch [mm]
+constexpr int narrowings = 24;  // of the search along an instrument's axis
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -91,6 +92,14 @@ double friction_of(const WorldModel& world, const MembraneModel& model, const Sh
         default:
             return model.support ? model.support->friction : 0.0;
     }
+}
+
+/// Of the stiffness of a contact: forceps are about a flap that is slack, which springs as stiff as those of a needle
+/// toss about.
+double stiffness_share(const WorldModel& world, const SheetTouch& touch) {
+    const bool forceps =
+        touch.partner == ContactPartner::tool && world.tools[at(touch.index)].kind == ToolKind::forceps;
+    return forceps ? softer_forceps : 1.0;
 }
 
 /// What contacts are found by, in ascending order; last those of the sheet with itself.
@@ -320,7 +329,8 @@ SheetContacts::Meeting SheetContacts::meeting(const SheetContact& contact, const
 SpringResponse SheetContacts::spring(const SheetContact& contact, const Meeting& meeting,
                                      const PartnerPoses& poses) const {
     const Vec3 anchor = pose_of(contact, poses).to_world(contact.anchor);
-    const ContactSpring spring{stiffness_, friction_of(*world_, world_->membranes[at(membrane_)], contact.touch)};
+    const double own = stiffness_ * stiffness_share(*world_, contact.touch);
+    const ContactSpring spring{own, friction_of(*world_, world_->membranes[at(membrane_)], contact.touch)};
     return spring_contact(spring, meeting.gap, meeting.normal, meeting.point - anchor, true);
 }
 
