@@ -34,11 +34,13 @@ local pull_speed = 5.0
 local pull_step = 0.9       -- of one look to the next [mm]
 local pull_height = 0.2
 local early_pull = 10       -- inwards from the circle, at which the tear follows it at first [degrees]
-local late_pull = 90       -- and at last, when little holds the flap and the tear tends outwards
+local late_pull = 102      -- and at last, when little holds the flap and the tear tends outwards
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
 local outwards = 40         -- as far as one dares to pull [degrees]
 local farthest_out = 2.9    -- of the jaws, clear of the iris [mm]
 local looks = 16            -- in one pull, before one takes hold anew
+local too_far_out = 0.2     -- the end of a tear that is pulled at: one lets go and looks where it is [mm]
+local too_far_in = 0.9
 local drawn = 0.1           -- inwards, the end of a tear while it is pulled at [mm]
 local most_turn = 30        -- of the pull from one look to the next [degrees]
 local steer = 80            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
@@ -208,15 +210,20 @@ end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
-    local place, inwards
-    for _ = 1, looks do
+    local place, inwards, begun
+    for look = 1, looks do
         if mark(me, "rim") then return "closed" end
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
-        local _, angle = capsulorhexis.polar(eye, tip.position)
+        local tear_radius, angle = capsulorhexis.polar(eye, tip.position)
         if vector.distance(me.tip(), tip.position) > stretch + (late_stretch - stretch) * gone(angle) then
             return "far"
+        end
+        begun = begun or tear_radius
+        if look > 3 and (tear_radius > math.max(radius, begun) + too_far_out
+            or tear_radius < math.min(radius, begun) - too_far_in) then
+            return "astray"
         end
         place, inwards = aim(me, eye, tip.position, radius, inwards)
         me.go(place, pull_speed, nil, closed)
