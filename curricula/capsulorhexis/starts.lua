@@ -24,7 +24,7 @@ end
 
 return starts {
     flap = { set = { ["viscoelastic.fill"] = 1 }, begin_flap },
-    shallow = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
+    shallow = { set = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20,
         ["capsule.toughness"] = 0.6 }, begin_flap },
     brittle = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
         ["capsule.toughness"] = 0.2 }, begin_flap },

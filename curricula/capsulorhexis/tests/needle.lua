@@ -14,8 +14,8 @@ return scenarios {
     scenario "needle deep in the cortex, and lifted" {
         set = full,
         function(t)
-            pierce(t, 0.6)
-            t:wait(0.3)
+            pierce(t, 0.2)
+            t:wait(0.4)
             t:expect_event("Needle too deep")
             t.cystotome:move_to({ 0.89, -0.16, 1.45 }, { speed = 3 })
             t:expect_event("Needle too deep", { recovered = true })
@@ -24,8 +24,8 @@ return scenarios {
     scenario "needle deep in the cortex, and led on there" {
         set = full,
         function(t)
-            pierce(t, 0.6)
-            t.cystotome:move_to({ 0.89, 1.8, 0.4 }, { speed = 1 })
+            pierce(t, 0.4)
+            t.cystotome:move_to({ 0.89, 1.8, 0.3 }, { speed = 1 })
             t:expect_event("Needle too deep", { recovered = false, within = 2 })
         end },
 

@@ -3,7 +3,7 @@
 -- middle, 106 degrees round.
 
 local full = { ["viscoelastic.fill"] = 1 }
-local shallow = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
+local shallow = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20,
     ["capsule.toughness"] = 0.6 }
 
 local brittle = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
@@ -36,16 +36,21 @@ local function open_jaws(t)
     t.forceps:move_by({ 0, 0, 0.3 }, { speed = 8 })
 end
 
--- Takes hold of the flap near the end of the tear: so many degrees before it, and nearer to the middle by so much.
+-- Takes hold of the flap near the end of the tear: so many degrees before it, and nearer to the middle by so much; a
+-- little lower each time until it is held.
 local function take_hold(t, before, inside)
     local radius, angle = tear_end(t)
     local lift = t:value("lens.lift_mm")
-    t.forceps:jaw(1)
-    t:wait(0.1)
-    t.forceps:move_to(place(radius - inside, angle - before, 0.7 + lift), { speed = 12 })
-    t.forceps:move_to(place(radius - inside, angle - before, 0.05 + lift), { speed = 3 })
-    t.forceps:jaw(0)
-    t:wait(0.15)
+    for try = 0, 3 do
+        t.forceps:jaw(1)
+        t:wait(0.1)
+        t.forceps:move_to(place(radius - inside, angle - before, 0.7 + lift), { speed = 12 })
+        t.forceps:move_to(place(radius - inside, angle - before, 0.05 - 0.1 * try + lift), { speed = 3 })
+        t.forceps:jaw(0)
+        t:wait(0.15)
+        if t:value("forceps.holding") then break end
+        before = before + 4
+    end
     t:expect("forceps.holding")
     return radius, angle, lift
 end
@@ -62,10 +67,18 @@ local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhex
 
 local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
 
+-- Led on along a circle of this radius until it stops: the jaws stay close to the edge, as they may in a deep chamber.
+local function lead_round(t, radius, stop)
+    local _, angle, lift = take_hold(t, 12, 0.4)
+    local way = {}
+    for i = 1, 10 do way[i] = place(radius, angle - 10 + 6 * i, 0.2 + lift) end
+    return t.forceps:path(way, { speed = 2, motion = "even", stop = stop })
+end
+
 local function run_out(t)
     come_in(t)
-    for ahead = 30, 60, 10 do
-        if pull_outwards(t, ahead, out) then break end
+    for _ = 1, 6 do
+        if lead_round(t, 3.2, out) then break end
         open_jaws(t)
     end
     t:wait(0.05)
@@ -118,7 +131,7 @@ return scenarios {
             for i = 1, 12 do way[i] = place(1.7, angle - 10 + 10 * i, 0.2) end
             t.forceps:move_to(place(1.7, angle - 10, 0.4), { speed = 2 })
             t.forceps:path(way, { speed = 1.5, motion = "even" })
-            t:expect("rhexis.turned_deg > 135")
+            t:expect("rhexis.turned_deg > 130")
         end },
 
     scenario "pulled outwards a little" {
@@ -127,11 +140,12 @@ return scenarios {
         silent_twin_of = "Tear runs out",
         function(t)
             come_in(t)
-            pull_outwards(t, 30, "rhexis.tip_radius_mm > 2.7")
-            local radius, angle = tear_end(t)
-            t.forceps:move_to(place(radius - 0.8, angle + 20, 0.4 + t:value("lens.lift_mm")), { speed = 3 })
+            for _ = 1, 2 do
+                lead_round(t, 2.9, "rhexis.tip_radius_mm > 2.6")
+                open_jaws(t)
+            end
             t:wait(1)
-            t:expect("rhexis.tip_radius_mm > 2.6")
+            t:expect("rhexis.tip_radius_mm > 2.5")
         end },
 
     scenario "the tear runs out, and is brought back" {
