@@ -46,6 +46,8 @@ local most_turn = 30        -- of the pull from one look to the next [degrees]
 local steer = 80            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local stretch = 3.4         -- from the tear to the jaws, at which one takes hold anew [mm]
 local late_stretch = 4.8    -- at last, when most of the flap is free and lies in folds
+local inside_tip = 0.4      -- where one takes hold, if no flap is seen [mm]
+local behind_tip = 12       -- likewise [degrees]
 local tries = 6             -- to take hold, before one gives up
 local shallow = 0.80        -- share of the chamber below which it is filled again
 
@@ -89,6 +91,11 @@ end
 local function mark(me, name)
     local seen = me.see()
     return seen and seen.landmarks[name]
+end
+
+--- Whether the chamber is to be filled before one pulls.
+function capsulorhexis.is_shallow(seen)
+    return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size < shallow
 end
 
 --- Viscoelastic until the chamber looks full, or as full as this person finds full.
@@ -160,16 +167,25 @@ function capsulorhexis.begin_flap(me, eye, radius)
     return true
 end
 
+-- Where the flap is to be held; where none is seen, inside of the end of the tear. Nothing where that is not seen.
+local function where_to_hold(me, eye)
+    local flap, tip = mark(me, "flap"), mark(me, "tear_tip")
+    if flap then return flap.position end
+    if not tip then return nil end
+    local radius, angle = capsulorhexis.polar(eye, tip.position)
+    return capsulorhexis.place(eye, radius - inside_tip, angle - behind_tip, 0)
+end
+
 -- Takes hold of the flap near the tear; true when it is seen to be held.
 local function grasp(me, eye)
     for try = 1, tries do
-        local flap = mark(me, "flap")
-        if not flap then return false end
+        local place = where_to_hold(me, eye)
+        if not place then return false end
         me.jaw(1)
-        me.go(over(eye, flap.position, clear), free_speed)
+        me.go(over(eye, place, clear), free_speed)
         me.wait(0.15)
-        flap = mark(me, "flap") or flap
-        me.go(vector.add(flap.position, { 0, 0, 0.05 - 0.1 * (try - 1) }), 3)  -- lower, if it was not low enough
+        place = where_to_hold(me, eye) or place
+        me.go(vector.add(place, { 0, 0, 0.05 - 0.1 * (try - 1) }), 3)  -- lower, if it was not low enough
         me.jaw(0)
         if me.wait_until(function(seen) return seen.landmarks.held ~= nil end, 1.2) then return true end
         sculpting.look_at_height(me, eye)
@@ -208,6 +224,11 @@ local function aim(me, eye, tip, radius, last)
     return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height), wanted
 end
 
+-- Whether the tear has left the circle, and got farther from it than it was when the pull began.
+local function is_astray(tear_radius, radius, begun)
+    return tear_radius > math.max(radius, begun) + too_far_out or tear_radius < math.min(radius, begun) - too_far_in
+end
+
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
     local place, inwards, begun
@@ -221,10 +242,7 @@ local function pull(me, eye, radius)
             return "far"
         end
         begun = begun or tear_radius
-        if look > 3 and (tear_radius > math.max(radius, begun) + too_far_out
-            or tear_radius < math.min(radius, begun) - too_far_in) then
-            return "astray"
-        end
+        if look > 3 and is_astray(tear_radius, radius, begun) then return "astray" end
         place, inwards = aim(me, eye, tip.position, radius, inwards)
         me.go(place, pull_speed, nil, closed)
     end
@@ -243,9 +261,7 @@ function capsulorhexis.tear_round(me, eye, radius, longest)
     bring_forceps(me, eye)
     while me.time_s() < until_s do
         if mark(me, "rim") then return "closed" end
-        if me.notices(function(seen)
-            return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size < shallow
-        end) then
+        if me.notices(capsulorhexis.is_shallow) then
             capsulorhexis.take_away(me, eye)
             capsulorhexis.fill(me, eye)
             bring_forceps(me, eye)

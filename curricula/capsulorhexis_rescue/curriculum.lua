@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A capsulorhexis that runs out, and is brought back: fill, take hold close to the end of the tear, pull back along the
+-- way it came, then to the middle [Little2006]. It begins in the state `begin` of starts.lua.
+
+local rhexis_events = require "rhexis_events"
+
+return exercise {
+    title = "Rescue of a capsulorhexis",
+    version = 1,
+    summary = "The tear has left the planned circle, for the chamber was shallow, and is on its way to the zonules. "
+        .. "Stop, fill the chamber, bring the tear back to the circle, and close it.",
+    objectives = {
+        "Fill the chamber before anything is pulled at",
+        "Turn the tear back: hold the flap close to its end, pull backwards, then to the middle",
+        "Close the opening in one piece",
+    },
+
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    tissues = { "anterior_capsule", "viscoelastic", "iris", "cornea" },
+    instruments = { "cystotome", "forceps", "cannula" },
+    settings = {
+        ["viscoelastic.fill"] = 0.3,
+        ["vitreous.pressure_mmhg"] = 20,
+        ["capsule.toughness"] = 0.6,
+    },
+
+    goals = {
+        radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that was planned" },
+        fill_percent = { 90, from = 50, to = 100, meaning = "how full the chamber must be before one pulls" },
+    },
+    reference = { time_s = 60, path_mm = 100 },
+
+    steps = {
+        step "fill" {
+            title = "Fill the chamber",
+            hint = "Do not pull. Bring the cannula over the lens and press, until the chamber is deep again.",
+            done = "100 * viscoelastic.fill >= goal.fill_percent",
+            time_limit_s = 60,
+        },
+        step "turn_back" {
+            title = "Bring the tear back",
+            hint = "Lay the flap flat, hold it close to the end of the tear, pull back along the way it came and then "
+                .. "to the middle.",
+            done = "rhexis.closed or (rhexis.tip_radius_mm < goal.radius_mm + 0.3 and rhexis.tip_heading_deg < 10)",
+            time_limit_s = 120,
+        },
+        step "close" {
+            title = "Close the circle",
+            hint = "Lead the flap round as in every capsulorhexis, and fill again before the chamber gets shallow.",
+            done = "rhexis.closed",
+            time_limit_s = 180,
+        },
+        step "withdraw" {
+            title = "Leave the eye",
+            hint = "Take the flap out with the forceps.",
+            done = "not forceps.present and not cystotome.present and not cannula.present",
+        },
+    },
+
+    errors = {
+        error_event "Pulled in a shallow chamber" (rhexis_events.underfilled { items = { "T3", "T5" } }),
+        error_event "Overfilled" (rhexis_events.overfilled { items = { "T3" } }),
+        error_event "Edge lost" (rhexis_events.edge_lost { items = { "T5" } }),
+        error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" } }),
+    },
+
+    over = { "rhexis.opened", "instruments.out_s > 8" },
+    time_limit_s = 300,
+
+    scoring = osacss { "T3", "T5", "G3", "G4", "G5", "G6" },
+}
