@@ -33,6 +33,9 @@ Rest<double> rest_of(const ShellTriangle& triangle) {
     rest.tension[0] = triangle.tension(0, 0);
     rest.tension[1] = triangle.tension(0, 1);
     rest.tension[2] = triangle.tension(2, 2);
+    for (int i = 0; i < natural_length; ++i) {
+        rest.natural[i / 5][i % 5] = triangle.natural[i];
+    }
     return rest;
 }
 
@@ -90,6 +93,25 @@ ShellTriangle shell_triangle(const std::array<Vec3, 3>& rest, double thickness, 
     triangle.membrane = drilling_stiffness(triangle.corner, triangle.tension, optimal_higher_share(poisson_ratio));
     triangle.bending = dkt_stiffness(triangle.corner, thickness * thickness / 12.0 * triangle.tension);
     return triangle;
+}
+
+Vec15 shell_deformation(const ShellTriangle& triangle, const ShellCorners& corners) {
+    Deformed<double> d;
+    find_deformation(rest_of(triangle), now_of(corners), d);
+    Vec15 result;
+    for (int a = 0; a < 3; ++a) {
+        result.segment<5>(5 * a) << d.moved[a][0], d.moved[a][1], d.turned[a][0], d.turned[a][1], d.turned[a][2];
+    }
+    return result;
+}
+
+double shell_product(const ShellTriangle& triangle, const Vec15& a, const Vec15& b) {
+    using Vec9 = Eigen::Matrix<double, 9, 1>;
+    const auto in_plane = [](const Vec15& d) {
+        return Vec9{{d[0], d[1], d[4], d[5], d[6], d[9], d[10], d[11], d[14]}};
+    };
+    const auto out = [](const Vec15& d) { return Vec9{{0.0, d[2], d[3], 0.0, d[7], d[8], 0.0, d[12], d[13]}}; };
+    return in_plane(a).dot(triangle.membrane * in_plane(b)) + out(a).dot(triangle.bending * out(b));
 }
 
 double shell_energy(const ShellTriangle& triangle, const ShellCorners& corners) {

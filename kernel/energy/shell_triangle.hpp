@@ -7,7 +7,11 @@
 // With X the rest positions in the rest frame E0, both about the middle, and Q_a the rotations of the corners since
 // rest,
 //
-//   u_a = E' (x_a - middle) - X_a,   theta_a = 4 tan(angle / 4) axis of E' Q_a E0,   W = 1/2 d' K d,  d = (u, theta)
+//   u_a = E' (x_a - middle) - X_a,   theta_a = 4 tan(angle / 4) axis of E' Q_a E0,   d = (u, theta)
+//   W = 1/2 (d - natural)' K (d - natural)
+//
+// natural is zero for an elastic triangle; a viscoelastic one flows, and with it the shape in which it bears no stress
+// (zener.hpp). Below, K d stands for K (d - natural).
 //
 // theta is the stereographic rotation vector [Schaub1996]: it differs from angle times axis by angle^2 / 48, which
 // refinement takes away, is one to one for whole turns, and needs a root and a division instead of trigonometry. Its
@@ -31,6 +35,7 @@ namespace rhexis {
 
 using Vec18 = Eigen::Matrix<double, 18, 1>;
 using Mat18 = Eigen::Matrix<double, 18, 18>;
+using Vec15 = Eigen::Matrix<double, 15, 1>;
 
 /// What a triangle is at rest. Built once.
 struct ShellTriangle {
@@ -39,6 +44,7 @@ struct ShellTriangle {
     Mat9 membrane = Mat9::Zero();   ///< for (u, v, theta_z) of each corner
     Mat9 bending = Mat9::Zero();    ///< for (w, theta_x, theta_y) of each corner
     Mat3 tension = Mat3::Zero();    ///< force per length over strain [uN/mm]
+    Vec15 natural = Vec15::Zero();  ///< deformation at which it bears no stress, as of shell_deformation
 };
 
 /// thickness [mm], > 0; young_modulus [Pa], > 0; poisson_ratio: -1 < nu <= 0.5; the rest points must span an area.
@@ -54,6 +60,12 @@ struct ShellCorners {
     std::array<Vec3, 3> position{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< [mm]
     std::array<Mat3, 3> rotation{Mat3::Identity(), Mat3::Identity(), Mat3::Identity()};
 };
+
+/// Of each corner u, v [mm], then theta in the triangle's frame; the same however the triangle turns and moves.
+Vec15 shell_deformation(const ShellTriangle& triangle, const ShellCorners& corners);
+
+/// Product of two deformations by the stiffness, a' K b [nJ].
+double shell_product(const ShellTriangle& triangle, const Vec15& a, const Vec15& b);
 
 /// Energy [nJ].
 double shell_energy(const ShellTriangle& triangle, const ShellCorners& corners);

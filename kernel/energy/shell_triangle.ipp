@@ -101,9 +101,11 @@ struct Rest {
     Square<N> frame;
     N membrane[packed_length];
     N bending[packed_length];
-    N tension[3];  ///< entries 11, 12, 33 of an isotropic stiffness
+    N tension[3];     ///< entries 11, 12, 33 of an isotropic stiffness
+    N natural[3][5];  ///< deformation at which it bears no stress: u, then theta of each corner
 };
-constexpr int rest_length = 6 + 6 + 9 + 2 * packed_length + 3;
+constexpr int natural_length = 15;
+constexpr int rest_length = 6 + 6 + 9 + 2 * packed_length + 3 + natural_length;
 
 /// Where the corners are; every array by corners.
 template <typename N>
@@ -188,12 +190,12 @@ inline void find_forces(const Rest<N>& rest, Deformed<N>& d) {
     N in_plane[9];
     N out[9];
     for (int a = 0; a < 3; ++a) {
-        in_plane[3 * a] = d.moved[a][0];
-        in_plane[3 * a + 1] = d.moved[a][1];
-        in_plane[3 * a + 2] = d.turned[a][2];
+        in_plane[3 * a] = d.moved[a][0] - rest.natural[a][0];
+        in_plane[3 * a + 1] = d.moved[a][1] - rest.natural[a][1];
+        in_plane[3 * a + 2] = d.turned[a][2] - rest.natural[a][4];
         out[3 * a] = zero;
-        out[3 * a + 1] = d.turned[a][0];
-        out[3 * a + 2] = d.turned[a][1];
+        out[3 * a + 1] = d.turned[a][0] - rest.natural[a][2];
+        out[3 * a + 2] = d.turned[a][1] - rest.natural[a][3];
     }
     d.energy = zero;
     for (int a = 0; a < 3; ++a) {
@@ -239,13 +241,19 @@ inline void find_resultants(const Rest<N>& rest, Deformed<N>& d) {
     }
 }
 
+/// Frame, place and deformation alone.
 template <typename N>
-inline void deform(const Rest<N>& rest, const Now<N>& now, Deformed<N>& d) {
+inline void find_deformation(const Rest<N>& rest, const Now<N>& now, Deformed<N>& d) {
     find_frame(rest, now, d);
-    find_gradients(d);
     for (int a = 0; a < 3; ++a) {
         d.turned[a] = stereographic(transposed_times(d.frame, now.rotation[a] * rest.frame));
     }
+}
+
+template <typename N>
+inline void deform(const Rest<N>& rest, const Now<N>& now, Deformed<N>& d) {
+    find_deformation(rest, now, d);
+    find_gradients(d);
     find_forces(rest, d);
     find_resultants(rest, d);
 }
@@ -534,9 +542,11 @@ inline void add_tension(const Rest<N>& rest, const Deformed<N>& d, Tangent<N>& t
     N shear = zero;
     N area = zero;
     for (int a = 0; a < 3; ++a) {
-        e11 = e11 + rest.gradient[a][0] * d.moved[a][0];
-        e22 = e22 + rest.gradient[a][1] * d.moved[a][1];
-        shear = shear + (rest.gradient[a][1] * d.moved[a][0] + rest.gradient[a][0] * d.moved[a][1]);
+        const N u = d.moved[a][0] - rest.natural[a][0];
+        const N v = d.moved[a][1] - rest.natural[a][1];
+        e11 = e11 + rest.gradient[a][0] * u;
+        e22 = e22 + rest.gradient[a][1] * v;
+        shear = shear + (rest.gradient[a][1] * u + rest.gradient[a][0] * v);
     }
     for (int a = 0; a < 3; ++a) {
         const int b = (a + 1) % 3;

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "math/decay.hpp"
 
 namespace rhexis {
 namespace {
@@ -26,25 +29,44 @@ Status check_thickness(const ShellModel& model) {
     return success();
 }
 
-Status check_numbers(const ShellModel& model) {
-    struct Field {
-        const char* name;
-        double value;
-        double least;
-        double most;
-        const char* unit;
-    };
-    const Field fields[] = {{"young_modulus", model.material.young_modulus, 1.0, 1e12, " Pa"},
-                            {"poisson_ratio", model.material.poisson_ratio, 0.0, 0.499, ""},
-                            {"density", model.material.density, 1e-7, 1.0, " g/mm^3"},
-                            {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
-                            {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"}};
+struct Field {
+    const char* name;
+    double value;
+    double least;
+    double most;
+    const char* unit;
+};
+
+Status check_fields(std::span<const Field> fields, const std::string& name) {
     for (const Field& f : fields) {
-        if (Status s = check_range(f.name, f.value, f.least, f.most, model.name, f.unit); !s) {
+        if (Status s = check_range(f.name, f.value, f.least, f.most, name, f.unit); !s) {
             return s;
         }
     }
     return success();
+}
+
+Status check_numbers(const ShellModel& model) {
+    const Field fields[] = {{"young_modulus", model.material.young_modulus, 1.0, 1e12, " Pa"},
+                            {"poisson_ratio", model.material.poisson_ratio, 0.0, 0.499, ""},
+                            {"density", model.material.density, 1e-7, 1.0, " g/mm^3"},
+                            {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
+                            {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
+                            {"temperature", model.temperature, -50.0, 150.0, " C"},
+                            {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"}};
+    return check_fields(fields, model.name);
+}
+
+Status check_relaxation(const ShellModel& model) {
+    if (!model.relaxation) {
+        return success();
+    }
+    const ShellRelaxation& r = *model.relaxation;
+    const Field fields[] = {{"relaxation.branch_share", r.branch_share, 0.0, 1e4, ""},
+                            {"relaxation.time", r.time, 1e-6, 1e6, " s"},
+                            {"relaxation.reference_temperature", r.reference_temperature, -50.0, 150.0, " C"},
+                            {"relaxation.activation_energy", r.activation_energy, 0.0, 1e6, " J/mol"}};
+    return check_fields(fields, model.name);
 }
 
 Status check_holds(const ShellModel& model) {
@@ -65,6 +87,10 @@ Status check_holds(const ShellModel& model) {
     return success();
 }
 
+std::size_t branch_length(const ShellModel& model) {
+    return model.relaxation ? at(shell_deformation_length) * model.mesh.triangles.size() : 0;
+}
+
 }  // namespace
 
 ShellModel uniform_shell(std::string name, TriMesh mesh, double thickness) {
@@ -77,7 +103,7 @@ ShellModel uniform_shell(std::string name, TriMesh mesh, double thickness) {
 
 Status check_shell(const ShellModel& model) {
     for (const auto& check : {+[](const ShellModel& m) { return validate_tri_mesh(m.mesh, m.name); }, check_thickness,
-                              check_numbers, check_holds}) {
+                              check_numbers, check_relaxation, check_holds}) {
         if (Status status = check(model); !status) {
             return status;
         }
@@ -91,6 +117,12 @@ Status check_shell_state(const ShellModel& model, const ShellState& state) {
         state.spin.size() != nodes) {
         return Error{"the state's lists differ in length from the mesh", model.name,
                      std::string("one entry per node: ").append(std::to_string(nodes))};
+    }
+    const std::size_t branch = branch_length(model);
+    if (state.branch.size() != branch ||
+        !std::all_of(state.branch.begin(), state.branch.end(), [](double value) { return std::isfinite(value); })) {
+        return Error{std::string("the state's branch has ").append(std::to_string(state.branch.size())), model.name,
+                     std::string("finite numbers: ").append(std::to_string(branch))};
     }
     for (std::size_t n = 0; n < nodes; ++n) {
         if (!state.position[n].allFinite() || !state.velocity[n].allFinite() || !state.spin[n].allFinite() ||
@@ -109,8 +141,21 @@ ShellState rest_state(const ShellModel& model) {
     state.rotation.assign(nodes, Quat::Identity());
     state.velocity.assign(nodes, Vec3::Zero());
     state.spin.assign(nodes, Vec3::Zero());
+    state.branch.assign(branch_length(model), 0.0);
     return state;
 }
+
+double relaxation_time(const ShellRelaxation& relaxation, double temperature) {
+    constexpr double zero_celsius = 273.15;   // [K]
+    constexpr double gas_constant = 8.31446;  // [J/(mol K)]
+    const double slower =
+        relaxation.activation_energy / gas_constant *
+        (1.0 / (temperature + zero_celsius) - 1.0 / (relaxation.reference_temperature + zero_celsius));
+    const double share = decay(std::abs(slower)).left;
+    return slower > 0.0 ? relaxation.time / share : relaxation.time * share;
+}
+
+double disc_drag(double viscosity, double radius) { return 16.0 * viscosity / (std::numbers::pi * radius); }
 
 double shell_mass(const ShellModel& model) {
     double mass = 0.0;

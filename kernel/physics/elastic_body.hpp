@@ -21,7 +21,9 @@ public:
     [[nodiscard]] const std::vector<int>& row_of() const { return row_of_; }    ///< per node
     /// Per row 1, or 0 for nodes that are fixed or have lost their elements.
     [[nodiscard]] const std::vector<std::uint8_t>& moves() const { return moves_; }
-    [[nodiscard]] const NodeMass& mass() const { return mass_; }                   ///< per row
+    [[nodiscard]] const NodeMass& mass() const { return mass_; }  ///< per row
+    /// Per row: force against its movement per speed, of a fluid at rest [g/s]; or empty for none.
+    [[nodiscard]] const std::vector<double>& row_drag() const { return drag_; }
     [[nodiscard]] double damping_mass() const { return damping_mass_; }            ///< Rayleigh, of the mass [1/s]
     [[nodiscard]] double damping_stiffness() const { return damping_stiffness_; }  ///< Rayleigh, of the stiffness [s]
     [[nodiscard]] int rows() const { return static_cast<int>(node_of_.size()); }
@@ -50,6 +52,7 @@ protected:
     std::vector<int> row_of_;
     std::vector<std::uint8_t> moves_;
     NodeMass mass_;
+    std::vector<double> drag_;
 
 private:
     double damping_mass_;

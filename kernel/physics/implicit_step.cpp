@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Backward Euler in the velocities v at the end of the step, x = x0 + dt v, with K0 the warped stiffness at x0:
 //
-//   r(v) = M (v0 - v) + dt [f(x) + gravity + external + contact(x)] - dt (damping_mass M + damping_stiffness K0) v = 0
-//   A = (1 + dt damping_mass) M + dt^2 (K + contact stiffness) + dt damping_stiffness K0,  A dv = r
+//   r(v) = M (v0 - v) + dt [f(x) + gravity + external + contact(x)] - dt (damping_mass M + damping_stiffness K0 + D) v
+//   A = (1 + dt damping_mass) M + dt D + dt^2 (K + contact stiffness) + dt damping_stiffness K0,  A dv = r
 //
-// The first iteration is linearised about x0 and starts from v0: alone it is the step of [Dequidt2013]. The later ones
-// are Newton's with the projected tangent [Smith2019], near the end with the consistent one while conjugate gradients
-// find it positive definite. A step that is predicted begins with them, at x0 + dt v0. A step along dv is taken if the
-// residual's component along dv has fallen to half or changed its sign less than that, and halved else: that asks for
-// no energy, which friction lacks.
+// and r(v) = 0. D: drag of a fluid at rest. The first iteration is linearised about x0 and starts from v0: alone it is
+// the step of [Dequidt2013]. The later ones are Newton's with the projected tangent [Smith2019], near the end with the
+// consistent one while conjugate gradients find it positive definite. A step that is predicted begins with them, at x0
+// + dt v0. A step along dv is taken if the residual's component along dv has fallen to half or changed its sign less
+// than that, and halved else: that asks for no energy, which friction lacks.
 #include "physics/implicit_step.hpp"
 
 #include <algorithm>
@@ -208,7 +208,10 @@ void ImplicitStep::Parts::hold(std::vector<double>& r) const {
 void ImplicitStep::Parts::complete_matrix(const Task& task) {
     const double inertia = 1.0 + task.dt * elastic.damping_mass();
     for (int i = 0; i < elastic.rows(); ++i) {
-        const double mass = elastic.moves()[at(i)] != 0 ? inertia * elastic.mass().inertia[at(i)] : 1.0;
+        double mass = elastic.moves()[at(i)] != 0 ? inertia * elastic.mass().inertia[at(i)] : 1.0;
+        if (!elastic.row_drag().empty() && elastic.moves()[at(i)] != 0) {
+            mass += task.dt * elastic.row_drag()[at(i)];
+        }
         add_block(matrix.solid(), elastic.pattern().diagonal[at(i)], mass * Mat3::Identity());
     }
     mirror_upper(elastic.pattern(), matrix.solid());
@@ -291,6 +294,9 @@ void ImplicitStep::Parts::balance(const Task& task) {
     add_inertia(velocity, -1.0, residual);
     for (std::size_t i = 0; i < matrix.solid_size(); ++i) {
         residual[i] -= task.dt * elastic.damping_mass() * elastic.mass().inertia[i / 3] * velocity[i];
+    }
+    for (std::size_t i = 0; i < 3 * elastic.row_drag().size(); ++i) {
+        residual[i] -= task.dt * elastic.row_drag()[i / 3] * velocity[i];
     }
     if (elastic.damping_stiffness() > 0.0) {
         multiply(elastic.pattern(), damping, velocity, image);

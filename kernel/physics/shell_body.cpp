@@ -41,6 +41,9 @@ std::array<int, 3> by_rank(const std::array<int, 3>& corner, const std::vector<i
 }
 
 /// The numbers of a triangle as the kernel reads them; stiff: else without any stiffness, to fill up a group.
+constexpr int stiffness_place = 21;  // of the first number that stiffness multiplies
+static_assert(shell_kernel::natural_length == shell_deformation_length);
+
 void fill_data(const ShellTriangle& triangle, const std::array<int, 3>& local, bool stiff, double* to) {
     const PlaneCorners gradient = corner_gradients(triangle.corner);
     const auto put = [&to](double value) {
@@ -67,6 +70,11 @@ void fill_data(const ShellTriangle& triangle, const std::array<int, 3>& local, b
     put(share * triangle.tension(0, 0));
     put(share * triangle.tension(0, 1));
     put(share * triangle.tension(2, 2));
+    for (const int a : local) {
+        for (int i = 0; i < 5; ++i) {
+            put(triangle.natural[5 * a + i]);
+        }
+    }
 }
 
 /// d(spin) / dz of Q = cayley(z) Q_ref.
@@ -143,9 +151,26 @@ void ShellBody::weigh() {
             mass_.inertia[at(2 * rank(node) + 1)] += third * h * h / 12.0;
         }
     }
+    drag();
     mass_.weight = mass_.inertia;
     for (std::size_t row = 1; row < mass_.weight.size(); row += 2) {
         mass_.weight[row] = 0.0;
+    }
+}
+
+/// Of fluid at rest on movements, a third of each triangle at its corners.
+void ShellBody::drag() {
+    if (model_->drag == 0.0) {
+        return;
+    }
+    const TriMesh& mesh = model_->mesh;
+    drag_.assign(node_of_.size(), 0.0);
+    for (const std::array<int, 3>& n : mesh.triangles) {
+        const double third =
+            model_->drag / 3.0 * triangle_area(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]);
+        for (const int node : n) {
+            drag_[at(2 * rank(node))] += third;
+        }
     }
 }
 
@@ -166,6 +191,9 @@ void ShellBody::fill_groups(ShellTriangleMaker maker) {
         const ShellTriangle triangle =
             maker({mesh.nodes[at(corner[0])], mesh.nodes[at(corner[1])], mesh.nodes[at(corner[2])]},
                   model_->thickness[at(t)], model_->material.young_modulus, model_->material.poisson_ratio);
+        if (i < count) {
+            local_.push_back(local);
+        }
         fill_data(triangle, local, i < count, data_.data() + at(i / lanes * lanes * data_length + i % lanes));
         int* to = index_.data() + at(i / lanes * lanes * index_length + i % lanes);
         for (const int a : local) {
@@ -224,6 +252,58 @@ void ShellBody::run(shell_kernel::Mode mode, const std::vector<double>& position
     task.stiffness = stiffness != nullptr ? stiffness->data() : nullptr;
     task.predicted = predicting_ ? predicted_.data() : nullptr;
     kernel_->assemble(task);
+}
+
+namespace {
+
+/// Place of a corner's first number in 15 numbers of a triangle by groups.
+std::size_t in_groups(std::size_t triangle, int corner, int length, int first) {
+    const std::size_t group = triangle / lanes;
+    return at(lanes) * (group * at(length) + at(first + 5 * corner)) + triangle % lanes;
+}
+
+}  // namespace
+
+void ShellBody::deformation(const std::vector<double>& position, std::vector<double>& result) {
+    shell_kernel::Task task = task_at(position);
+    deformation_.resize(at(task.groups * lanes * shell_kernel::natural_length));
+    task.mode = shell_kernel::Mode::deformation;
+    task.deformation = deformation_.data();
+    kernel_->assemble(task);
+    result.resize(at(shell_deformation_length) * local_.size());
+    for (std::size_t t = 0; t < local_.size(); ++t) {
+        for (int a = 0; a < 3; ++a) {
+            const double* const from = deformation_.data() + in_groups(t, a, shell_kernel::natural_length, 0);
+            double* const to = result.data() + at(shell_deformation_length) * t + at(5 * local_[t][at(a)]);
+            for (int i = 0; i < 5; ++i) {
+                to[i] = from[lanes * i];
+            }
+        }
+    }
+}
+
+/// From what they were made as, so that the bits do not depend on what they were before.
+void ShellBody::set_natural(double stiffness, const std::vector<double>& natural) {
+    RHEXIS_ASSERT(natural.size() == at(shell_deformation_length) * local_.size());
+    if (elastic_.empty()) {
+        elastic_ = data_;
+    }
+    for (std::size_t i = 0; stiffness != stiffness_ && i < data_.size(); ++i) {
+        const int place = static_cast<int>(i) / lanes % data_length;
+        if (place >= stiffness_place && place < shell_kernel::natural_place) {
+            data_[i] = stiffness * elastic_[i];
+        }
+    }
+    stiffness_ = stiffness;
+    for (std::size_t t = 0; t < local_.size(); ++t) {
+        for (int a = 0; a < 3; ++a) {
+            const double* const from = natural.data() + at(shell_deformation_length) * t + at(5 * local_[t][at(a)]);
+            double* const to = data_.data() + in_groups(t, a, data_length, shell_kernel::natural_place);
+            for (int i = 0; i < 5; ++i) {
+                to[lanes * i] = from[i];
+            }
+        }
+    }
 }
 
 void ShellBody::predict(const std::vector<double>& position, const std::vector<double>& step) {

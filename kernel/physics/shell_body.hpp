@@ -24,6 +24,13 @@ public:
     /// Turns count from here; by nodes.
     void set_reference(std::span<const Quat> rotation);
 
+    /// Of every triangle at positions, 15 numbers each, corners and triangles in the mesh's order.
+    void deformation(const std::vector<double>& position, std::vector<double>& result);
+
+    /// Stiffness is from now on `stiffness` times that of the model's material, and free of stress is each triangle in
+    /// its natural deformation, numbers as those of deformation().
+    void set_natural(double stiffness, const std::vector<double>& natural);
+
     /// [uN], [uN mm]; rows of freedoms that are held get none.
     void forces(const std::vector<double>& position, std::vector<double>& force) override;
     void forces_and_stiffness(const std::vector<double>& position, elastic_kernel::Mode mode, double scale,
@@ -45,6 +52,7 @@ private:
     void number_rows();
     void hold();
     void weigh();
+    void drag();
     void fill_groups(ShellTriangleMaker maker);
     void turn(const std::vector<double>& position);
     [[nodiscard]] shell_kernel::Task task_at(const std::vector<double>& position);
@@ -56,10 +64,14 @@ private:
 
     const ShellModel* model_;
     const shell_kernel::Kernel* kernel_;
-    std::vector<double> data_;      ///< of the kernel, by groups
-    std::vector<int> index_;        ///< likewise
-    std::vector<Quat> reference_;   ///< by ranks
-    std::vector<double> rotation_;  ///< 9 per rank, by rows
+    std::vector<double> data_;               ///< of the kernel, by groups
+    std::vector<double> elastic_;            ///< the same as it was made; empty until the stiffness changes
+    double stiffness_ = 1.0;                 ///< of data_, over that of elastic_
+    std::vector<std::array<int, 3>> local_;  ///< per triangle: its corners as the kernel takes them
+    std::vector<double> deformation_;        ///< by groups
+    std::vector<int> index_;                 ///< likewise
+    std::vector<Quat> reference_;            ///< by ranks
+    std::vector<double> rotation_;           ///< 9 per rank, by rows
     std::vector<std::uint8_t> free_;
     std::vector<int> held_entries_;  ///< of the stiffness, to be cleared
     std::vector<double> buffer_;

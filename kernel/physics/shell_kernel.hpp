@@ -11,14 +11,16 @@
 namespace rhexis::shell_kernel {
 
 inline constexpr int lanes = 8;
-inline constexpr int data_length = 114;  ///< numbers per triangle: Rest of the formula, in the order of its members
+inline constexpr int data_length = 129;  ///< numbers per triangle: Rest of the formula, in the order of its members
 inline constexpr int index_length = 24;  ///< per triangle: ranks of its corners, then 21 places in the stiffness
 inline constexpr int buffer_length = 18 + 189;
 
+inline constexpr int natural_place = 114;    ///< of the natural deformation in a triangle's numbers
+inline constexpr int natural_length = 15;    ///< of it and of a deformation, per triangle
 inline constexpr int predicted_length = 18;  ///< per triangle: forces, then moments of its corners, in its frame
 
-/// What is computed besides forces; predict: nothing but predictions.
-enum class Mode { forces, consistent, definite, predict };
+/// What is computed besides forces; predict, deformation: nothing but that.
+enum class Mode { forces, consistent, definite, predict, deformation };
 
 /// Rows come in pairs: 2 k the movement, 2 k + 1 the turn of the node of rank k.
 struct Task {
@@ -32,8 +34,9 @@ struct Task {
     double* force = nullptr;           ///< 3 per row, added to
     double* stiffness = nullptr;       ///< blocks by columns, added to; per movement and spin
     double* buffer = nullptr;          ///< lanes * buffer_length
-    double* predicted = nullptr;   ///< groups as data; consistent: the stress in the stiffness, or null for the true
-    const double* step = nullptr;  ///< predict: 3 per row, movements and spins
+    double* predicted = nullptr;    ///< groups as data; consistent: the stress in the stiffness, or null for the true
+    double* deformation = nullptr;  ///< groups as data, 15 per triangle
+    const double* step = nullptr;   ///< predict: 3 per row, movements and spins
 };
 
 struct Kernel {

@@ -23,7 +23,7 @@ inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm_sqrt_pd(reinterp
 #include "energy/shell_triangle.ipp"
 
 static_assert(rest_length == data_length && blocks + 3 == index_length &&
-              sizeof(Rest<Lanes>) == rest_length * sizeof(Lanes));
+              rest_length == natural_place + natural_length && sizeof(Rest<Lanes>) == rest_length * sizeof(Lanes));
 
 inline void gather(const Task& task, const int* index, Now<Lanes>& now) {
     for (int a = 0; a < 3; ++a) {
@@ -96,9 +96,20 @@ inline void predict_stress(const Task& task, const int* index, const Rest<Lanes>
     }
 }
 
-/// predicted: of these triangles, or null.
+inline void store_deformation(const Deformed<Lanes>& d, double* to) {
+    for (int a = 0; a < 3; ++a) {
+        store(to + lanes * (5 * a), d.moved[a][0]);
+        store(to + lanes * (5 * a + 1), d.moved[a][1]);
+        for (int i = 0; i < 3; ++i) {
+            store(to + lanes * (5 * a + 2 + i), d.turned[a][i]);
+        }
+    }
+}
+
+/// predicted: of these triangles, or null; deformation likewise.
 template <Mode mode>
-inline void evaluate(const Task& task, const double* data, const int* index, double* predicted, int first) {
+inline void evaluate(const Task& task, const double* data, const int* index, double* predicted, double* deformation,
+                     int first) {
     Rest<Lanes> rest;
     Lanes* const numbers = reinterpret_cast<Lanes*>(&rest);
     for (int i = 0; i < rest_length; ++i) {
@@ -107,6 +118,10 @@ inline void evaluate(const Task& task, const double* data, const int* index, dou
     Now<Lanes> now;
     gather(task, index + first, now);
     Deformed<Lanes> d;
+    if constexpr (mode == Mode::deformation) {
+        find_deformation(rest, now, d);
+        return store_deformation(d, deformation + first);
+    }
     deform(rest, now, d);
     if constexpr (mode == Mode::predict) {
         return predict_stress(task, index + first, rest, d, predicted + first);
@@ -147,10 +162,12 @@ void assemble_groups(const Task& task) {
         const int* const index = task.index + static_cast<long>(lanes) * index_length * g;
         double* const predicted =
             task.predicted == nullptr ? nullptr : task.predicted + static_cast<long>(lanes) * predicted_length * g;
+        double* const deformation =
+            task.deformation == nullptr ? nullptr : task.deformation + static_cast<long>(lanes) * natural_length * g;
         for (int first = 0; first < lanes; first += width) {
-            evaluate<mode>(task, data, index, predicted, first);
+            evaluate<mode>(task, data, index, predicted, deformation, first);
         }
-        if constexpr (mode != Mode::predict) {
+        if constexpr (mode != Mode::predict && mode != Mode::deformation) {
             add_forces(task, index);
         }
         if constexpr (mode == Mode::consistent || mode == Mode::definite) {
@@ -169,5 +186,7 @@ void assemble(const Task& task) {
             return assemble_groups<Mode::definite>(task);
         case Mode::predict:
             return assemble_groups<Mode::predict>(task);
+        case Mode::deformation:
+            return assemble_groups<Mode::deformation>(task);
     }
 }

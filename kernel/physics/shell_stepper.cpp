@@ -9,6 +9,7 @@
 #include "math/rotation.hpp"
 
 namespace rhexis {
+
 Result<ShellStepper> ShellStepper::create(const ShellModel& model, std::string_view instruction_set) {
     if (Status status = check_shell(model); !status) {
         return status.error();
@@ -21,7 +22,7 @@ Result<ShellStepper> ShellStepper::create(const ShellModel& model, std::string_v
     }
     std::unique_ptr<ShellBody> body = std::make_unique<ShellBody>(model, *shell);
     ShellBody& reference = *body;
-    return ShellStepper(ImplicitStep(std::move(body), *linear), reference);
+    return ShellStepper(ImplicitStep(std::move(body), *linear), reference, model);
 }
 
 /// Held freedoms bear their loads themselves.
@@ -51,6 +52,15 @@ void ShellStepper::lay_out(const ShellState& state, const ShellLoad& load, const
     }
 }
 
+const std::vector<double>& ShellStepper::rows_of(const std::vector<Vec3>& points) {
+    rows_.assign(3 * points.size() + 1, 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t row = static_cast<std::size_t>(body_->row_of()[i]);
+        Eigen::Map<Vec3>(rows_.data() + 3 * row) = points[i];
+    }
+    return rows_;
+}
+
 ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
                                   const ImplicitSettings& settings, ShellState& next) {
     const std::size_t nodes = state.position.size();
@@ -58,11 +68,13 @@ ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load
                   (load.moment.empty() || load.moment.size() == nodes));
     body_->set_reference(state.rotation);
     lay_out(state, load, gravity);
+    relaxation_.begin(state.branch, dt, rows_of(position_), *body_);
     const ImplicitReport report =
         step_.step(position_, velocity_, Vec3::Zero(), external_, dt, settings, {}, no_bodies_, motion_);
     if (&next != &state) {
         next = state;
     }
+    relaxation_.finish(state.branch, rows_of(motion_.position), *body_, next.branch);
     for (std::size_t n = 0; n < nodes; ++n) {
         next.position[n] = motion_.position[2 * n];
         next.velocity[n] = motion_.velocity[2 * n];
@@ -70,6 +82,19 @@ ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load
         next.rotation[n] = turned(next.rotation[n], motion_.position[2 * n + 1]);
     }
     return report;
+}
+
+std::vector<Vec6> ShellStepper::hold_forces() {
+    body_->forces_everywhere(rows_of(motion_.position), forces_);
+    std::vector<Vec6> result;
+    for (const ShellHold& hold : model_->holds) {
+        Vec6 own = Eigen::Map<const Vec6>(forces_.data() + 6 * static_cast<std::size_t>(body_->rank(hold.node)));
+        for (int i = 0; i < 6; ++i) {
+            own[i] = hold.held[static_cast<std::size_t>(i)] ? own[i] : 0.0;
+        }
+        result.push_back(own);
+    }
+    return result;
 }
 
 }  // namespace rhexis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Backward Euler of a thin shell: the step of ImplicitStep over movements and turns. The turns of a step count from its
-// start, so that rotations of any size add up as rotations do.
+// start, so that rotations of any size add up as rotations do. A shell that relaxes does so exactly for a deformation
+// that goes evenly over the step.
 #pragma once
 
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "flow/shell.hpp"
 #include "physics/implicit_step.hpp"
 #include "physics/shell_body.hpp"
+#include "physics/shell_relaxation.hpp"
 
 namespace rhexis {
 
@@ -22,21 +24,31 @@ public:
     ImplicitReport step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
                         const ImplicitSettings& settings, ShellState& next);
 
+    /// Force and moment of the shell on each of the model's holds at the end of the last step [uN, uN mm]; in freedoms
+    /// that are not held, zero. A step must have been made.
+    std::vector<Vec6> hold_forces();
+
     /// Forgets the kept factor.
     void drop_caches() { step_.drop_caches(); }
 
 private:
-    ShellStepper(ImplicitStep step, ShellBody& body) : step_(std::move(step)), body_(&body) {}
+    ShellStepper(ImplicitStep step, ShellBody& body, const ShellModel& model)
+        : model_(&model), step_(std::move(step)), body_(&body), relaxation_(model) {}
+    const std::vector<double>& rows_of(const std::vector<Vec3>& points);
     void lay_out(const ShellState& state, const ShellLoad& load, const Vec3& gravity);
 
+    const ShellModel* model_;
     ImplicitStep step_;
     ShellBody* body_;  ///< of step_
+    ShellRelaxationStep relaxation_;
     // scratch, by points: movement and turn of each node
     std::vector<Vec3> position_;
     std::vector<Vec3> velocity_;
     std::vector<Vec3> external_;
     NodeMotion motion_;
     std::vector<RigidUnknown> no_bodies_;
+    std::vector<double> rows_;
+    std::vector<double> forces_;
 };
 
 }  // namespace rhexis

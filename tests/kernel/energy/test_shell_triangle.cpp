@@ -95,6 +95,49 @@ TEST_SUITE("shell triangle") {
         }
     }
 
+    TEST_CASE(
+        "with a natural deformation of its own gradient and tangent still are derivatives, and turning changes "
+        "nothing") {
+        Rng rng(7, "natural");
+        for (int i = 0; i < 20; ++i) {
+            ShellTriangle triangle = sample();
+            for (double& number : triangle.natural) {
+                number = 0.4 * rng.uniform() - 0.2;
+            }
+            const ShellCorners corners = deformed(rng, 0.3);
+            Vec18 gradient;
+            Mat18 hessian;
+            shell_hessian(triangle, corners, ShellTangent::consistent, gradient, hessian);
+            const auto energy = [&](const VecX& by) {
+                return VecX(VecX::Constant(1, shell_energy(triangle, moved(corners, by))));
+            };
+            const auto slope = [&](const VecX& by) {
+                Vec18 there;
+                shell_gradient(triangle, moved(corners, by), there);
+                return VecX(there);
+            };
+            const VecX none = VecX::Zero(18);
+            CHECK(rhexis::test::derivative_error(energy, none, gradient.transpose(), 1e-3) < 1e-6);
+            const MatX rate = rhexis::test::finite_difference(slope, none, 1e-3);
+            const MatX symmetric = 0.5 * (rate + rate.transpose());
+            CHECK((symmetric - hessian).cwiseAbs().maxCoeff() < 1e-6 * hessian.cwiseAbs().maxCoeff());
+            const Vec15 d = shell_deformation(triangle, corners);
+            CHECK(0.5 * shell_product(triangle, d - triangle.natural, d - triangle.natural) ==
+                  doctest::Approx(shell_energy(triangle, corners)).epsilon(1e-12));
+            ShellCorners elsewhere;
+            const Mat3 turn = any_turn(rng);
+            for (std::size_t a = 0; a < 3; ++a) {
+                elsewhere.position[a] = turn * corners.position[a] + Vec3(-1.0, 2.0, 0.5);
+                elsewhere.rotation[a] = turn * corners.rotation[a];
+            }
+            CHECK((shell_deformation(triangle, elsewhere) - d).cwiseAbs().maxCoeff() < 1e-12);
+            CHECK(shell_energy(triangle, elsewhere) == doctest::Approx(shell_energy(triangle, corners)).epsilon(1e-12));
+            triangle.natural = d;
+            CHECK(shell_gradient(triangle, corners, gradient) == 0.0);
+            CHECK(gradient.isZero(0.0));
+        }
+    }
+
     TEST_CASE("forces and moments of a triangle balance") {
         Rng rng(3, "states");
         for (int i = 0; i < 20; ++i) {

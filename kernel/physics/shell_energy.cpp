@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/shell_energy.hpp"
+
+namespace rhexis {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Vec15 numbers_of(const std::vector<double>& all, std::size_t triangle) {
+    return Eigen::Map<const Vec15>(all.data() + at(shell_deformation_length) * triangle);
+}
+
+}  // namespace
+
+ShellLedger::ShellLedger(const ShellModel& model)
+    : model_(&model),
+      area_(model.mesh.nodes.size(), 0.0),
+      mass_(model.mesh.nodes.size(), 0.0),
+      inertia_(model.mesh.nodes.size(), 0.0) {
+    for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
+        const std::array<int, 3>& n = model.mesh.triangles[t];
+        const std::array<Vec3, 3> corner{model.mesh.nodes[at(n[0])], model.mesh.nodes[at(n[1])],
+                                         model.mesh.nodes[at(n[2])]};
+        const double h = model.thickness[t];
+        triangle_.push_back(shell_triangle(corner, h, model.material.young_modulus, model.material.poisson_ratio));
+        const double third = triangle_area(corner[0], corner[1], corner[2]) / 3.0;
+        for (const int node : n) {
+            area_[at(node)] += third;
+            mass_[at(node)] += model.material.density * h * third;
+            inertia_[at(node)] += model.material.density * h * third * h * h / 12.0;
+        }
+    }
+}
+
+std::vector<double> ShellLedger::deformation(const ShellState& state) const {
+    std::vector<double> result(at(shell_deformation_length) * triangle_.size());
+    for (std::size_t t = 0; t < triangle_.size(); ++t) {
+        ShellCorners corners;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t node = at(model_->mesh.triangles[t][a]);
+            corners.position[a] = state.position[node];
+            corners.rotation[a] = state.rotation[node].toRotationMatrix();
+        }
+        Eigen::Map<Vec15>(result.data() + at(shell_deformation_length) * t) = shell_deformation(triangle_[t], corners);
+    }
+    return result;
+}
+
+ShellEnergy ShellLedger::energy(const ShellState& state) const {
+    ShellEnergy energy;
+    for (std::size_t n = 0; n < mass_.size(); ++n) {
+        energy.kinetic +=
+            0.5 * (mass_[n] * state.velocity[n].squaredNorm() + inertia_[n] * state.spin[n].squaredNorm());
+    }
+    const std::vector<double> all = deformation(state);
+    for (std::size_t t = 0; t < triangle_.size(); ++t) {
+        const Vec15 d = numbers_of(all, t);
+        energy.elastic += 0.5 * shell_product(triangle_[t], d, d);
+        if (model_->relaxation) {
+            const Vec15 h = numbers_of(state.branch, t);
+            energy.branch += 0.5 * model_->relaxation->branch_share * shell_product(triangle_[t], h, h);
+        }
+    }
+    return energy;
+}
+
+double ShellLedger::viscous_work(const ShellState& before, const ShellState& after, double dt) const {
+    if (!model_->relaxation) {
+        return 0.0;
+    }
+    const double time = relaxation_time(*model_->relaxation, model_->temperature);
+    const std::vector<double> from = deformation(before);
+    const std::vector<double> to = deformation(after);
+    double work = 0.0;
+    for (std::size_t t = 0; t < triangle_.size(); ++t) {
+        const Vec15 h0 = numbers_of(before.branch, t);
+        const Vec15 h1 = numbers_of(after.branch, t);
+        const Vec15 step = numbers_of(to, t) - numbers_of(from, t);
+        const Vec15 flown = step - (h1 - h0);
+        work += time / dt * shell_product(triangle_[t], step, flown) -
+                0.5 * (shell_product(triangle_[t], h1, h1) - shell_product(triangle_[t], h0, h0));
+    }
+    return model_->relaxation->branch_share * work;
+}
+
+ShellStepEnergy ShellLedger::step(const ShellState& before, const ShellState& after, const ShellLoad& load,
+                                  const Vec3& gravity, double dt) const {
+    ShellStepEnergy result;
+    for (std::size_t n = 0; n < mass_.size(); ++n) {
+        const Vec3 moved = after.position[n] - before.position[n];
+        result.external += mass_[n] * gravity.dot(moved);
+        result.external += load.force.empty() ? 0.0 : load.force[n].dot(moved);
+        result.external += load.moment.empty() ? 0.0 : dt * load.moment[n].dot(after.spin[n]);
+        result.drag += model_->drag * area_[n] * moved.squaredNorm() / dt;
+    }
+    result.gain = energy(after).all() - energy(before).all();
+    result.viscosity = viscous_work(before, after, dt);
+    result.integrator = result.external - result.gain - result.viscosity - result.drag;
+    return result;
+}
+
+}  // namespace rhexis

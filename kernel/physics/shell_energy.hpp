@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the energy of a thin shell is and where a step takes it: for tests and measurements, not inside steps.
+#pragma once
+
+#include <vector>
+
+#include "energy/shell_triangle.hpp"
+#include "flow/shell.hpp"
+
+namespace rhexis {
+
+/// [nJ]
+struct ShellEnergy {
+    double kinetic = 0.0;
+    double elastic = 0.0;  ///< in the spring of the material's modulus
+    double branch = 0.0;   ///< in that of the relaxing branch
+
+    [[nodiscard]] double all() const { return kinetic + elastic + branch; }
+};
+
+/// Of one step [nJ]: external = gain + viscosity + drag + integrator.
+struct ShellStepEnergy {
+    double external = 0.0;    ///< brought by loads and weight
+    double gain = 0.0;        ///< of all()
+    double viscosity = 0.0;   ///< taken by the branch's dashpot, for a deformation that goes evenly over the step
+    double drag = 0.0;        ///< taken by the fluid
+    double integrator = 0.0;  ///< the rest: what backward Euler takes, and Rayleigh damping
+};
+
+class ShellLedger {
+public:
+    /// The model must pass check_shell and outlive this.
+    explicit ShellLedger(const ShellModel& model);
+
+    [[nodiscard]] ShellEnergy energy(const ShellState& state) const;
+    [[nodiscard]] ShellStepEnergy step(const ShellState& before, const ShellState& after, const ShellLoad& load,
+                                       const Vec3& gravity, double dt) const;
+    /// Of every triangle, 15 numbers each: the branch of a shell that came to this state at once from rest.
+    [[nodiscard]] std::vector<double> deformation(const ShellState& state) const;
+
+private:
+    [[nodiscard]] double viscous_work(const ShellState& before, const ShellState& after, double dt) const;
+
+    const ShellModel* model_;
+    std::vector<ShellTriangle> triangle_;
+    std::vector<double> area_;     ///< by nodes: a third of each of their triangles [mm^2]
+    std::vector<double> mass_;     ///< likewise [g]
+    std::vector<double> inertia_;  ///< likewise, against turning [g mm^2]
+};
+
+}  // namespace rhexis
