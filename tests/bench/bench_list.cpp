@@ -42,6 +42,7 @@ std::vector<BenchCase> bench_cases() {
     add(shell_cases());
     add(shell_element_cases());
     add(implant_cases());
+    add(implant_unfold_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

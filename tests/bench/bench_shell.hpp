@@ -9,5 +9,6 @@ std::vector<BenchCase> shell_cases();
 std::vector<BenchCase> shell_speed_cases();
 std::vector<BenchCase> shell_element_cases();
 std::vector<BenchCase> implant_cases();
+std::vector<BenchCase> implant_unfold_cases();
 
 }  // namespace rhexis::bench

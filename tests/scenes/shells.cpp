@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/io.hpp"
+#include "physics/shell_statics.hpp"
 #include "scenes/bodies.hpp"
 
 namespace rhexis::scenes {
@@ -71,10 +72,20 @@ FoldedOptic folded_optic(int triangles) {
     return result;
 }
 
+ShellState folded_state(const FoldedOptic& optic, double force) {
+    ShellStatics statics = std::move(ShellStatics::create(optic.implant.model)).value();
+    ShellState state = rest_state(optic.implant.model);
+    constexpr int loads = 4;
+    for (int i = 0; i < loads; ++i) {
+        statics.load_to(optic.load, force * i / loads, force * (i + 1) / loads, {}, state);
+    }
+    return state;
+}
+
 double fold_degrees(const FoldedOptic& optic, const ShellState& state) {
     const Vec3 way = state.rotation[static_cast<std::size_t>(optic.edge)] * Vec3::UnitX();
     const double turn = std::atan2(way.z(), way.x()) * 180.0 / M_PI;
-    return turn < 0.0 ? turn + 360.0 : turn;
+    return turn < -90.0 ? turn + 360.0 : turn;  // it may swing through
 }
 
 }  // namespace rhexis::scenes

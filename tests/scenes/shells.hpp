@@ -37,7 +37,10 @@ struct FoldedOptic {
 };
 FoldedOptic folded_optic(int triangles);
 
-/// How far the optic's right edge has turned up, 0 to 360 [deg].
+/// At rest under this force on either side [uN], of the material's own modulus: as after a long time.
+ShellState folded_state(const FoldedOptic& optic, double force);
+
+/// How far the optic's right edge has turned up, -90 to 270 [deg].
 double fold_degrees(const FoldedOptic& optic, const ShellState& state);
 
 }  // namespace rhexis::scenes
