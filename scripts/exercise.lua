@@ -68,7 +68,7 @@ local exercise_rules = {
     objectives = { kind = "texts", default = {} },
     patient = { kind = "table", default = {} },
     tissues = { kind = "texts", required = true, choices = { "lens", "bag", "capsule", "anterior_capsule",
-        "iris", "cornea", "chamber", "viscoelastic" } },
+        "iris", "cornea", "chamber", "viscoelastic", "implant" } },
     instruments = { kind = "texts", required = true, choices = { "cannula", "cystotome", "forceps",
         "phaco", "probe", "spatula" } },
     settings = { kind = "table", default = {} },

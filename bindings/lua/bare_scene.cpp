@@ -15,7 +15,8 @@ namespace {
 bool fits(const Snapshot& snapshot, const WorldModel& model) {
     bool same = snapshot.world.solids.size() == model.solids.size() && snapshot.tools.size() == model.tools.size() &&
                 snapshot.world.bags.size() == model.bags.size();
-    same = same && snapshot.world.membranes.size() == model.membranes.size();
+    same = same && snapshot.world.membranes.size() == model.membranes.size() &&
+           snapshot.world.shells.size() == model.shells.size();
     for (std::size_t k = 0; same && k < model.solids.size(); ++k) {
         const SolidState& solid = snapshot.world.solids[k];
         same = solid.position.size() == model.solids[k].coarse.nodes.size() &&
@@ -107,6 +108,7 @@ Frame BareScene::frame() {
     frame.model = model_;
     frame.solids = state_.solids;
     frame.membranes = state_.membranes;
+    frame.shells = state_.shells;
     frame.bags = state_.bags;
     frame.tools = tools_;
     frame.time_s = state_.time_s;

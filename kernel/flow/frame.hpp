@@ -16,6 +16,7 @@ struct Frame {
     std::shared_ptr<const EyeAnatomy> eye;  ///< null: a bare scene from a script
     std::vector<SolidState> solids;
     std::vector<MembraneState> membranes;
+    std::vector<ShellState> shells;
     std::vector<BagState> bags;
     std::vector<ToolState> tools;
     std::optional<CapsuleState> capsule;

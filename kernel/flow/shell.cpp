@@ -53,6 +53,7 @@ Status check_numbers(const ShellModel& model) {
                             {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
                             {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
                             {"temperature", model.temperature, -50.0, 150.0, " C"},
+                            {"fluid_density", model.fluid_density, 0.0, 1.0, " g/mm^3"},
                             {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"}};
     return check_fields(fields, model.name);
 }
@@ -91,6 +92,13 @@ std::size_t branch_length(const ShellModel& model) {
     return model.relaxation ? at(shell_deformation_length) * model.mesh.triangles.size() : 0;
 }
 
+bool pulls_fit(const std::vector<ShellPull>& loads, int nodes) {
+    return std::all_of(loads.begin(), loads.end(), [&](const ShellPull& load) {
+        return !load.nodes.empty() && load.total.allFinite() &&
+               std::all_of(load.nodes.begin(), load.nodes.end(), [&](int n) { return n >= 0 && n < nodes; });
+    });
+}
+
 }  // namespace
 
 ShellModel uniform_shell(std::string name, TriMesh mesh, double thickness) {
@@ -123,6 +131,10 @@ Status check_shell_state(const ShellModel& model, const ShellState& state) {
         !std::all_of(state.branch.begin(), state.branch.end(), [](double value) { return std::isfinite(value); })) {
         return Error{std::string("the state's branch has ").append(std::to_string(state.branch.size())), model.name,
                      std::string("finite numbers: ").append(std::to_string(branch))};
+    }
+    if (!pulls_fit(state.loads, static_cast<int>(nodes))) {
+        return Error{"a load on the shell is none", model.name,
+                     std::string("a finite force on nodes from 0 to ").append(std::to_string(nodes - 1))};
     }
     for (std::size_t n = 0; n < nodes; ++n) {
         if (!state.position[n].allFinite() || !state.velocity[n].allFinite() || !state.spin[n].allFinite() ||

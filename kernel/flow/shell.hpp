@@ -42,12 +42,19 @@ struct ShellModel {
     double damping_stiffness = 0.0;             ///< Rayleigh damping, share of the stiffness [s], 0 to 10
     std::optional<ShellRelaxation> relaxation;  ///< none: elastic
     double temperature = 23.0;                  ///< of the shell [C], -50 to 150
+    double fluid_density = 0.0;                 ///< of what it displaces [g/mm^3], 0 to 1
     double drag = 0.0;                          ///< of fluid at rest, per area and speed [g/(s mm^2)], 0 to 1e3
     std::vector<ShellHold> holds;               ///< one per node at most, by ascending node
 };
 
 /// Numbers of a triangle's deformation: u, v, then three turns of each corner, in the triangle's own frame.
 inline constexpr int shell_deformation_length = 15;
+
+/// A force spread evenly over nodes, constant until changed by the caller.
+struct ShellPull {
+    std::vector<int> nodes;
+    Vec3 total = Vec3::Zero();  ///< [uN]
+};
 
 /// Changes from step to step; by nodes unless said.
 struct ShellState {
@@ -58,6 +65,7 @@ struct ShellState {
     /// Deformation of the branch's spring, 15 per triangle: zero where a strain has been held for long. Empty in an
     /// elastic shell.
     std::vector<double> branch;
+    std::vector<ShellPull> loads;
 };
 
 /// Forces and moments that keep their direction in space; either list by nodes, or empty. Such moments have no
@@ -74,7 +82,7 @@ ShellModel uniform_shell(std::string name, TriMesh mesh, double thickness);
 Status check_shell(const ShellModel& model);
 
 /// Fails unless there is one of everything per node and, where it relaxes, a branch per triangle; finite, with unit
-/// rotations.
+/// rotations and loads on nodes that there are.
 Status check_shell_state(const ShellModel& model, const ShellState& state);
 
 ShellState rest_state(const ShellModel& model);

@@ -33,6 +33,13 @@ struct MembraneStepReport {
     std::vector<CutProposal> cuts;
 };
 
+struct ShellStepReport {
+    int substeps = 1;
+    int newton_iterations = 0;
+    int linear_iterations = 0;
+    double residual = 0.0;  ///< what does not balance at the end, as a share of what did not at the start
+};
+
 /// What made a step unacceptable.
 enum class StepFailure { none, not_finite, not_converged, inverted };
 
@@ -42,6 +49,7 @@ struct StepOutcome {
     std::vector<std::string> notes;           ///< one line per fallback, for the log
     std::vector<SolidStepReport> solids;
     std::vector<MembraneStepReport> membranes;
+    std::vector<ShellStepReport> shells;
 };
 
 }  // namespace rhexis

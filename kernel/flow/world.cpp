@@ -11,6 +11,9 @@ WorldState rest_state(const WorldModel& model) {
     for (const MembraneModel& membrane : model.membranes) {
         state.membranes.push_back(rest_state(membrane));
     }
+    for (const ShellModel& shell : model.shells) {
+        state.shells.push_back(rest_state(shell));
+    }
     state.bags.resize(model.bags.size());
     for (std::size_t i = 0; i < model.bags.size(); ++i) {
         state.bags[i].adherent = model.bags[i].adherent;

@@ -12,6 +12,7 @@
 #include "flow/debris.hpp"
 #include "flow/iris.hpp"
 #include "flow/membrane.hpp"
+#include "flow/shell.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
 #include "flow/viscoelastic.hpp"
@@ -42,6 +43,7 @@ struct NodeLoad {
 struct WorldModel {
     std::vector<SolidModel> solids;
     std::vector<MembraneModel> membranes;
+    std::vector<ShellModel> shells;
     std::vector<BagModel> bags;
     std::vector<PlaneModel> planes;
     std::vector<DomeModel> domes;
@@ -66,6 +68,7 @@ struct ContactMemory {
 struct WorldState {
     std::vector<SolidState> solids;
     std::vector<MembraneState> membranes;
+    std::vector<ShellState> shells;
     std::vector<BagState> bags;
     std::optional<ChamberState> chamber;
     ChamberFlows flows;  ///< of the last step

@@ -14,6 +14,7 @@
 #include "physics/membrane_stepper.hpp"
 #include "physics/puncture.hpp"
 #include "physics/sculpt.hpp"
+#include "physics/shell_motion.hpp"
 #include "physics/solid_stepper.hpp"
 #include "physics/tear_tip.hpp"
 #include "physics/viscoelastic_fill.hpp"
@@ -66,6 +67,7 @@ struct Physics::Solvers {
     ThreadPool pool;
     std::vector<SolidStepper> steppers;
     std::vector<MembraneStepper> membranes;
+    std::vector<ShellStepper> shells;
     std::vector<CrackFinder> cracks;  ///< per solid
     std::vector<SculptZone> zones;    ///< per tool
     std::vector<MouthProbe> probes;   ///< per tool
@@ -81,6 +83,7 @@ struct Physics::Solvers {
     void keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const;
     void step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,
                        StepOutcome& outcome);
+    void step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome);
 };
 
 /// Leaves in `result` the first try that is good, or the last that only inverted something, or the state as it was.
@@ -154,6 +157,20 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
     report.cuts = propose_cuts(*model, membrane, next.membranes[index], task.tools, contacts);
 }
 
+void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome) {
+    ShellStepReport& report = outcome.shells.emplace_back();
+    const int before = outcome.rollbacks;
+    const ShellMotion motion = move_shell(shells[shell], task.state.shells[shell], model->gravity, task.dt,
+                                          next.shells[shell], report, outcome.rollbacks);
+    if (motion == ShellMotion::failed) {
+        outcome.failure = StepFailure::not_finite;
+    } else if (outcome.rollbacks > before) {
+        outcome.notes.push_back(model->shells[shell].name + ": step redone in steps " +
+                                std::to_string(report.substeps) + " times smaller" +
+                                (motion == ShellMotion::rough ? ", which do not balance either" : ""));
+    }
+}
+
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
@@ -180,6 +197,13 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
             return stepper.error();
         }
         solvers->membranes.push_back(std::move(stepper).value());
+    }
+    for (const ShellModel& shell : model->shells) {
+        Result<ShellStepper> stepper = ShellStepper::create(shell, settings.instruction_set);
+        if (!stepper) {
+            return stepper.error();
+        }
+        solvers->shells.push_back(std::move(stepper).value());
     }
     if (before != nullptr) {
         RHEXIS_ASSERT(before->solvers_->zones.size() == model->tools.size());
@@ -222,6 +246,10 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
         const ProfileScope scope(profile, s.model->membranes[membrane].name.c_str());
         s.step_membrane(task, membrane, next, contacts, outcome);
     }
+    for (std::size_t shell = 0; shell < s.shells.size(); ++shell) {
+        const ProfileScope scope(profile, s.model->shells[shell].name.c_str());
+        s.step_shell(task, shell, next, outcome);
+    }
     if (s.steppers.empty()) {
         PartnerPoses poses;
         place_tools(tools, 1.0, poses);
@@ -256,6 +284,9 @@ void Physics::drop_caches() {
         stepper.drop_caches();
     }
     for (MembraneStepper& stepper : solvers_->membranes) {
+        stepper.drop_caches();
+    }
+    for (ShellStepper& stepper : solvers_->shells) {
         stepper.drop_caches();
     }
 }

@@ -151,10 +151,12 @@ void ShellBody::weigh() {
             mass_.inertia[at(2 * rank(node) + 1)] += third * h * h / 12.0;
         }
     }
+    const double weight = 1.0 - model_->fluid_density / model_->material.density;
     drag();
     mass_.weight = mass_.inertia;
-    for (std::size_t row = 1; row < mass_.weight.size(); row += 2) {
-        mass_.weight[row] = 0.0;
+    for (std::size_t row = 0; row < mass_.weight.size(); row += 2) {
+        mass_.weight[row] *= weight;
+        mass_.weight[row + 1] = 0.0;
     }
 }
 

@@ -88,7 +88,7 @@ ShellStepEnergy ShellLedger::step(const ShellState& before, const ShellState& af
     ShellStepEnergy result;
     for (std::size_t n = 0; n < mass_.size(); ++n) {
         const Vec3 moved = after.position[n] - before.position[n];
-        result.external += mass_[n] * gravity.dot(moved);
+        result.external += (1.0 - model_->fluid_density / model_->material.density) * mass_[n] * gravity.dot(moved);
         result.external += load.force.empty() ? 0.0 : load.force[n].dot(moved);
         result.external += load.moment.empty() ? 0.0 : dt * load.moment[n].dot(after.spin[n]);
         result.drag += model_->drag * area_[n] * moved.squaredNorm() / dt;

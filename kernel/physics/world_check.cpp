@@ -134,6 +134,11 @@ Status check_world(const WorldModel& model, const PhysicsSettings& settings) {
             return status;
         }
     }
+    for (const ShellModel& shell : model.shells) {
+        if (Status status = check_shell(shell); !status) {
+            return status;
+        }
+    }
     for (const ToolModel& tool : model.tools) {
         if (Status status = check_tool(tool); !status) {
             return status;

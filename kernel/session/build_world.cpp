@@ -7,6 +7,7 @@
 
 #include "eye/anatomy.hpp"
 #include "eye/anterior_capsule.hpp"
+#include "eye/implant.hpp"
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "session/settings.hpp"
@@ -164,6 +165,9 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "anterior_capsule")) {
         world->membranes.push_back(make_anterior_capsule(lens_shape(scene.patient), eye.value().bag, scene.patient.age,
                                                          capsule_settings(all_settings(scene))));
+    }
+    if (has_tissue(scene, "implant")) {
+        world->shells.push_back(acrylic_implant());
     }
     if (has_tissue(scene, "viscoelastic")) {
         world->viscoelastic = make_viscoelastic(all_settings(scene), eye.value());

@@ -28,9 +28,10 @@ public:
     }
     void put(const Vec3& v) { put_raw(v.data(), 3 * sizeof(double)); }
     void put(const Vec6& v) { put_raw(v.data(), 6 * sizeof(double)); }
+    void put(const Quat& q) { put_raw(q.coeffs().data(), 4 * sizeof(double)); }
     void put(const Pose& pose) {
         put(pose.position);
-        put_raw(pose.orientation.coeffs().data(), 4 * sizeof(double));
+        put(pose.orientation);
     }
     template <typename T>
     void put(const std::vector<T>& list) {
@@ -78,9 +79,10 @@ public:
     }
     void get(Vec3& v) { get_raw(v.data(), 3 * sizeof(double)); }
     void get(Vec6& v) { get_raw(v.data(), 6 * sizeof(double)); }
+    void get(Quat& q) { get_raw(q.coeffs().data(), 4 * sizeof(double)); }
     void get(Pose& pose) {
         get(pose.position);
-        get_raw(pose.orientation.coeffs().data(), 4 * sizeof(double));
+        get(pose.orientation);
     }
     template <typename T>
     void get(std::vector<T>& list) {

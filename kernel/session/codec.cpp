@@ -255,6 +255,18 @@ void membrane_fields(auto& io, auto& membrane) {
     io(membrane.torn_energy);
 }
 
+void shell_fields(auto& io, auto& shell) {
+    io(shell.position);
+    io(shell.rotation);
+    io(shell.velocity);
+    io(shell.spin);
+    io(shell.branch);
+    io.list(shell.loads, 32, [](auto& inner, auto& load) {
+        inner(load.nodes);
+        inner(load.total);
+    });
+}
+
 void world_fields(auto& io, auto& world) {
     io.list(world.solids, 48, [](auto& inner, auto& solid) {
         inner(solid.position);
@@ -271,6 +283,7 @@ void world_fields(auto& io, auto& world) {
         });
     });
     io.list(world.membranes, 88, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
+    io.list(world.shells, 48, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
     io.list(world.bags, 168, [](auto& inner, auto& bag) {
         inner(bag.pose);
         inner(bag.velocity);

@@ -13,8 +13,8 @@
 namespace rhexis {
 namespace {
 
-const std::array<std::string, 8> known_tissues{"lens", "bag",    "capsule", "anterior_capsule",
-                                               "iris", "cornea", "chamber", "viscoelastic"};
+const std::array<std::string, 9> known_tissues{"lens",   "bag",     "capsule",      "anterior_capsule", "iris",
+                                               "cornea", "chamber", "viscoelastic", "implant"};
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -76,6 +76,12 @@ Status check_combination(const SceneDescription& scene) {
             return Error{std::string("tissues names anterior_capsule with ") + other, "",
                          "the one or the other: a lens that is operated on has its capsule open, by "
                          "capsulorhexis.diameter_mm"};
+        }
+    }
+    for (const char* other : {"lens", "anterior_capsule"}) {
+        if (named("implant") && named(other)) {
+            return Error{std::string("tissues names implant with ").append(other), "",
+                         "the one or the other: an implant lies where the lens was"};
         }
     }
     if (named("viscoelastic") && named("chamber")) {

@@ -235,6 +235,10 @@ void Session::Parts::keep_state_of_failed_step(StepFailure failure) {
     for (MembraneState& membrane : next.membranes) {
         std::fill(membrane.velocity.begin(), membrane.velocity.end(), Vec3(Vec3::Zero()));
     }
+    for (ShellState& shell : next.shells) {
+        std::fill(shell.velocity.begin(), shell.velocity.end(), Vec3(Vec3::Zero()));
+        std::fill(shell.spin.begin(), shell.spin.end(), Vec3(Vec3::Zero()));
+    }
     for (BagState& bag : next.bags) {
         bag.velocity.setZero();
         bag.angular_velocity.setZero();
@@ -408,11 +412,12 @@ Frame Session::frame() const {
         anatomy.iris_z = p.state.iris->z;
         anatomy.pupil_radius = p.state.iris->pupil_radius;
     }
-    return {p.world,         std::make_shared<const EyeAnatomy>(anatomy),
-            p.state.solids,  p.state.membranes,
-            p.state.bags,    p.tools,
-            p.state.capsule, p.state.iris,
-            p.state.debris,  p.state.time_s};
+    return {p.world,        std::make_shared<const EyeAnatomy>(anatomy),
+            p.state.solids, p.state.membranes,
+            p.state.shells, p.state.bags,
+            p.tools,        p.state.capsule,
+            p.state.iris,   p.state.debris,
+            p.state.time_s};
 }
 
 Snapshot Session::snapshot() const {

@@ -124,6 +124,18 @@ Status membranes_fit(const WorldState& state, const WorldModel& world) {
     return success();
 }
 
+Status shells_fit(const WorldState& state, const WorldModel& world) {
+    if (state.shells.size() != world.shells.size()) {
+        return misfit("the number of shells");
+    }
+    for (std::size_t i = 0; i < world.shells.size(); ++i) {
+        if (Status status = check_shell_state(world.shells[i], state.shells[i]); !status) {
+            return status;
+        }
+    }
+    return success();
+}
+
 bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
 
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
@@ -177,6 +189,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
         return misfit("the number of bags, instruments or measures");
     }
     if (Status status = membranes_fit(snapshot.world, world); !status) {
+        return status;
+    }
+    if (Status status = shells_fit(snapshot.world, world); !status) {
         return status;
     }
     if (Status status = fluid_fits(snapshot.world, world); !status) {

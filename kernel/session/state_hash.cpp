@@ -94,6 +94,21 @@ void add(StateHash& hash, const BagState& bag) {
     hash.add_bytes(bag.adherent.data(), bag.adherent.size());
 }
 
+void add(StateHash& hash, const ShellState& shell) {
+    add(hash, shell.position);
+    for (const Quat& rotation : shell.rotation) {
+        hash.add(std::span<const double>(rotation.coeffs().data(), 4));
+    }
+    add(hash, shell.velocity);
+    add(hash, shell.spin);
+    hash.add(std::span<const double>(shell.branch));
+    hash.add(static_cast<std::uint64_t>(shell.loads.size()));
+    for (const ShellPull& load : shell.loads) {
+        hash.add_bytes(load.nodes.data(), load.nodes.size() * sizeof(int));
+        add(hash, load.total);
+    }
+}
+
 void add(StateHash& hash, const NodeLoad& load) {
     hash.add(static_cast<std::uint64_t>(load.solid));
     for (const int node : load.nodes) {
@@ -204,6 +219,9 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     add_all(hash, world.solids);
     if (!world.membranes.empty()) {
         add_all(hash, world.membranes);
+    }
+    if (!world.shells.empty()) {
+        add_all(hash, world.shells);
     }
     add_all(hash, world.bags);
     add_if(hash, world.chamber);

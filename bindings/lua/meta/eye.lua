@@ -24,7 +24,8 @@ local eye = {}
 ---surgeon at -y, +x to the surgeon's right. Instruments are withdrawn until the script moves them.
 ---
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
----"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic".
+---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". In place of the
+---lens "implant": a foldable lens that is held by the ends of its haptics and that nothing touches yet.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
 ---assert(eye:step(2))
