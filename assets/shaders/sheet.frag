@@ -10,6 +10,7 @@ uniform sampler2D stop;
 uniform sampler2D detail_map;
 uniform vec3 contour;  // of the lens under it: radius, anterior, posterior; or zero
 uniform vec3 view_axis;
+uniform int body;  // 1: a clear body's surface, front and back
 out vec4 colour;
 
 const vec3 lamps[2] = vec3[2](vec3(-0.10, 0.16, 0.98), vec3(0.13, 0.21, 0.97));
@@ -32,9 +33,31 @@ float streaks(vec2 at, vec2 along) {
     return sum / 7.0;
 }
 
+// What a clear smooth body does to light: each of its surfaces mirrors the lamps, all of it where it is looked at along
+// the surface; its slopes bend the light of the fundus.
+vec4 clear_body() {
+    bool behind = dot(normal, view_axis) > 0.0;
+    vec3 n = normalize(behind ? -normal : normal);
+    float facing = max(-dot(n, view_axis), 0.05);
+    float light = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float near = clamp(dot(n, normalize(lamps[i] - view_axis)), 0.0, 1.0);
+        light += 0.02 * pow(near, 400.0) + 0.30 * pow(near, 6000.0);
+    }
+    light += 0.20 * pow(1.0 - facing, 4.0);
+    float side = dot(n.xy, vec2(-0.64, 0.77));
+    light += 0.05 * smoothstep(0.05, 0.6, side);
+    float shade = 0.10 * smoothstep(0.05, 0.7, length(n.xy)) + 0.10 * smoothstep(0.05, 0.6, -side);
+    return vec4(0.0, 2.0 * light, 0.008, shade);  // no layer that dye would stain
+}
+
 void main() {
     if (depth > texelFetch(stop, ivec2(gl_FragCoord.xy), 0).r) {
         discard;
+    }
+    if (body == 1) {
+        colour = clear_body();
+        return;
     }
     bool turned = normal.z < 0.0;
     vec3 n = normalize(turned ? -normal : normal);

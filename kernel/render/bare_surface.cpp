@@ -4,6 +4,7 @@
 #include <array>
 
 #include "mesh/adjacency.hpp"
+#include "render/shell_surface.hpp"
 
 namespace rhexis {
 
@@ -119,6 +120,20 @@ void append_sheet(const MembraneState& state, std::vector<float>& stream) {
     for (const std::array<int, 3>& nodes : state.sheet->mesh.triangles) {
         const Vec3& a = state.position[nodes[0]];
         const Face face{nodes, (state.position[nodes[1]] - a).cross(state.position[nodes[2]] - a), sheet_colour};
+        if (face.normal.allFinite()) {
+            surface.faces.push_back(face);
+        }
+    }
+    append(surface, stream);
+}
+
+void append_shell(const ShellModel& model, const ShellState& state, std::vector<float>& stream) {
+    constexpr int shell_colour = 3;
+    const ShellSurface closed(model);
+    Surface surface{closed.places(state), {}};
+    for (const std::array<int, 3>& nodes : closed.triangles()) {
+        const Vec3& a = surface.nodes[nodes[0]];
+        const Face face{nodes, (surface.nodes[nodes[1]] - a).cross(surface.nodes[nodes[2]] - a), shell_colour};
         if (face.normal.allFinite()) {
             surface.faces.push_back(face);
         }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flow/membrane.hpp"
+#include "flow/shell.hpp"
 #include "flow/solid.hpp"
 
 namespace rhexis {
@@ -14,5 +15,8 @@ void append_surface(const SolidModel& model, const SolidState& state, int solid,
 
 /// The same for a sheet.
 void append_sheet(const MembraneState& state, std::vector<float>& stream);
+
+/// A shell with its thickness.
+void append_shell(const ShellModel& model, const ShellState& state, std::vector<float>& stream);
 
 }  // namespace rhexis

@@ -35,6 +35,9 @@ Box box_of(const Frame& frame) {
     for (const MembraneState& membrane : frame.membranes) {
         add(membrane.position);
     }
+    for (const ShellState& shell : frame.shells) {
+        add(shell.position);
+    }
     return box.low.x() <= box.high.x() ? box : Box{Vec3::Constant(-1.0), Vec3::Constant(1.0)};
 }
 
@@ -113,6 +116,9 @@ void BareView::draw(ToolPainter& painter, const Frame& frame, const std::vector<
     }
     for (const MembraneState& membrane : frame.membranes) {
         append_sheet(membrane, stream_);
+    }
+    for (std::size_t i = 0; i < frame.shells.size(); ++i) {
+        append_shell(frame.model->shells[i], frame.shells[i], stream_);
     }
     samples_.bind();
     clear_bound_target();

@@ -130,6 +130,8 @@ Result<Program> build_part(const char* define) {
     return Program::build({"part.vert"}, {define, "view.glsl", "microscope.frag"});
 }
 
+bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }
+
 }  // namespace
 
 EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner) {
@@ -200,7 +202,7 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     }
     const EyeAreas areas = eye_areas(eye, outer, inner);
     front_.draw(frame, inner, depth.reference(), areas.pupil);
-    if (!frame.membranes.empty()) {
+    if (has_sheets(frame)) {
         sheets_.draw(frame, inner, depth.stop(), depth.reference(), contour_of(still_lens(frame)), detail, areas.pupil,
                      opening_of(eye) + sheet_margin);
     }
@@ -284,7 +286,7 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("soft_depth", soft_.colours[0], 11);
     program.set("shadows", shadows_.colours[0], 12);
     program.set("sheets", sheets_.picture(), 13);
-    program.set("has_sheets", frame.membranes.empty() ? 0 : 1);
+    program.set("has_sheets", has_sheets(frame) ? 1 : 0);
     program.set("trypan_blue", frame.eye->trypan_blue);
     program.set("extinction_tint", depth.tint());
     program.set("reference", depth.reference());

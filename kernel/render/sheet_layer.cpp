@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "render/depth_pass.hpp"
 #include "render/sheet_strain.hpp"
@@ -96,19 +97,33 @@ const SmoothSheet& SheetLayer::smoothed(std::size_t membrane, const std::shared_
     return smooth_[membrane];
 }
 
-void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& state, double reach) {
-    const std::vector<Vec3> normals = node_normals(sheet.triangles(), places_);
-    const std::vector<Vec3> folds = sheet.refined(wrinkles(state));
+/// The model of a scene does not change but for bodies that come apart, which makes it another.
+const ShellSurface& SheetLayer::closed(std::size_t shell, const Frame& frame) {
+    if (closed_of_ != frame.model) {
+        closed_of_ = frame.model;
+        closed_.clear();
+        for (const ShellModel& model : frame.model->shells) {
+            closed_.emplace_back(model);
+        }
+    }
+    return closed_[shell];
+}
+
+/// folds: of the wrinkles, or empty.
+void SheetLayer::collect_surface(const std::vector<std::array<int, 3>>& triangles, const std::vector<Vec3>& rest_places,
+                                 const std::vector<Vec3>& folds, double reach) {
+    const std::vector<Vec3> normals = node_normals(triangles, places_);
     const GLuint first = static_cast<GLuint>(surface_stream_.size() / floats_per_vertex);
     for (std::size_t node = 0; node < places_.size(); ++node) {
         append_floats(places_[node], surface_stream_);
         append_floats(normals[node], surface_stream_);
-        const Vec3& rest = sheet.rest()[node];
-        for (double number : {rest.x(), rest.y(), folds[node].x(), folds[node].y()}) {
+        const Vec3& rest = rest_places[node];
+        const Vec3 fold = folds.empty() ? Vec3(Vec3::Zero()) : folds[node];
+        for (double number : {rest.x(), rest.y(), fold.x(), fold.y()}) {
             surface_stream_.push_back(static_cast<float>(number));
         }
     }
-    for (const std::array<int, 3>& t : sheet.triangles()) {
+    for (const std::array<int, 3>& t : triangles) {
         // Not "beyond": what is not finite is not within.
         const bool within = places_[t[0]].head<2>().norm() < reach && std::isfinite(places_[t[0]].z());
         if (!within || !(places_[t[1]] + places_[t[2]]).allFinite()) {
@@ -120,8 +135,9 @@ void SheetLayer::collect_surface(const SmoothSheet& sheet, const MembraneState& 
     }
 }
 
-void SheetLayer::collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>& places, const Vec3& view_axis) {
-    const std::vector<SheetEdge> edges = shown_edges(sheet.edges(), places, view_axis);
+void SheetLayer::collect_edges(const std::vector<SheetEdge>& all, const Vec3& view_axis) {
+    const std::vector<Vec3>& places = places_;
+    const std::vector<SheetEdge> edges = shown_edges(all, places, view_axis);
     const std::vector<Vec3> outward = outward_at_edges(edges, places, view_axis);
     const auto corner = [&](int node, double across) {
         append_floats(places[node] + across * outward[node], edge_stream_);
@@ -148,8 +164,15 @@ void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop,
     for (std::size_t i = 0; i < frame.membranes.size(); ++i) {
         const SmoothSheet& sheet = smoothed(i, frame.membranes[i].sheet);
         places_ = sheet.refined(frame.membranes[i].position);
-        collect_surface(sheet, frame.membranes[i], reach);
-        collect_edges(sheet, places_, view.axis);
+        collect_surface(sheet.triangles(), sheet.rest(), sheet.refined(wrinkles(frame.membranes[i])), reach);
+        collect_edges(sheet.edges(), view.axis);
+    }
+    const std::size_t sheets_end = surface_indices_.size();
+    for (std::size_t i = 0; i < frame.shells.size(); ++i) {
+        const ShellSurface& shell = closed(i, frame);
+        places_ = shell.places(frame.shells[i]);
+        collect_surface(shell.triangles(), shell.rest(), {}, reach);
+        collect_edges(shell.edges(), view.axis);
     }
     const Scissor scissor(area);
     sheets_.bind();
@@ -166,8 +189,12 @@ void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop,
         program->set("contour", contour);
         program->set("pixel_mm", pixel_mm(view, reference));
         if (program == &surface_) {
-            surface_vertices_.send(surface_stream_, surface_indices_);
-            surface_vertices_.draw();
+            const std::span<const GLuint> all(surface_indices_);
+            for (const bool body : {false, true}) {
+                program->set("body", body ? 1 : 0);
+                surface_vertices_.send(surface_stream_, body ? all.subspan(sheets_end) : all.first(sheets_end));
+                surface_vertices_.draw();
+            }
         } else {
             edge_vertices_.send(edge_stream_);
             edge_vertices_.draw();

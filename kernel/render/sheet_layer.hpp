@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Thin transparent sheets alone, to be laid over the picture of what is under them. Nothing is sorted: layers, light
-// and shade of all of them add up, because each of them changes little.
+// Thin transparent sheets and shells alone, to be laid over the picture of what is under them. Nothing is sorted:
+// layers, light and shade of all of them add up, because each of them changes little.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
 #include "render/pixel_rect.hpp"
+#include "render/shell_surface.hpp"
 #include "render/smooth_sheet.hpp"
 #include "render/view.hpp"
 
@@ -30,8 +33,10 @@ public:
 private:
     SheetLayer(Program surface, Program edge, int width, int height);
     const SmoothSheet& smoothed(std::size_t membrane, const std::shared_ptr<const MembraneSheet>& sheet);
-    void collect_surface(const SmoothSheet& sheet, const MembraneState& state, double reach);
-    void collect_edges(const SmoothSheet& sheet, const std::vector<Vec3>& places, const Vec3& view_axis);
+    const ShellSurface& closed(std::size_t shell, const Frame& frame);
+    void collect_surface(const std::vector<std::array<int, 3>>& triangles, const std::vector<Vec3>& rest,
+                         const std::vector<Vec3>& folds, double reach);
+    void collect_edges(const std::vector<SheetEdge>& edges, const Vec3& view_axis);
 
     Program surface_;
     Program edge_;
@@ -41,7 +46,9 @@ private:
     std::vector<float> surface_stream_;
     std::vector<GLuint> surface_indices_;
     std::vector<float> edge_stream_;
-    std::vector<SmoothSheet> smooth_;  ///< per membrane, for as long as its connectivity stays
+    std::vector<SmoothSheet> smooth_;   ///< per membrane, for as long as its connectivity stays
+    std::vector<ShellSurface> closed_;  ///< per shell
+    std::shared_ptr<const WorldModel> closed_of_;
     std::vector<Vec3> places_;
 };
 

@@ -12,29 +12,6 @@ constexpr int most_triangles = 40000;  ///< beyond which a sheet is fine enough
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// Each once, from its node of lower number.
-std::vector<SheetEdge> edges_of(const Triangles& triangles) {
-    std::vector<SheetEdge> all;
-    for (const std::array<int, 3>& t : triangles) {
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
-            all.push_back({low, high, t[k], -1});
-        }
-    }
-    std::sort(all.begin(), all.end(), [](const SheetEdge& a, const SheetEdge& b) {
-        return std::array{a.from, a.to, a.left} < std::array{b.from, b.to, b.left};
-    });
-    std::vector<SheetEdge> edges;
-    for (const SheetEdge& edge : all) {
-        if (!edges.empty() && edges.back().from == edge.from && edges.back().to == edge.to) {
-            edges.back().right = edge.left;
-        } else {
-            edges.push_back(edge);
-        }
-    }
-    return edges;
-}
-
 int find_edge(const std::vector<SheetEdge>& edges, int a, int b) {
     const std::array key{std::min(a, b), std::max(a, b)};
     const auto found =
@@ -121,6 +98,28 @@ std::vector<Vec3> applied(const Refinement& rule, const std::vector<Vec3>& value
 }
 
 }  // namespace
+
+std::vector<SheetEdge> edges_of(const std::vector<std::array<int, 3>>& triangles) {
+    std::vector<SheetEdge> all;
+    for (const std::array<int, 3>& t : triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
+            all.push_back({low, high, t[k], -1});
+        }
+    }
+    std::sort(all.begin(), all.end(), [](const SheetEdge& a, const SheetEdge& b) {
+        return std::array{a.from, a.to, a.left} < std::array{b.from, b.to, b.left};
+    });
+    std::vector<SheetEdge> edges;
+    for (const SheetEdge& edge : all) {
+        if (!edges.empty() && edges.back().from == edge.from && edges.back().to == edge.to) {
+            edges.back().right = edge.left;
+        } else {
+            edges.push_back(edge);
+        }
+    }
+    return edges;
+}
 
 SmoothSheet::SmoothSheet(std::shared_ptr<const MembraneSheet> sheet)
     : sheet_(std::move(sheet)), triangles_(sheet_->mesh.triangles) {

@@ -25,6 +25,9 @@ struct SheetEdge {
     int right = -1;  ///< of the other; -1: the sheet ends here
 };
 
+/// Of a mesh: each once, from its node of lower number, in order.
+std::vector<SheetEdge> edges_of(const std::vector<std::array<int, 3>>& triangles);
+
 class SmoothSheet {
 public:
     explicit SmoothSheet(std::shared_ptr<const MembraneSheet> sheet);

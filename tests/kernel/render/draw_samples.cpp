@@ -9,6 +9,7 @@
 #include "render/renderer.hpp"
 #include "scenes/capsule_pictures.hpp"
 #include "scenes/capsule_scene.hpp"
+#include "scenes/implant_pictures.hpp"
 #include "tools/rhexis_tools.hpp"
 
 using namespace rhexis;
@@ -83,6 +84,16 @@ std::vector<Sample> samples() {
     for (const auto& [name, stain] : {std::pair{"capsule_flap", 0.0}, std::pair{"capsule_blue", 1.0}}) {
         eye(name, capsulorhexis(stain));
         all.back().camera.field_mm = 10.0;
+    }
+    for (const auto& [name, force] : {std::pair{"implant_flat", 0.0}, std::pair{"implant_folded", 3e4}}) {
+        Frame frame = implant_frame();
+        if (force > 0.0) {
+            fold(frame, force);
+        }
+        eye(name, frame);
+        all.back().camera.field_mm = 10.0;
+        frame.eye = nullptr;
+        eye(force > 0.0 ? "implant_bare_folded" : "implant_bare", frame);
     }
     all.push_back({"bare_bar", bare_bar(), Camera()});
     all.back().camera = microscope_camera(all.back().frame);
