@@ -45,9 +45,9 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double across(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
 
-TriMesh cap(const HalfEllipsoids& lens, int triangles) {
+TriMesh cap(const HalfEllipsoids& lens, const AnteriorCapsuleSettings& settings) {
     // rings of nodes would lead a tear round
-    TriMesh mesh = jittered(round_sheet(extent * lens.radius, triangles), jitter, 1);
+    TriMesh mesh = jittered(round_sheet(extent * lens.radius, settings.triangles), jitter, settings.mesh_seed);
     for (Vec3& node : mesh.nodes) {
         node.z() = anterior_z(lens, across(node));
     }
@@ -55,7 +55,7 @@ TriMesh cap(const HalfEllipsoids& lens, int triangles) {
 }
 
 MembraneSheet sheet_of(const HalfEllipsoids& lens, double age, const AnteriorCapsuleSettings& settings) {
-    MembraneSheet sheet = uniform_sheet(cap(lens, settings.triangles), Vec3::UnitX(), at_equator);
+    MembraneSheet sheet = uniform_sheet(cap(lens, settings), Vec3::UnitX(), at_equator);
     for (int t = 0; t < static_cast<int>(sheet.fibre.size()); ++t) {
         const Vec3 middle = triangle_middle(sheet.mesh, t);
         sheet.thickness[at(t)] = anterior_thickness(age, across(middle), lens.radius);

@@ -4,6 +4,8 @@
 // lens.
 #pragma once
 
+#include <cstdint>
+
 #include "flow/eye_model.hpp"
 #include "flow/membrane.hpp"
 #include "mesh/half_ellipsoids.hpp"
@@ -15,6 +17,7 @@ struct AnteriorCapsuleSettings {
     bool circles = false;    ///< fibres in circles about the pole [Dequidt2013]; false: isotropic, as anatomy has it
     double toughness = 1.0;  ///< share of the standard one
     double zonule_tension = 1.0;  ///< of the anterior zonules at rest, share of the standard one, 0 to 2
+    std::uint64_t mesh_seed = 1;  ///< moves the nodes of the mesh: another one of the same capsule
 };
 
 /// Thickness at a distance from the axis [mm], where the equator is at another [mm]: 11 um at the pole at birth to 15

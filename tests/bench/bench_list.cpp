@@ -15,6 +15,7 @@
 #include "bench/bench_random_tears.hpp"
 #include "bench/bench_render.hpp"
 #include "bench/bench_rotation.hpp"
+#include "bench/bench_run_out.hpp"
 #include "bench/bench_shell.hpp"
 #include "bench/bench_stability.hpp"
 #include "bench/bench_tear.hpp"
@@ -37,6 +38,7 @@ std::vector<BenchCase> bench_cases() {
     add(random_tears_cases());
     add(capsule_pulls_cases());
     add(capsule_chart_cases());
+    add(run_out_cases());
     add(factor_update_cases());
     add(shell_speed_cases());
     add(shell_cases());

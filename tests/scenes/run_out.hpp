@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a capsulorhexis runs out under a hand that does not correct it: the same tear, from the same state, in
+// chambers that are more or less full.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scenes/flap_hand.hpp"
+
+namespace rhexis::scenes {
+
+/// Constant while the hand pulls.
+struct Chamber {
+    double fill = 1.0;           ///< with viscoelastic, share of the chamber, 0 to 1
+    double vitreous_mmhg = 0.0;  ///< behind the lens, above the air's [mmHg]
+};
+
+/// With which the vitreous pushes the lens forward in such a chamber [uN].
+double push_of_vitreous(const Chamber& chamber);
+
+/// Direction of each of its pulls, inwards from the tangent [degrees].
+constexpr int most_pulls = 6;
+using Pulls = std::array<double, most_pulls>;
+Pulls steady_pulls(double inwards);
+
+/// A beginner, who pulls about along the circle and a little inwards, each pull somewhat off his habit, and does not
+/// see what comes of it. Habit: mean 10, standard deviation 12 degrees, for one has to pull somewhat inwards to stay on
+/// a circle; each pull: standard deviation 8 degrees about that. Proposals, made before anything was measured.
+Pulls pulls_of_beginner(std::uint64_t seed);
+
+enum class Fate { kept, ran_out, got_stuck };
+
+struct RunOutResult {
+    Fate fate = Fate::got_stuck;
+    double radius = 0.0;      ///< at which the tear ends [mm]
+    double round = 0.0;       ///< the axis that it went on [degrees]
+    int pulls = 0;            ///< that it took
+    bool end_lost = false;    ///< it met the sheet's edge or another tear
+    double peak_force = 0.0;  ///< of any pull [uN]
+};
+
+constexpr double ran_out_by = 0.75;   ///< beyond the planned radius: by then the zonules' insertion is near [mm]
+constexpr double far_enough = 120.0;  ///< round the axis: a tear that kept to the circle so long is kept [degrees]
+
+class RunOutTrial {
+public:
+    /// Begins the tear in a full chamber: an arc of 1.2 rad by topology, led on by two pulls that are steered.
+    /// mesh_seed: of another mesh of the same capsule.
+    RunOutTrial(double age, std::uint64_t mesh_seed, int triangles = 1500);
+
+    /// Of the end of the tear before the first pull [mm].
+    [[nodiscard]] double start_radius() const { return start_end_.head<2>().norm(); }
+
+    /// From the start: the chamber comes to be as it is, then the hand pulls.
+    RunOutResult run(const Chamber& chamber, const Pulls& pulls);
+
+private:
+    CapsuleScene scene_;
+    MembraneState start_;
+    Vec3 start_end_ = Vec3::Zero();
+};
+
+}  // namespace rhexis::scenes
