@@ -147,7 +147,7 @@ json over_pressure(const BenchOptions& options) {
     for (const double pressure : {10.0, 30.0}) {
         conditions.push_back({name_of("pressure", pressure), {0.4, pressure}, {}});
     }
-    return rows_of(conditions, standard_age, tally(options, standard_age, 20, conditions));
+    return rows_of(conditions, standard_age, tally(options, standard_age, 12, conditions));
 }
 
 json over_age(const BenchOptions& options) {
@@ -158,7 +158,7 @@ json over_age(const BenchOptions& options) {
         for (const double fill : {0.2, 1.0}) {
             conditions.push_back({name_of("age", age, fill), {fill, positive_pressure}, {}});
         }
-        append(rows_of(conditions, age, tally(options, age, 12, conditions)), rows);
+        append(rows_of(conditions, age, tally(options, age, 10, conditions)), rows);
     }
     return rows;
 }
@@ -173,6 +173,66 @@ json over_direction(const BenchOptions& options) {
         }
     }
     return rows_of(conditions, standard_age, tally(options, standard_age, 6, conditions));
+}
+
+struct RescueTally {
+    double inwards = 0.0;  ///< [degrees]
+    Chamber chamber;
+    int attempts = 0;
+    int rescued = 0;
+    int reached_edge = 0;
+    double pulls = 0.0;  ///< sum
+};
+
+void rescue_all(RunOutTrial& trial, std::vector<RescueTally>& tallies) {
+    const scenes::TornFlap torn = trial.now();
+    for (RescueTally& tally : tallies) {
+        const scenes::RescueResult result = trial.rescue(torn, tally.chamber, tally.inwards);
+        ++tally.attempts;
+        tally.rescued += result.rescued ? 1 : 0;
+        tally.reached_edge += result.reached_edge ? 1 : 0;
+        tally.pulls += result.pulls;
+    }
+}
+
+json row_of(const RescueTally& tally) {
+    const Interval interval = scenes::wilson(tally.rescued, std::max(1, tally.attempts));
+    return {{"name", name_of("rescue", tally.inwards, tally.chamber.fill)},
+            {"inwards_deg", tally.inwards},
+            {"fill", tally.chamber.fill},
+            {"attempts", tally.attempts},
+            {"rescued", tally.rescued},
+            {"reached_edge", tally.reached_edge},
+            {"share_low", interval.low},
+            {"share_high", interval.high},
+            {"pulls", tally.pulls / std::max(1, tally.attempts)}};
+}
+
+/// Tears that ran out by 1 mm in a shallow chamber, each led back with refill and without.
+json rescues(const BenchOptions& options) {
+    const Chamber shallow{0.2, positive_pressure};
+    const Chamber refilled{1.0, positive_pressure};
+    std::vector<RescueTally> tallies;
+    for (const double inwards : options.quick ? std::vector<double>{30.0} : std::vector<double>{30.0, 60.0, 90.0}) {
+        tallies.push_back({inwards, refilled});
+        tallies.push_back({inwards, shallow});
+    }
+    for (int i = 1; i <= (options.quick ? 1 : 24); ++i) {
+        const auto seed = static_cast<std::uint64_t>(i);
+        RunOutTrial trial(standard_age, seed, options.quick ? quick_triangles : 1500);
+        if (trial.run(shallow, scenes::pulls_of_beginner(seed), 1.0).fate == Fate::ran_out) {
+            rescue_all(trial, tallies);
+        }
+    }
+    json rows = json::array();
+    for (std::size_t i = 0; i + 1 < tallies.size(); i += 2) {
+        const RescueTally& with = tallies[i];
+        const RescueTally& without = tallies[i + 1];
+        rows.push_back(row_of(with));
+        rows.push_back(row_of(without));
+        rows.back()["fisher_p"] = scenes::fisher(with.rescued, with.attempts, without.rescued, without.attempts);
+    }
+    return rows;
 }
 
 json tension_row(double age, const Chamber& chamber) {
@@ -216,7 +276,8 @@ std::vector<BenchCase> run_out_cases() {
             {"run_out", "share of capsulorhexes that run out, over fill of the chamber", over_fill},
             {"run_out_pressure", "the same over pressure of the vitreous", over_pressure},
             {"run_out_age", "the same over age, in a shallow chamber and a full one", over_age},
-            {"run_out_direction", "the same over direction of pull", over_direction}};
+            {"run_out_direction", "the same over direction of pull", over_direction},
+            {"run_out_rescue", "share of tears led back, with refill of viscoelastic and without", rescues}};
 }
 
 }  // namespace rhexis::bench

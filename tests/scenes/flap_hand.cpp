@@ -10,8 +10,6 @@ namespace {
 
 constexpr double dt = 0.01;           ///< of a step of the scene [s]
 constexpr double speed = 3.0;         ///< of the hand [mm/s]
-constexpr double held_behind = 0.8;   ///< the end of the tear [mm]
-constexpr double height = 0.2;        ///< over the lens, at which the flap is led [mm]
 constexpr double ahead = 0.3;         ///< of where it is that the hand aims at [mm]
 constexpr double most_reach = 3.2;    ///< from the end of the tear: the flap is folded over and drawn straight [mm]
 constexpr double pupil_radius = 3.6;  ///< the forceps stay in the pupil [mm]
@@ -21,17 +19,17 @@ constexpr int most_looks = 40;  ///< 6 s
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Of the flap's edge: about so far behind the end of the tear, and farthest from its place. Zero: there is none.
-Vec3 where_to_hold(const MembraneState& sheet, const Vec3& end) {
+/// Of the flap's edge: about so far behind the end of the tear, and farthest from its place. -1: there is none.
+int node_to_hold(const MembraneState& sheet, const Vec3& end, double behind) {
     const std::vector<Vec3>& rest = sheet.sheet->mesh.nodes;
-    Vec3 found = Vec3::Zero();
+    int found = -1;
     double most = -1.0;
     for (std::size_t n = 0; n < rest.size(); ++n) {
         const bool inside = rest[n].head<2>().norm() < end.head<2>().norm() + 0.05;
         const double moved = (sheet.position[n] - rest[n]).norm();
-        if (inside && std::abs((rest[n] - end).norm() - held_behind) < 0.25 && moved > most) {
+        if (inside && std::abs((rest[n] - end).norm() - behind) < 0.25 && moved > most) {
             most = moved;
-            found = sheet.position[n];
+            found = static_cast<int>(n);
         }
     }
     return found;
@@ -66,15 +64,23 @@ bool FlapHand::follow() {
     return node_ >= 0;
 }
 
-bool FlapHand::take_flap() {
-    const Vec3 place = where_to_hold(scene_->sheet(), end_);
-    if (place.isZero()) {
+bool FlapHand::take_flap(const FlapPull& how) {
+    const MembraneState& sheet = scene_->sheet();
+    const int node = node_to_hold(sheet, end_, how.held_behind);
+    if (node < 0) {
         return false;
     }
+    taken_ = sheet.sheet->mesh.nodes[at(node)];
+    const Vec3 place = sheet.position[at(node)];
     const Vec3 up = 0.01 * Vec3::UnitZ();
     scene_->put(0, place + up, 1.0);
     scene_->lead(0, place + 2.0 * up, 1.0, 0.0);
     return true;
+}
+
+void FlapHand::unfold(const FlapPull& how) {
+    const double rise = scene_->sheet().support.lift + how.height;
+    scene_->lead(0, taken_ + rise * Vec3::UnitZ(), speed, 0.0);
 }
 
 void FlapHand::let_go() {
@@ -96,9 +102,9 @@ Vec3 FlapHand::aim(const FlapPull& how) const {
     const double across = tip.head<2>().norm();
     const Vec2 outward = tip.head<2>() / across;
     const Vec2 round(-outward.y(), outward.x());
-    Vec2 to = tip.head<2>() + (std::max(reach(), held_behind) + ahead) * (c * round - s * outward);
+    Vec2 to = tip.head<2>() + (std::max(reach(), how.held_behind) + ahead) * (c * round - s * outward);
     to *= std::min(1.0, pupil_radius / to.norm());
-    return scene_->front(to.x(), to.y()) + (scene_->sheet().support.lift + height) * Vec3::UnitZ();
+    return scene_->front(to.x(), to.y()) + (scene_->sheet().support.lift + how.height) * Vec3::UnitZ();
 }
 
 PullEnd FlapHand::pull_until_done(const FlapPull& how, PullResult& result) {
@@ -140,9 +146,12 @@ PullResult FlapHand::pull(const FlapPull& how) {
         result.end = PullEnd::end_lost;
         return result;
     }
-    if (!take_flap()) {
+    if (!take_flap(how)) {
         result.end = PullEnd::nothing_held;
         return result;
+    }
+    if (how.unfold) {
+        unfold(how);
     }
     result.end = follow() ? pull_until_done(how, result) : PullEnd::end_lost;
     let_go();

@@ -13,6 +13,9 @@ constexpr double planned_radius = 2.6;  ///< of the opening, from the axis, in t
 struct FlapPull {
     double inwards = 0.0;           ///< from the tangent of the circle about the axis towards the axis [degrees]
     double steering = 0.0;          ///< more of it per mm that the end of the tear is too far out [degrees/mm]
+    double held_behind = 0.8;       ///< the end of the tear, where the flap is taken [mm]
+    double height = 0.2;            ///< over the lens, at which it is led [mm]
+    bool unfold = false;            ///< leads it back first to where it lay before it was torn
     double length = 1.5;            ///< that the end of the tear goes, at rest [mm]
     double farthest_radius = 10.0;  ///< of that end, at rest [mm]
     double farthest_round = 360.0;  ///< the axis that it has gone since the hand first led it [degrees]
@@ -42,7 +45,8 @@ public:
 
 private:
     bool follow();
-    bool take_flap();
+    bool take_flap(const FlapPull& how);
+    void unfold(const FlapPull& how);
     void let_go();
     [[nodiscard]] Vec3 aim(const FlapPull& how) const;
     [[nodiscard]] double reach() const;
@@ -50,7 +54,8 @@ private:
 
     CapsuleScene* scene_;
     Vec3 end_;
-    int node_ = -1;  ///< at the end
+    int node_ = -1;              ///< at the end
+    Vec3 taken_ = Vec3::Zero();  ///< place of the flap that is held, in the sheet at rest
     double round_ = 0.0;
 };
 

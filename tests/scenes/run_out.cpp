@@ -12,6 +12,8 @@ namespace {
 
 constexpr double arc_at_start = 1.2;          ///< [rad]
 constexpr FlapPull leading{10.0, 80.0, 1.5};  ///< of a hand that steers
+constexpr double rescued_within = 0.3;        ///< of the planned radius [mm]
+constexpr double edge_radius = 4.1;           ///< the sheet ends at 4.3 mm [mm]
 constexpr int pulls_at_start = 2;
 constexpr int settling_steps = 60;        ///< until lens and capsule are at rest
 constexpr double mean_habit = 10.0;       ///< [degrees]
@@ -58,19 +60,18 @@ RunOutTrial::RunOutTrial(double age, std::uint64_t mesh_seed, int triangles)
     for (int i = 0; i < pulls_at_start; ++i) {
         hand.pull(leading);
     }
-    start_ = sheet;
-    start_end_ = hand.end();
+    start_ = {sheet, hand.end()};
 }
 
-RunOutResult RunOutTrial::run(const Chamber& chamber, const Pulls& pulls) {
-    scene_.sheet() = start_;
+RunOutResult RunOutTrial::run(const Chamber& chamber, const Pulls& pulls, double out_by) {
+    scene_.sheet() = start_.sheet;
     scene_.sheet().support.push = push_of_vitreous(chamber);
     settle(scene_);
-    FlapHand hand(scene_, start_end_);
+    FlapHand hand(scene_, start_.end);
     RunOutResult result;
     for (const double inwards : pulls) {
-        const PullResult pull = hand.pull(
-            {.inwards = inwards, .farthest_radius = planned_radius + ran_out_by, .farthest_round = far_enough});
+        const PullResult pull =
+            hand.pull({.inwards = inwards, .farthest_radius = planned_radius + out_by, .farthest_round = far_enough});
         ++result.pulls;
         result.peak_force = std::max(result.peak_force, pull.peak_force);
         result.end_lost = pull.end == PullEnd::end_lost;
@@ -84,6 +85,29 @@ RunOutResult RunOutTrial::run(const Chamber& chamber, const Pulls& pulls) {
     }
     result.radius = hand.radius();
     result.round = hand.round();
+    end_ = hand.end();
+    return result;
+}
+
+RescueResult RunOutTrial::rescue(const TornFlap& from, const Chamber& chamber, double inwards) {
+    scene_.sheet() = from.sheet;
+    scene_.sheet().support.push = push_of_vitreous(chamber);
+    settle(scene_);
+    FlapHand hand(scene_, from.end);
+    const FlapPull pull{.inwards = inwards,
+                        .held_behind = 0.5,
+                        .height = 0.05,
+                        .unfold = true,
+                        .length = 0.8,
+                        .farthest_radius = edge_radius};
+    RescueResult result;
+    while (result.pulls < most_pulls && !result.rescued && !result.reached_edge) {
+        const PullEnd end = hand.pull(pull).end;
+        ++result.pulls;
+        result.rescued = hand.radius() < planned_radius + rescued_within;
+        result.reached_edge = end == PullEnd::too_far_out || (end == PullEnd::end_lost && !result.rescued);
+    }
+    result.radius = hand.radius();
     return result;
 }
 

@@ -43,6 +43,19 @@ struct RunOutResult {
 constexpr double ran_out_by = 0.75;   ///< beyond the planned radius: by then the zonules' insertion is near [mm]
 constexpr double far_enough = 120.0;  ///< round the axis: a tear that kept to the circle so long is kept [degrees]
 
+/// A state to go back to.
+struct TornFlap {
+    MembraneState sheet;
+    Vec3 end = Vec3::Zero();  ///< of the tear that is led, in the sheet at rest
+};
+
+struct RescueResult {
+    bool rescued = false;       ///< the tear ends within 0.3 mm of the planned radius again
+    bool reached_edge = false;  ///< of what is modelled of the capsule, or within 0.2 mm of it
+    double radius = 0.0;        ///< at which it ends [mm]
+    int pulls = 0;              ///< that it took
+};
+
 class RunOutTrial {
 public:
     /// Begins the tear in a full chamber: an arc of 1.2 rad by topology, led on by two pulls that are steered.
@@ -50,15 +63,22 @@ public:
     RunOutTrial(double age, std::uint64_t mesh_seed, int triangles = 1500);
 
     /// Of the end of the tear before the first pull [mm].
-    [[nodiscard]] double start_radius() const { return start_end_.head<2>().norm(); }
+    [[nodiscard]] double start_radius() const { return start_.end.head<2>().norm(); }
 
     /// From the start: the chamber comes to be as it is, then the hand pulls.
-    RunOutResult run(const Chamber& chamber, const Pulls& pulls);
+    RunOutResult run(const Chamber& chamber, const Pulls& pulls, double out_by = ran_out_by);
+
+    /// Where the last one left it.
+    [[nodiscard]] TornFlap now() { return {scene_.sheet(), end_}; }
+
+    /// The chamber comes to be as it is, then the hand leads the tear back: it unfolds the flap, holds it near the end
+    /// of the tear and low over the lens, and pulls inwards by so much [degrees], as often as it takes [Little2006].
+    RescueResult rescue(const TornFlap& from, const Chamber& chamber, double inwards);
 
 private:
     CapsuleScene scene_;
-    MembraneState start_;
-    Vec3 start_end_ = Vec3::Zero();
+    TornFlap start_;
+    Vec3 end_ = Vec3::Zero();
 };
 
 }  // namespace rhexis::scenes

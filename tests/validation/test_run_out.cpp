@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What makes a capsulorhexis run out, in short; `rhexis bench run_out` is the study.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "scenes/capsule_load.hpp"
+#include "scenes/proportions.hpp"
+#include "scenes/run_out.hpp"
+
+using namespace rhexis;
+using namespace rhexis::scenes;
+
+TEST_SUITE("run-out") {
+    TEST_CASE("what is missing of the viscoelastic lifts the lens, pulls on zonules and stretches the capsule") {
+        CapsuleLoad last;
+        last.lift = -1.0;
+        for (const double fill : {1.0, 0.6, 0.2}) {
+            CapsuleScene scene(68.0, {}, {});
+            scene.sheet().support.push = push_of_vitreous({fill, 20.0});
+            for (int i = 0; i < 80; ++i) {
+                REQUIRE(scene.step());
+            }
+            const CapsuleLoad load = capsule_load(scene.model(), scene.sheet());
+            CHECK(load.lift > last.lift + 0.3);
+            CHECK(load.zonules > last.zonules + 1e4);
+            CHECK(load.tension_radial > last.tension_radial + 200.0);
+            CHECK(load.tension_circular > last.tension_circular + 200.0);
+            last = load;
+        }
+    }
+
+    TEST_CASE("the same pulls from the same state: farther out in a shallow chamber than in a full one") {
+        RunOutTrial trial(68.0, 1, 800);
+        CHECK(std::abs(trial.start_radius() - planned_radius) < 0.5);
+        const RunOutResult full = trial.run({1.0, 20.0}, steady_pulls(20.0));
+        const RunOutResult shallow = trial.run({0.2, 20.0}, steady_pulls(20.0));
+        const RunOutResult again = trial.run({1.0, 20.0}, steady_pulls(20.0));
+        CHECK(full.fate == Fate::kept);
+        CHECK(shallow.radius > full.radius + 0.5);
+        CHECK(again.radius == full.radius);
+    }
+
+    TEST_CASE("beginners differ, and each is the same again") {
+        CHECK(pulls_of_beginner(1) == pulls_of_beginner(1));
+        CHECK(pulls_of_beginner(1) != pulls_of_beginner(2));
+        double sum = 0.0;
+        for (int seed = 1; seed <= 1000; ++seed) {
+            sum += pulls_of_beginner(static_cast<std::uint64_t>(seed))[0];
+        }
+        CHECK(sum / 1000.0 == doctest::Approx(10.0).epsilon(0.1));
+    }
+
+    TEST_CASE("Wilson's interval and Fisher's test against tables") {
+        CHECK(wilson(8, 10).low == doctest::Approx(0.4902).epsilon(1e-3));
+        CHECK(wilson(8, 10).high == doctest::Approx(0.9433).epsilon(1e-3));
+        CHECK(wilson(0, 40).low == 0.0);
+        CHECK(wilson(0, 40).high == doctest::Approx(0.0876).epsilon(1e-3));
+        CHECK(fisher(3, 4, 1, 4) == doctest::Approx(34.0 / 70.0));  // the lady tasting tea
+        CHECK(fisher(1, 12, 9, 12) == doctest::Approx(0.002759).epsilon(1e-3));
+        CHECK(fisher(5, 10, 5, 10) == doctest::Approx(1.0));
+    }
+}
