@@ -117,7 +117,7 @@ std::string name_of(const char* what, double value) {
 }
 
 std::string name_of(const char* what, double value, double fill) {
-    return name_of(what, value).append(", fill ").append(number(fill));
+    return name_of(what, value).append("/fill ").append(number(fill));
 }
 
 std::vector<double> fills(const BenchOptions& options) {
