@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Measures how often a capsulorhexis runs out, over fill of the chamber, pressure, age and direction of pull, and how often
+# Measures how often a capsulorhexis runs out, over fill of the chamber, age and direction of pull, and how often
 # one is led back, and draws it: docs/data/run_out.csv, docs/data/run_out_rescue.csv and docs/pictures/run_out.svg. Needs a
 # Release build (./demo.sh makes one) and the Debian package gnuplot-nox. It takes about an hour of one core.
 #   usage: scripts/dev/run_out_chart.sh [--draw]     --draw: only draw again what was measured before
@@ -18,7 +18,7 @@ if [ "${1:-}" != --draw ]; then
     bench_to_csv run_out "$data" "${fields[@]}"
     part=$(mktemp)
     trap 'rm -f "$part"' EXIT
-    for case in run_out_direction run_out_age run_out_pressure; do
+    for case in run_out_direction run_out_age; do
         bench_to_csv "$case" "$part" "${fields[@]}"
         tail -n +2 "$part" >>"$data"
     done

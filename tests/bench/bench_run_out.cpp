@@ -142,14 +142,6 @@ json over_fill(const BenchOptions& options) {
     return rows;
 }
 
-json over_pressure(const BenchOptions& options) {
-    std::vector<Condition> conditions;
-    for (const double pressure : {10.0, 30.0}) {
-        conditions.push_back({name_of("pressure", pressure), {0.4, pressure}, {}});
-    }
-    return rows_of(conditions, standard_age, tally(options, standard_age, 12, conditions));
-}
-
 json over_age(const BenchOptions& options) {
     json rows = json::array();
     const std::vector<double> ages = options.quick ? std::vector<double>{45.0} : std::vector<double>{25, 45, 68, 90};
@@ -242,7 +234,8 @@ json tension_row(double age, const Chamber& chamber) {
         scene.step();
     }
     const scenes::CapsuleLoad load = scenes::capsule_load(scene.model(), scene.sheet());
-    return {{"name", name_of("tension", age, chamber.fill)},
+    return {{"name",
+             name_of("tension", age, chamber.fill).append("/").append(number(chamber.vitreous_mmhg)).append(" mmHg")},
             {"age", age},
             {"fill", chamber.fill},
             {"vitreous_mmhg", chamber.vitreous_mmhg},
@@ -273,8 +266,8 @@ json tension(const BenchOptions& options) {
 
 std::vector<BenchCase> run_out_cases() {
     return {{"run_out_tension", "what pulls on the uncut capsule, over fill of the chamber, pressure and age", tension},
-            {"run_out", "share of capsulorhexes that run out, over fill of the chamber", over_fill},
-            {"run_out_pressure", "the same over pressure of the vitreous", over_pressure},
+            {"run_out", "share of capsulorhexes that run out, over fill of the chamber, that is push of the vitreous",
+             over_fill},
             {"run_out_age", "the same over age, in a shallow chamber and a full one", over_age},
             {"run_out_direction", "the same over direction of pull", over_direction},
             {"run_out_rescue", "share of tears led back, with refill of viscoelastic and without", rescues}};

@@ -30,6 +30,13 @@ TEST_SUITE("run-out") {
         }
     }
 
+    TEST_CASE("fill and pressure act by one push alone") {
+        CHECK(push_of_vitreous({1.0, 20.0}) == doctest::Approx(0.0));
+        CHECK(push_of_vitreous({0.2, 20.0}) == doctest::Approx(149.3e3).epsilon(1e-3));  // 70 mm^2, 0.8 of 2,666 Pa
+        CHECK(push_of_vitreous({0.2, 10.0}) == doctest::Approx(push_of_vitreous({0.6, 20.0})));
+        CHECK(push_of_vitreous({0.2, 5.0}) == doctest::Approx(push_of_vitreous({0.8, 20.0})));
+    }
+
     TEST_CASE("the same pulls from the same state: farther out in a shallow chamber than in a full one") {
         RunOutTrial trial(68.0, 1, 800);
         CHECK(std::abs(trial.start_radius() - planned_radius) < 0.5);
