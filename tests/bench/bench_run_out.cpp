@@ -150,7 +150,7 @@ json over_age(const BenchOptions& options) {
         for (const double fill : {0.2, 1.0}) {
             conditions.push_back({name_of("age", age, fill), {fill, positive_pressure}, {}});
         }
-        append(rows_of(conditions, age, tally(options, age, 10, conditions)), rows);
+        append(rows_of(conditions, age, tally(options, age, 7, conditions)), rows);
     }
     return rows;
 }
