@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Measures how often a capsulorhexis runs out, over fill of the chamber, age and direction of pull, and how often
 # one is led back, and draws it: docs/data/run_out.csv, docs/data/run_out_rescue.csv and docs/pictures/run_out.svg. Needs a
-# Release build (./demo.sh makes one) and the Debian package gnuplot-nox. It takes about an hour of one core.
+# Release build (./demo.sh makes one) and the Debian package gnuplot-nox. It takes about 45 minutes of one core.
 #   usage: scripts/dev/run_out_chart.sh [--draw]     --draw: only draw again what was measured before
 set -euo pipefail
 . "$(dirname "$0")/steps.sh"
