@@ -83,7 +83,8 @@ void move_support(const MembraneModel& model, double force, double dt, SupportSt
     }
     // the sheet's own answer is that of the step before, the spring's that of this one
     const SupportModel& own = *model.support;
-    const double speed = (support.push - own.stiffness * (support.lift - own.slack_lift) + force) / (own.damping + dt * own.stiffness);
+    const double speed =
+        (support.push - own.stiffness * (support.lift - own.slack_lift) + force) / (own.damping + dt * own.stiffness);
     support.lift += dt * speed;
 }
 
