@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "base/ranges.hpp"
 #include "eye/implant_outline.hpp"
 
 namespace rhexis {
@@ -239,24 +240,17 @@ double optic_thickness(const ImplantShape& shape, double distance) {
 }
 
 Status check_implant(const ImplantShape& shape) {
-    struct Field {
-        const char* name;
-        double value;
-        double least;
-        double most;
-    };
     // room between the optic's rim and an arm for the haptic to turn
     const double least_overall = std::max(10.0, shape.optic_diameter + 2.0 * shape.haptic_width + 3.0);
-    const Field fields[] = {{"optic_diameter", shape.optic_diameter, 4.0, 7.5},
-                            {"haptic_width", shape.haptic_width, 0.2, 0.8},
-                            {"overall_diameter", shape.overall_diameter, least_overall, 14.0},
-                            {"centre_thickness", shape.centre_thickness, 0.1, 2.0},
-                            {"edge_thickness", shape.edge_thickness, 0.05, shape.centre_thickness},
-                            {"haptic_thickness", shape.haptic_thickness, 0.05, 1.0}};
-    for (const Field& f : fields) {
-        if (Status s = check_range(f.name, f.value, f.least, f.most, "implant", " mm"); !s) {
-            return s;
-        }
+    if (Status s = check_ranges({{"optic_diameter", shape.optic_diameter, 4.0, 7.5, " mm"},
+                                 {"haptic_width", shape.haptic_width, 0.2, 0.8, " mm"},
+                                 {"overall_diameter", shape.overall_diameter, least_overall, 14.0, " mm"},
+                                 {"centre_thickness", shape.centre_thickness, 0.1, 2.0, " mm"},
+                                 {"edge_thickness", shape.edge_thickness, 0.05, shape.centre_thickness, " mm"},
+                                 {"haptic_thickness", shape.haptic_thickness, 0.05, 1.0, " mm"}},
+                                "implant");
+        !s) {
+        return s;
     }
     return check_range("triangles", shape.triangles, 400, 8000, "implant");
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "base/ranges.hpp"
 
 namespace rhexis {
 namespace {
@@ -46,30 +47,18 @@ Status check_sheet(const MembraneModel& model) {
 }
 
 Status check_numbers(const MembraneModel& model) {
-    struct Field {
-        const char* name;
-        double value;
-        double least;
-        double most;
-        const char* unit;
-    };
-    const Field fields[] = {{"density", model.density, 1e-7, 1.0, " g/mm^3"},
-                            {"toughness along the fibres", model.toughness.along, 1e-3, 1e12, " uN/mm"},
-                            {"toughness across the fibres", model.toughness.across, 1e-3, 1e12, " uN/mm"},
-                            {"tear_radius", model.tear_radius, 1e-4, 100.0, " mm"},
-                            {"piercing", model.piercing, 1e-3, 1e15, " uN/mm"},
-                            {"turn_cosine", model.turn_cosine, -1.0, 1.0, ""},
-                            {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
-                            {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
-                            {"slack_share", model.slack_share, 1e-9, 1.0, ""},
-                            // only on a support is it known which layer lies on which
-                            {"layer_distance", model.layer_distance, 0.0, model.support ? 0.1 : 0.0, " mm"}};
-    for (const Field& f : fields) {
-        if (Status s = check_range(f.name, f.value, f.least, f.most, model.name, f.unit); !s) {
-            return s;
-        }
-    }
-    return success();
+    return check_ranges({{"density", model.density, 1e-7, 1.0, " g/mm^3"},
+                         {"toughness along the fibres", model.toughness.along, 1e-3, 1e12, " uN/mm"},
+                         {"toughness across the fibres", model.toughness.across, 1e-3, 1e12, " uN/mm"},
+                         {"tear_radius", model.tear_radius, 1e-4, 100.0, " mm"},
+                         {"piercing", model.piercing, 1e-3, 1e15, " uN/mm"},
+                         {"turn_cosine", model.turn_cosine, -1.0, 1.0, ""},
+                         {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
+                         {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
+                         {"slack_share", model.slack_share, 1e-9, 1.0, ""},
+                         // only on a support is it known which layer lies on which
+                         {"layer_distance", model.layer_distance, 0.0, model.support ? 0.1 : 0.0, " mm"}},
+                        model.name);
 }
 
 Status check_holds(const MembraneModel& model) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "base/ranges.hpp"
 #include "math/decay.hpp"
 
 namespace rhexis {
@@ -29,33 +30,16 @@ Status check_thickness(const ShellModel& model) {
     return success();
 }
 
-struct Field {
-    const char* name;
-    double value;
-    double least;
-    double most;
-    const char* unit;
-};
-
-Status check_fields(std::span<const Field> fields, const std::string& name) {
-    for (const Field& f : fields) {
-        if (Status s = check_range(f.name, f.value, f.least, f.most, name, f.unit); !s) {
-            return s;
-        }
-    }
-    return success();
-}
-
 Status check_numbers(const ShellModel& model) {
-    const Field fields[] = {{"young_modulus", model.material.young_modulus, 1.0, 1e12, " Pa"},
-                            {"poisson_ratio", model.material.poisson_ratio, 0.0, 0.499, ""},
-                            {"density", model.material.density, 1e-7, 1.0, " g/mm^3"},
-                            {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
-                            {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
-                            {"temperature", model.temperature, -50.0, 150.0, " C"},
-                            {"fluid_density", model.fluid_density, 0.0, 1.0, " g/mm^3"},
-                            {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"}};
-    return check_fields(fields, model.name);
+    return check_ranges({{"young_modulus", model.material.young_modulus, 1.0, 1e12, " Pa"},
+                         {"poisson_ratio", model.material.poisson_ratio, 0.0, 0.499, ""},
+                         {"density", model.material.density, 1e-7, 1.0, " g/mm^3"},
+                         {"damping_mass", model.damping_mass, 0.0, 1e8, " 1/s"},
+                         {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
+                         {"temperature", model.temperature, -50.0, 150.0, " C"},
+                         {"fluid_density", model.fluid_density, 0.0, 1.0, " g/mm^3"},
+                         {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"}},
+                        model.name);
 }
 
 Status check_relaxation(const ShellModel& model) {
@@ -63,11 +47,11 @@ Status check_relaxation(const ShellModel& model) {
         return success();
     }
     const ShellRelaxation& r = *model.relaxation;
-    const Field fields[] = {{"relaxation.branch_share", r.branch_share, 0.0, 1e4, ""},
-                            {"relaxation.time", r.time, 1e-6, 1e6, " s"},
-                            {"relaxation.reference_temperature", r.reference_temperature, -50.0, 150.0, " C"},
-                            {"relaxation.activation_energy", r.activation_energy, 0.0, 1e6, " J/mol"}};
-    return check_fields(fields, model.name);
+    return check_ranges({{"relaxation.branch_share", r.branch_share, 0.0, 1e4, ""},
+                         {"relaxation.time", r.time, 1e-6, 1e6, " s"},
+                         {"relaxation.reference_temperature", r.reference_temperature, -50.0, 150.0, " C"},
+                         {"relaxation.activation_energy", r.activation_energy, 0.0, 1e6, " J/mol"}},
+                        model.name);
 }
 
 Status check_holds(const ShellModel& model) {

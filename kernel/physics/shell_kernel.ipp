@@ -2,24 +2,7 @@
 // Body of the shell kernel for RHEXIS_WIDTH doubles at a time; included once per instruction set, in a namespace of its
 // own.
 
-constexpr int width = RHEXIS_WIDTH;
-typedef double Lanes __attribute__((vector_size(8 * width)));
-
-inline Lanes load(const double* from) {
-    Lanes result;
-    __builtin_memcpy(&result, from, sizeof result);
-    return result;
-}
-inline void store(double* to, Lanes value) { __builtin_memcpy(to, &value, sizeof value); }
-inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
-#if RHEXIS_WIDTH == 8
-inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(a))); }
-#elif RHEXIS_WIDTH == 4
-inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a))); }
-#else
-inline Lanes root(Lanes a) { return reinterpret_cast<Lanes>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a))); }
-#endif
-
+#include "physics/lanes.ipp"
 #include "energy/shell_triangle.ipp"
 
 static_assert(rest_length == data_length && blocks + 3 == index_length &&

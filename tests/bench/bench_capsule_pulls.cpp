@@ -8,6 +8,7 @@
 
 #include "base/clock.hpp"
 #include "scenes/capsule_scene.hpp"
+#include "scenes/flap_hand.hpp"
 #include "tools/rhexis_tools.hpp"
 
 namespace rhexis::bench {
@@ -32,21 +33,9 @@ struct Pull {
     double torn = 0.0;  ///< [mm^2]
 };
 
-/// Of the flap's edge, where the hand takes it: about so far behind the end of the tear, and farthest from its place.
 Vec3 where_to_hold(const MembraneState& sheet) {
-    const std::vector<Vec3>& rest = sheet.sheet->mesh.nodes;
-    const Vec3& tip = rest[at(sheet.tips.back().node)];
-    Vec3 found = Vec3::Zero();
-    double most = -1.0;
-    for (std::size_t n = 0; n < rest.size(); ++n) {
-        const bool inside = rest[n].head<2>().norm() < tip.head<2>().norm() + 0.05;
-        const double moved = (sheet.position[n] - rest[n]).norm();
-        if (inside && std::abs((rest[n] - tip).norm() - held_behind) < 0.25 && moved > most) {
-            most = moved;
-            found = sheet.position[n];
-        }
-    }
-    return found;
+    const int node = scenes::node_to_hold(sheet, sheet.sheet->mesh.nodes[at(sheet.tips.back().node)], held_behind);
+    return node < 0 ? Vec3::Zero() : sheet.position[at(node)];
 }
 
 /// The first pull takes the flap where it lies; nothing has moved yet.

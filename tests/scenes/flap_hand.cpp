@@ -19,7 +19,14 @@ constexpr int most_looks = 40;  ///< 6 s
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Of the flap's edge: about so far behind the end of the tear, and farthest from its place. -1: there is none.
+/// Round the axis from one place to another, less than half a turn [degrees].
+double angle_between(const Vec3& from, const Vec3& to) {
+    const double cross = from.x() * to.y() - from.y() * to.x();
+    return std::atan2(cross, from.head<2>().dot(to.head<2>())) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
 int node_to_hold(const MembraneState& sheet, const Vec3& end, double behind) {
     const std::vector<Vec3>& rest = sheet.sheet->mesh.nodes;
     int found = -1;
@@ -34,14 +41,6 @@ int node_to_hold(const MembraneState& sheet, const Vec3& end, double behind) {
     }
     return found;
 }
-
-/// Round the axis from one place to another, less than half a turn [degrees].
-double angle_between(const Vec3& from, const Vec3& to) {
-    const double cross = from.x() * to.y() - from.y() * to.x();
-    return std::atan2(cross, from.head<2>().dot(to.head<2>())) * 180.0 / std::numbers::pi;
-}
-
-}  // namespace
 
 FlapHand::FlapHand(CapsuleScene& scene, const Vec3& end) : scene_(&scene), end_(end) { follow(); }
 

@@ -29,6 +29,10 @@ struct PullResult {
     double peak_force = 0.0;  ///< [uN]
 };
 
+/// Of the flap's edge: about so far behind the end of the tear, and farthest from its place; -1: there is none.
+/// end: of the tear, in the sheet at rest [mm].
+int node_to_hold(const MembraneState& sheet, const Vec3& end, double behind);
+
 class FlapHand {
 public:
     /// The scene's first instrument are forceps. end: of the tear that is led, about, in the sheet at rest.

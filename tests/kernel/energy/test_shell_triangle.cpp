@@ -51,6 +51,23 @@ ShellCorners moved(const ShellCorners& from, const VecX& by) {
     return corners;
 }
 
+void check_derivatives(const ShellTriangle& triangle, const ShellCorners& corners, const Vec18& gradient,
+                       const Mat18& hessian) {
+    const auto energy = [&](const VecX& by) {
+        return VecX(VecX::Constant(1, shell_energy(triangle, moved(corners, by))));
+    };
+    const auto slope = [&](const VecX& by) {
+        Vec18 there;
+        shell_gradient(triangle, moved(corners, by), there);
+        return VecX(there);
+    };
+    const VecX none = VecX::Zero(18);
+    CHECK(rhexis::test::derivative_error(energy, none, gradient.transpose(), 1e-3) < 1e-6);
+    const MatX rate = rhexis::test::finite_difference(slope, none, 1e-3);
+    const MatX symmetric = 0.5 * (rate + rate.transpose());
+    CHECK((symmetric - hessian).cwiseAbs().maxCoeff() < 1e-6 * hessian.cwiseAbs().maxCoeff());
+}
+
 }  // namespace
 
 TEST_SUITE("shell triangle") {
@@ -74,19 +91,7 @@ TEST_SUITE("shell triangle") {
                 Vec18 gradient;
                 Mat18 hessian;
                 shell_hessian(triangle, corners, ShellTangent::consistent, gradient, hessian);
-                const auto energy = [&](const VecX& by) {
-                    return VecX(VecX::Constant(1, shell_energy(triangle, moved(corners, by))));
-                };
-                const auto slope = [&](const VecX& by) {
-                    Vec18 there;
-                    shell_gradient(triangle, moved(corners, by), there);
-                    return VecX(there);
-                };
-                const VecX none = VecX::Zero(18);
-                CHECK(rhexis::test::derivative_error(energy, none, gradient.transpose(), 1e-3) < 1e-6);
-                const MatX rate = rhexis::test::finite_difference(slope, none, 1e-3);
-                const MatX symmetric = 0.5 * (rate + rate.transpose());
-                CHECK((symmetric - hessian).cwiseAbs().maxCoeff() < 1e-6 * hessian.cwiseAbs().maxCoeff());
+                check_derivatives(triangle, corners, gradient, hessian);
                 CHECK((hessian - hessian.transpose()).cwiseAbs().maxCoeff() < 1e-12 * hessian.cwiseAbs().maxCoeff());
                 Vec18 alone;
                 shell_gradient(triangle, corners, alone);
@@ -108,19 +113,7 @@ TEST_SUITE("shell triangle") {
             Vec18 gradient;
             Mat18 hessian;
             shell_hessian(triangle, corners, ShellTangent::consistent, gradient, hessian);
-            const auto energy = [&](const VecX& by) {
-                return VecX(VecX::Constant(1, shell_energy(triangle, moved(corners, by))));
-            };
-            const auto slope = [&](const VecX& by) {
-                Vec18 there;
-                shell_gradient(triangle, moved(corners, by), there);
-                return VecX(there);
-            };
-            const VecX none = VecX::Zero(18);
-            CHECK(rhexis::test::derivative_error(energy, none, gradient.transpose(), 1e-3) < 1e-6);
-            const MatX rate = rhexis::test::finite_difference(slope, none, 1e-3);
-            const MatX symmetric = 0.5 * (rate + rate.transpose());
-            CHECK((symmetric - hessian).cwiseAbs().maxCoeff() < 1e-6 * hessian.cwiseAbs().maxCoeff());
+            check_derivatives(triangle, corners, gradient, hessian);
             const Vec15 d = shell_deformation(triangle, corners);
             CHECK(0.5 * shell_product(triangle, d - triangle.natural, d - triangle.natural) ==
                   doctest::Approx(shell_energy(triangle, corners)).epsilon(1e-12));
