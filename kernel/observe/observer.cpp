@@ -113,7 +113,7 @@ void Observer::observe(const ObserveInput& input, std::vector<double>& memory, O
         look_at_lens(input);
     }
     if (anterior_capsule_ >= 0) {
-        rhexis_.measure(*input.world.membranes[anterior_capsule_].sheet, input.state.membranes[anterior_capsule_]);
+        rhexis_.measure(input.world.membranes[anterior_capsule_], input.state.membranes[anterior_capsule_]);
     }
     memory.resize(memory_size_, 0.0);
     observation.time_s = input.state.time_s;

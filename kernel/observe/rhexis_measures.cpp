@@ -31,11 +31,13 @@ public:
     void describe(ObservationSchema& schema) const override {
         schema.push_back({"rhexis.opened", "bool", "There is an opening in the anterior capsule."});
         schema.push_back({"rhexis.closed", "bool", "The tear met its beginning: the flap has come loose."});
-        schema.push_back({"rhexis.run_out", "bool", "A tear has run out to the edge of the capsule, at the zonules."});
+        schema.push_back({"rhexis.run_out", "bool", "A tear has passed the ring in which the zonules insert."});
         schema.push_back({"rhexis.torn_mm", "mm", "Length of all tears of the anterior capsule."});
         schema.push_back({"rhexis.turned_deg", "deg", "Angle about the axis that the tear has gone round, 0 to 360."});
         schema.push_back({"rhexis.tip_radius_mm", "mm",
                           "Distance from the axis of the tip that went on last. Nothing while the tear has no tip."});
+        schema.push_back({"rhexis.tip_angle_deg", "deg",
+                          "Angle of that tip about the axis: 0 to the surgeon's right, 90 away, -180 to 180."});
         schema.push_back({"rhexis.tip_heading_deg", "deg",
                           "Direction of that tip outward from the circle about the axis; negative: inward."});
         schema.push_back({"rhexis.largest_radius_mm", "mm",
@@ -69,20 +71,21 @@ public:
         values[3] = shape.length;
         values[4] = shape.turned * degrees;
         values[5] = shape.tip_radius;
-        values[6] = shape.tip_heading * degrees;
-        values[7] = shape.largest_radius;
-        values[8] = shape.smallest_radius;
-        values[9] = shape.mean_diameter;
-        values[10] = shape.circularity;
-        values[11] = shape.centre.norm();
-        values[12] = shape.flap_area;
-        values[13] = shape.overlap * degrees;
+        values[6] = shape.tip_angle * degrees;
+        values[7] = shape.tip_heading * degrees;
+        values[8] = shape.largest_radius;
+        values[9] = shape.smallest_radius;
+        values[10] = shape.mean_diameter;
+        values[11] = shape.circularity;
+        values[12] = shape.centre.norm();
+        values[13] = shape.flap_area;
+        values[14] = shape.overlap * degrees;
         const MembraneState& state = input.state.membranes[membrane_];
-        values[14] = static_cast<double>(state.punctures.size());
-        values[15] = state.punctures.empty() ? RhexisShape::none : state.punctures[0].head<2>().norm();
-        values[16] = zonule_strain(input.world.membranes[membrane_], state);
-        memory[0] = std::max(memory[0], values[16]);
-        values[17] = memory[0];
+        values[15] = static_cast<double>(state.punctures.size());
+        values[16] = state.punctures.empty() ? RhexisShape::none : state.punctures[0].head<2>().norm();
+        values[17] = zonule_strain(input.world.membranes[membrane_], state);
+        memory[0] = std::max(memory[0], values[17]);
+        values[18] = memory[0];
     }
 
 private:

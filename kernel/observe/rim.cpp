@@ -113,6 +113,7 @@ double smallest_norm(const std::vector<Vec2>& points) {
 
 void measure_tip(const Vec2& place, const Vec2& direction, RhexisShape& shape) {
     shape.tip_radius = place.norm();
+    shape.tip_angle = std::atan2(place.y(), place.x());
     if (shape.tip_radius > 0.0 && direction.norm() > 0.0) {
         const Vec2 outward = place / shape.tip_radius;
         shape.tip_heading = std::atan2(direction.dot(outward), std::abs(cross(outward, direction)));
@@ -139,7 +140,7 @@ void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
 
 }  // namespace
 
-RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state, const Vec2& axis) {
+RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state, double zonules, const Vec2& axis) {
     const Opening opening = find_opening(start, state);
     RhexisShape shape;
     shape.opened = opening.exists;
@@ -151,6 +152,7 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
         return shape;
     }
     shape.largest_radius = largest_norm(flat(opening.edge, axis));
+    shape.run_out = opening.run_out || shape.largest_radius > zonules;
     const std::vector<Vec2> curve = flat(opening.curve, axis);
     if (opening.closed) {
         measure_rim(curve, shape);
@@ -166,9 +168,20 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     return shape;
 }
 
-void RhexisGauge::measure(const MembraneSheet& start, const MembraneState& state) {
+double zonules_end(const MembraneModel& model) {
+    double farthest = -1.0;
+    for (const NodeSpring& spring : model.springs) {
+        if (spring.slack > 0.0) {
+            farthest =
+                std::max(farthest, model.sheet->mesh.nodes[static_cast<std::size_t>(spring.node)].head<2>().norm());
+        }
+    }
+    return farthest < 0.0 ? std::numeric_limits<double>::infinity() : farthest;
+}
+
+void RhexisGauge::measure(const MembraneModel& model, const MembraneState& state) {
     if (measured_ != state.sheet) {
-        shape_ = rhexis_shape(start, state);
+        shape_ = rhexis_shape(*model.sheet, state, zonules_end(model));
         measured_ = state.sheet;
     }
 }

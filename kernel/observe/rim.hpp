@@ -17,14 +17,15 @@ namespace rhexis {
 struct RhexisShape {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-    bool opened = false;            ///< there is an opening; of several the one with the longest edge is measured
-    bool closed = false;            ///< what it goes round has come loose from what hangs at the outer edge
-    bool run_out = false;           ///< some tear has reached the sheet's outer edge, at the zonules
-    double length = 0.0;            ///< of all tears of the sheet, along them [mm]
-    double turned = 0.0;            ///< angle about the axis that the tear has gone round, 0 to 2 pi (closed) [rad]
-    double tip_radius = none;       ///< of the leading tip from the axis [mm]; none once no tip is left
-    double tip_heading = none;      ///< of the leading tip: its direction outward from the tangent, -pi/2 to pi/2 [rad]
-    double largest_radius = none;   ///< greatest distance of the opening's edge from the axis, tags included [mm]
+    bool opened = false;           ///< there is an opening; of several the one with the longest edge is measured
+    bool closed = false;           ///< what it goes round has come loose from what hangs at the outer edge
+    bool run_out = false;          ///< some tear has passed where the zonules insert, or reached the sheet's outer edge
+    double length = 0.0;           ///< of all tears of the sheet, along them [mm]
+    double turned = 0.0;           ///< angle about the axis that the tear has gone round, 0 to 2 pi (closed) [rad]
+    double tip_radius = none;      ///< of the leading tip from the axis [mm]; none once no tip is left
+    double tip_angle = none;       ///< of the leading tip about the axis, from +x towards +y, -pi to pi [rad]
+    double tip_heading = none;     ///< of the leading tip: its direction outward from the tangent, -pi/2 to pi/2 [rad]
+    double largest_radius = none;  ///< greatest distance of the opening's edge from the axis, tags included [mm]
     double smallest_radius = none;  ///< least distance of the closed rim from the axis [mm]
     double mean_diameter = none;    ///< of the circle of the same area; only of a closed rim [mm]
     double circularity = none;      ///< 4 pi area / perimeter^2: 1 for a circle; only of a closed rim
@@ -47,14 +48,19 @@ struct RhexisShape {
 /// millimetre wide a quarter of the depth.
 ///
 /// The angle that the tear has gone round is that between its two ends, without what runs nearer to the axis than 1 mm:
-/// a slit across the centre has not gone half way. The leading tip is the one that went on last. Work: in proportion to
-/// the sheet's triangles; see RhexisGauge.
-RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state, const Vec2& axis = Vec2::Zero());
+/// a slit across the centre has not gone half way. `zonules`: radius beyond which a tear has run out [mm]. The leading
+/// tip is the one that went on last. Work: in proportion to the sheet's triangles; see RhexisGauge.
+RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
+                         double zonules = std::numeric_limits<double>::infinity(), const Vec2& axis = Vec2::Zero());
+
+/// Distance from the axis of the outermost node of the uncut sheet at which a zonule inserts: a spring that has a
+/// length of its own [mm]. Infinite without zonules.
+double zonules_end(const MembraneModel& model);
 
 /// Cheap enough for every step: measures only when the sheet is another one than before.
 class RhexisGauge {
 public:
-    void measure(const MembraneSheet& start, const MembraneState& state);
+    void measure(const MembraneModel& model, const MembraneState& state);
     [[nodiscard]] const RhexisShape& shape() const { return shape_; }
 
 private:

@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The tear: led round, run out, brought back, lost at the zonules. All begin with a flap whose tear is 2.4 mm from the
--- middle, 106 degrees round.
+-- The tear: led round, run out, brought back, lost at the zonules. All begin with a flap whose tear goes a quarter of
+-- the way round.
+
+local rhexis_hand = require "rhexis_hand"
 
 local full = { ["viscoelastic.fill"] = 1 }
 local shallow = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20,
@@ -9,55 +11,21 @@ local shallow = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20,
 local brittle = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
     ["capsule.toughness"] = 0.2 }
 
--- A place by its distance from the middle [mm], angle [degrees, 0 to the surgeon's right, 90 away from the surgeon] and
--- height over the front of the lens in a full chamber [mm].
-local function place(radius, angle, height)
-    local a = math.rad(angle)
-    local front = 1.878 * math.sqrt(1 - (radius / 4.82) ^ 2)
-    return { radius * math.cos(a), radius * math.sin(a), front + height }
-end
+local place, open_jaws = rhexis_hand.place, rhexis_hand.open_jaws
 
-local cut_end = 106     -- angle to which the needle has cut
-local turned_then = {}  -- per scenario: angle that the tear had gone round by then
+local function come_in(t) t.forceps:enter({ speed = 20 }) end
 
-local function come_in(t)
-    turned_then[t] = turned_then[t] or t:value("rhexis.turned_deg")
-    t.forceps:enter({ speed = 20 })
-end
-
--- Of the end of the tear: [mm], [degrees].
-local function tear_end(t)
-    return t:value("rhexis.tip_radius_mm"), cut_end + t:value("rhexis.turned_deg") - turned_then[t]
-end
-
-local function open_jaws(t)
-    t.forceps:jaw(1)
-    t:wait(0.1)
-    t.forceps:move_by({ 0, 0, 0.3 }, { speed = 8 })
-end
-
--- Takes hold of the flap near the end of the tear: so many degrees before it, and nearer to the middle by so much; a
--- little lower each time until it is held.
-local function take_hold(t, before, inside)
-    local radius, angle = tear_end(t)
-    local lift = t:value("lens.lift_mm")
-    for try = 0, 3 do
-        t.forceps:jaw(1)
-        t:wait(0.1)
-        t.forceps:move_to(place(radius - inside, angle - before, 0.7 + lift), { speed = 12 })
-        t.forceps:move_to(place(radius - inside, angle - before, 0.05 - 0.1 * try + lift), { speed = 3 })
-        t.forceps:jaw(0)
-        t:wait(0.15)
-        if t:value("forceps.holding") then break end
-        before = before + 4
-    end
+-- Holds the flap; returns where the tear ended then, and the lift of the lens.
+local function take_hold(t, behind, inside)
+    local radius, angle, lift = rhexis_hand.tear_end(t)
+    rhexis_hand.take_hold(t, behind, inside)
     t:expect("forceps.holding")
     return radius, angle, lift
 end
 
 -- From near the end of the tear outwards and forwards, towards the angle of the chamber, so far ahead [degrees].
 local function pull_outwards(t, ahead, stop)
-    local radius, angle, lift = take_hold(t, 5, 0.2)
+    local radius, angle, lift = take_hold(t, 0.2, 0.2)
     t.forceps:move_to(place(radius - 0.2, angle + 3, 0.3 + lift), { speed = 2 })
     local to = place(4.6, angle + ahead, 0)
     return t.forceps:move_to({ to[1], to[2], 2.4 }, { speed = 2, motion = "even", stop = stop })
@@ -67,18 +35,10 @@ local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhex
 
 local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
 
--- Led on along a circle of this radius until it stops: the jaws stay close to the edge, as they may in a deep chamber.
-local function lead_round(t, radius, stop)
-    local _, angle, lift = take_hold(t, 12, 0.4)
-    local way = {}
-    for i = 1, 10 do way[i] = place(radius, angle - 10 + 6 * i, 0.2 + lift) end
-    return t.forceps:path(way, { speed = 2, motion = "even", stop = stop })
-end
-
 local function run_out(t)
     come_in(t)
     for _ = 1, 6 do
-        if lead_round(t, 3.2, out) then break end
+        if rhexis_hand.pull(t, 2, 1.5, out) then break end
         open_jaws(t)
     end
     t:wait(0.05)
@@ -88,12 +48,7 @@ end
 local function refill(t)
     open_jaws(t)
     t.forceps:withdraw({ speed = 20 })
-    t.cannula:enter({ speed = 20 })
-    t.cannula:move_to({ 0, -1.5, 3 }, { speed = 12 })
-    t.cannula:jaw(0.7)
-    t:wait_until("viscoelastic.fill > 0.98", 20)
-    t.cannula:jaw(0)
-    t.cannula:withdraw({ speed = 20 })
+    rhexis_hand.fill(t)
 end
 
 -- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
@@ -101,7 +56,7 @@ end
 local function bring_back(t)
     come_in(t)
     for try = 1, 5 do
-        local radius, angle = take_hold(t, 8, 0.25)
+        local radius, angle = take_hold(t, 0.4, 0.3)
         t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 1.5 })
         if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2), { speed = 1.5, stop = back }) then break end
         open_jaws(t)
@@ -126,7 +81,7 @@ return scenarios {
         silent_twin_of = { "Tear runs out", "Edge lost", "Underfilled", "Iris touched" },
         function(t)
             come_in(t)
-            local _, angle = take_hold(t, 16, 0.4)
+            local _, angle = take_hold(t, 0.7, 0.4)
             local way = {}
             for i = 1, 12 do way[i] = place(1.7, angle - 10 + 10 * i, 0.2) end
             t.forceps:move_to(place(1.7, angle - 10, 0.4), { speed = 2 })
@@ -141,7 +96,7 @@ return scenarios {
         function(t)
             come_in(t)
             for _ = 1, 2 do
-                lead_round(t, 2.9, "rhexis.tip_radius_mm > 2.6")
+                rhexis_hand.pull(t, 2, 1.5, "rhexis.tip_radius_mm > 2.6")
                 open_jaws(t)
             end
             t:wait(1)

@@ -1,0 +1,72 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A tear that has run out: what one does first decides. Fill, or pull.
+
+local rhexis_hand = require "rhexis_hand"
+
+local place, open_jaws = rhexis_hand.place, rhexis_hand.open_jaws
+
+local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
+
+-- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
+-- anew and led farther ahead.
+local function bring_back(t)
+    for try = 1, 5 do
+        local _, angle, lift = rhexis_hand.tear_end(t)
+        rhexis_hand.take_hold(t, 0.6, 0.5)
+        t.forceps:move_to(rhexis_hand.by_tear(t, -0.5, 1, 0.2), { speed = 1.5 })
+        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2, lift), { speed = 1.5, stop = back }) then break end
+        open_jaws(t)
+    end
+end
+
+-- Pulled on as in a deep chamber, until the end of the tear is past the zonules.
+local function pull_on(t)
+    for _ = 1, 8 do
+        if rhexis_hand.pull(t, 2, 1.5, "rhexis.run_out") then break end
+        open_jaws(t)
+    end
+    t:expect("rhexis.run_out")
+end
+
+return scenarios {
+    scenario "the chamber filled, the tear brought back" {
+        silent_twin_of = { "Pulled in a shallow chamber", "Overfilled", "Edge lost", "Iris touched" },
+        function(t)
+            t:expect("rhexis.tip_radius_mm > 3.2")
+            rhexis_hand.fill(t)
+            t:expect("lens.lift_mm < 0.2")
+            t.forceps:enter({ speed = 20 })
+            bring_back(t)
+            t:expect(back)
+        end },
+
+    scenario "forceps on the capsule before the chamber is filled, then filled" {
+        function(t)
+            t.forceps:enter({ speed = 20 })
+            rhexis_hand.take_hold(t, 0.5, 0.4)
+            t:wait(0.5)
+            t:expect_event("Pulled in a shallow chamber")
+            open_jaws(t)
+            t.forceps:withdraw({ speed = 20 })
+            rhexis_hand.fill(t)
+            t:expect_event("Pulled in a shallow chamber", { recovered = true })
+        end },
+
+    scenario "pulled in the shallow chamber: the edge is lost" {
+        function(t)
+            t.forceps:enter({ speed = 20 })
+            pull_on(t)
+            t:expect_event("Pulled in a shallow chamber", { recovered = false, within = 32 })
+            t:expect_event("Edge lost", { recovered = false, within = 32 })
+        end },
+
+    scenario "the edge is lost, the flap let go, and the chamber filled" {
+        function(t)
+            t.forceps:enter({ speed = 20 })
+            pull_on(t)
+            open_jaws(t)
+            t.forceps:withdraw({ speed = 20 })
+            rhexis_hand.fill(t)
+            t:expect_event("Edge lost", { recovered = true, within = 3 })
+        end },
+}
