@@ -12,16 +12,24 @@ namespace {
 
 double rounded(double value) { return std::round(value * 1e5) / 1e5; }
 
-/// Elements behind a part of the profile: a body's coarse tetrahedra, or those of all bodies.
+/// Elements behind a part of the profile: a body's coarse tetrahedra or triangles, else those of all bodies.
 std::size_t elements_of(const WorldModel& world, const std::string& part) {
     std::size_t all = 0;
+    std::size_t own = 0;
+    const auto count = [&](const std::string& name, std::size_t elements) {
+        all += elements;
+        own += part == name ? elements : 0;
+    };
     for (const SolidModel& solid : world.solids) {
-        if (part == solid.name) {
-            return solid.coarse.tets.size();
-        }
-        all += solid.coarse.tets.size();
+        count(solid.name, solid.coarse.tets.size());
     }
-    return all;
+    for (const MembraneModel& membrane : world.membranes) {
+        count(membrane.name, membrane.sheet->mesh.triangles.size());
+    }
+    for (const ShellModel& shell : world.shells) {
+        count(shell.name, shell.mesh.triangles.size());
+    }
+    return own > 0 ? own : all;
 }
 
 }  // namespace

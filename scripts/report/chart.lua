@@ -166,18 +166,19 @@ function chart.time_line(steps, events, last)
     return w:text()
 end
 
--- Runs of the way with the same state of ultrasound, each as one path.
-local function way_paths(w, x, y, on, count, place)
+local strong_colour, usual_colour = "#c2570c", "#1f5f8b"
+
+-- Runs of a way of the same kind, each as one path. It is broken where a place is missing.
+local function way_paths(w, way, count, place)
     local pen, state, d
     local function flush()
         if d and #d.pieces > 0 then
             w(('<path d="%s" fill="none" stroke="%s" stroke-width="%s" opacity="0.8"/>'):format(d:text(),
-                state and "#c2570c" or "#1f5f8b", state and "1.6" or "1"))
+                state and strong_colour or usual_colour, state and "1.6" or "1"))
         end
     end
     for i = 1, count do
-        local xi, yi = x.values[i], y.values[i]
-        local now = type(on.values[i]) == "number" and on.values[i] > 0
+        local xi, yi, now = way.x[i], way.y[i], way.strong[i] == true
         if type(xi) ~= "number" or type(yi) ~= "number" then
             flush()
             d, pen = nil, nil
@@ -194,21 +195,31 @@ local function way_paths(w, x, y, on, count, place)
     flush()
 end
 
---- The way of the tip seen from above. x, y, on: series of place [mm] and ultrasound; pupil_mm: diameter.
-function chart.way(x, y, on, count, pupil_mm)
+--- A way seen from above, over the pupil. way: x, y [mm] and strong (drawn so) by samples, `count` of them; meaning:
+--- what strong and usual parts of it are; circles: { radius [mm], label } about the middle, drawn dashed.
+function chart.way(way, count, pupil_mm, meaning, circles)
     local w, size = markup.writer(), 360
     local scale = size / 14
-    local function place(px, py) return size / 2 + px * scale, size / 2 - py * scale end
-    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Way of the tip seen from above" '):format(size, size + 26))
+    local middle = size / 2
+    local function place(px, py) return middle + px * scale, middle - py * scale end
+    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Way seen from above" '):format(size, size + 26))
     w('style="max-width:26rem;margin:0 auto">')
-    w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f7efe6" stroke="#d6dde4"/>'):format(size / 2, size / 2, 5.8 * scale))
-    w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f6d9cf" stroke="#a86f5c"/>'):format(size / 2, size / 2,
+    w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f7efe6" stroke="#d6dde4"/>'):format(middle, middle, 5.8 * scale))
+    w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f6d9cf" stroke="#a86f5c"/>'):format(middle, middle,
         pupil_mm / 2 * scale))
-    way_paths(w, x, y, on, count, place)
-    w(('<rect x="40" y="%d" width="14" height="4" fill="#c2570c"/><text x="60" y="%d">with ultrasound</text>'):format(
-        size + 12, size + 18))
-    w(('<rect x="190" y="%d" width="14" height="4" fill="#1f5f8b"/><text x="210" y="%d">without</text>'):format(
-        size + 12, size + 18))
+    for i, circle in ipairs(circles or {}) do
+        local radius = circle.radius * scale
+        w(('<circle cx="%d" cy="%d" r="%.1f" fill="none" stroke="#6d7a86" stroke-dasharray="4 3"/>'):format(middle,
+            middle, radius))
+        local x = middle + (i % 2 == 1 and -0.72 or 0.72) * radius
+        w(('<text class="soft small" x="%.1f" y="%.1f" text-anchor="%s">%s</text>'):format(x,
+            middle - 0.72 * radius - 4, i % 2 == 1 and "end" or "start", markup.escape(circle.label)))
+    end
+    way_paths(w, way, count, place)
+    w(('<rect x="20" y="%d" width="14" height="4" fill="%s"/><text x="40" y="%d">%s</text>'):format(size + 12,
+        strong_colour, size + 18, markup.escape(meaning.strong)))
+    w(('<rect x="190" y="%d" width="14" height="4" fill="%s"/><text x="210" y="%d">%s</text>'):format(size + 12,
+        usual_colour, size + 18, markup.escape(meaning.usual)))
     w("</svg>")
     return w:text()
 end

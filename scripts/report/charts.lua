@@ -24,6 +24,14 @@ local wanted = {
         lines = { { "reflex.tip", "at the tip" }, { "reflex.mean", "over the pupil" } } },
     { title = "Gap between instrument and iris", unit = "mm", range = { 0, 1 },
         lines = { { "iris.gap_mm", "gap" } }, danger = { from = -99, to = 0 } },
+    { title = "End of the tear: how far from the middle", unit = "mm", range = { 0, 4 },
+        lines = { { "rhexis.tip_radius_mm", "distance" } }, danger = { from = 3.37, to = 99 } },
+    { title = "How far the tear has come round", unit = "degrees", range = { 0, 360 },
+        lines = { { "rhexis.turned_deg", "angle" } } },
+    { title = "How full the chamber is", unit = "%", range = { 0, 110 }, scale = 100,
+        lines = { { "viscoelastic.fill", "viscoelastic" } } },
+    { title = "Pull of the forceps", unit = "mN", range = { 0, 20 },
+        lines = { { "forceps.force_mN", "force" } } },
     { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
         lines = { { "phaco.tremor_um", "root mean square" } } },
 }
@@ -61,6 +69,54 @@ local function figure(w, svg, title, unit)
     w("</h3>", svg, "</figure>")
 end
 
+-- Lists of a measure's values, or nil where the exercise has not all of these measures.
+local function values_of(measures, ...)
+    local lists = {}
+    for i, name in ipairs({ ... }) do
+        local measure = measures[name]
+        if not measure or type(measure.values) ~= "table" then return nil end
+        lists[i] = measure.values
+    end
+    return table.unpack(lists)
+end
+
+local function way_of_tip(measures, count)
+    local x, y, ultrasound = values_of(measures, "phaco.tip_x_mm", "phaco.tip_y_mm", "phaco.ultrasound")
+    if not x then return nil end
+    local strong = {}
+    for i = 1, count do strong[i] = type(ultrasound[i]) == "number" and ultrasound[i] > 0 end
+    return { x = x, y = y, strong = strong }
+end
+
+local farthest_jump = 1.0  -- of the tear's end from one sample to the next; beyond, another end has gone on [mm]
+
+local function way_of_tear(measures, count)
+    local radius, angle, holding = values_of(measures, "rhexis.tip_radius_mm", "rhexis.tip_angle_deg",
+        "forceps.holding")
+    if not radius then return nil end
+    local way = { x = {}, y = {}, strong = {} }
+    local last_x, last_y
+    for i = 1, count do
+        if type(radius[i]) == "number" and type(angle[i]) == "number" then
+            local x, y = radius[i] * math.cos(math.rad(angle[i])), radius[i] * math.sin(math.rad(angle[i]))
+            if not last_x or math.abs(x - last_x) + math.abs(y - last_y) < farthest_jump then
+                way.x[i], way.y[i] = x, y
+            end
+            way.strong[i] = holding[i] == true or holding[i] == 1
+            last_x, last_y = x, y
+        end
+    end
+    return last_x and way or nil
+end
+
+local function planned_circles(goals)
+    local circles = { { radius = 3.0, label = "optic" } }
+    if goals and type(goals.radius_mm) == "number" then
+        table.insert(circles, 1, { radius = goals.radius_mm, label = "planned" })
+    end
+    return circles
+end
+
 --- All charts as HTML; "" when there is no series.
 function charts.html(report, series)
     local times = series and series.time_s
@@ -76,11 +132,14 @@ function charts.html(report, series)
                 context), spec.title, spec.unit)
         end
     end
-    local m = series.measures
-    if m["phaco.tip_x_mm"] and m["phaco.tip_y_mm"] and m["phaco.ultrasound"] then
-        local pupil = report.patient and report.patient.pupil_mm or 7.5
-        figure(w, chart.way(m["phaco.tip_x_mm"], m["phaco.tip_y_mm"], m["phaco.ultrasound"], count, pupil),
-            "Way of the tip, seen from above (the surgeon sits below)")
+    local pupil = report.patient and report.patient.pupil_mm or 7.5
+    local function way(title, ...) figure(w, chart.way(...), title .. ", seen from above (the surgeon sits below)") end
+    local tip = way_of_tip(series.measures, count)
+    if tip then way("Way of the tip", tip, count, pupil, { strong = "with ultrasound", usual = "without" }) end
+    local tear = way_of_tear(series.measures, count)
+    if tear then
+        way("Way of the tear", tear, count, pupil, { strong = "led by the forceps", usual = "cut" },
+            planned_circles(report.goals))
     end
     return w:text()
 end
