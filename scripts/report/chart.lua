@@ -196,15 +196,17 @@ local function way_paths(w, way, count, place)
 end
 
 --- A way seen from above, over the pupil. way: x, y [mm] and strong (drawn so) by samples, `count` of them; meaning:
---- what strong and usual parts of it are; circles: { radius [mm], label } about the middle, drawn dashed.
-function chart.way(way, count, pupil_mm, meaning, circles)
+--- what strong and usual parts of it are; circles: { radius [mm], label } about the middle, drawn dashed; across: width
+--- of the view [mm].
+function chart.way(way, count, pupil_mm, meaning, circles, across)
     local w, size = markup.writer(), 360
-    local scale = size / 14
+    local scale = size / (across or 14)
     local middle = size / 2
     local function place(px, py) return middle + px * scale, middle - py * scale end
     w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Way seen from above" '):format(size, size + 26))
     w('style="max-width:26rem;margin:0 auto">')
-    w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f7efe6" stroke="#d6dde4"/>'):format(middle, middle, 5.8 * scale))
+    w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f7efe6" stroke="#d6dde4"/>'):format(middle, middle,
+        math.min(middle, 5.8 * scale)))
     w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f6d9cf" stroke="#a86f5c"/>'):format(middle, middle,
         pupil_mm / 2 * scale))
     for i, circle in ipairs(circles or {}) do

@@ -88,7 +88,7 @@ local function way_of_tip(measures, count)
     return { x = x, y = y, strong = strong }
 end
 
-local farthest_jump = 1.0  -- of the tear's end from one sample to the next; beyond, another end has gone on [mm]
+local farthest_jump = 1.5  -- of the tear's end from one sample to the next; beyond, another end has gone on [mm]
 
 local function way_of_tear(measures, count)
     local radius, angle, holding = values_of(measures, "rhexis.tip_radius_mm", "rhexis.tip_angle_deg",
@@ -139,7 +139,7 @@ function charts.html(report, series)
     local tear = way_of_tear(series.measures, count)
     if tear then
         way("Way of the tear", tear, count, pupil, { strong = "led by the forceps", usual = "cut" },
-            planned_circles(report.goals))
+            planned_circles(report.goals), 1.2 * pupil)
     end
     return w:text()
 end
