@@ -22,6 +22,7 @@ struct Frame {
     std::optional<CapsuleState> capsule;
     std::optional<IrisState> iris;
     std::vector<Debris> debris;
+    std::optional<MicroscopeState> microscope;
     double time_s = 0.0;
 };
 
@@ -31,6 +32,8 @@ struct Camera {
     Vec3 target = Vec3::Zero();
     Vec3 up = Vec3::UnitY();
     double field_mm = 15.0;  ///< height of the field at the target [mm]
+    double stop_mm = 0.0;    ///< diameter of the round field, dark outside of it; 0: the whole picture is field [mm]
+    double blur_mm = 0.0;    ///< diameter of what a point at the target looks like, out of focus [mm]
 };
 
 /// Pixels, row by row from the top, 8 bits each.

@@ -13,7 +13,7 @@ namespace rhexis {
 struct SceneDescription {
     Patient patient;
     std::vector<std::string> tissues;        ///< names: session/scene_check.cpp
-    std::vector<std::string> instruments;    ///< names: tools/instruments.hpp; their order is the instrument index
+    std::vector<std::string> instruments;    ///< names: tools/instruments.hpp; their order is the index
     double step_s = 0.01;                    ///< [s], 0.001 to 0.02
     Advance advance = Advance::automatic;    ///< of the lens
     int threads = 1;                         ///< 1 to 64

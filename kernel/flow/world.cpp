@@ -32,6 +32,9 @@ WorldState rest_state(const WorldModel& model) {
         const double fill = model.viscoelastic->start_fill;
         state.viscoelastic = ViscoelasticState{fill, 0.0, fill};
     }
+    if (model.microscope) {
+        state.microscope = MicroscopeState{model.microscope->start};
+    }
     return state;
 }
 

@@ -12,6 +12,7 @@
 #include "flow/debris.hpp"
 #include "flow/iris.hpp"
 #include "flow/membrane.hpp"
+#include "flow/microscope.hpp"
 #include "flow/shell.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
@@ -52,7 +53,8 @@ struct WorldModel {
     std::optional<CapsuleModel> capsule;  ///< the posterior wall of bags[0]
     std::optional<IrisModel> iris;
     std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
-    Vec3 gravity = Vec3(0.0, 0.0, -9810.0);         ///< [mm/s^2]; the patient lies on the back, anterior is +z
+    std::optional<MicroscopeModel> microscope;
+    Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
 
 /// How a resting contact stuck: the anchor that friction remembers. State, because it must survive a snapshot.
@@ -75,6 +77,7 @@ struct WorldState {
     std::optional<CapsuleState> capsule;
     std::optional<IrisState> iris;
     std::optional<ViscoelasticState> viscoelastic;
+    std::optional<MicroscopeState> microscope;
     std::vector<TipState> tips;  ///< per tool
     std::vector<Debris> debris;
     std::vector<NodeLoad> loads;

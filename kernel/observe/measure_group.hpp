@@ -81,6 +81,7 @@ std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
 std::unique_ptr<MeasureGroup> viscoelastic_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
+std::unique_ptr<MeasureGroup> microscope_measures();
 /// membrane: number of the anterior capsule.
 std::unique_ptr<MeasureGroup> rhexis_measures(int membrane);
 std::unique_ptr<MeasureGroup> capsule_tool_measures(const ToolModel& model, int tool, int membrane);

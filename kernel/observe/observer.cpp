@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "observe/field.hpp"
 #include "observe/rhexis_marks.hpp"
 #include "observe/seen.hpp"
 
@@ -53,12 +54,17 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.capsule) {
         groups.push_back(capsule_measures());
     }
-    if (anterior_capsule(world) >= 0) {
+    if (anterior_capsule(world) >= 0 || world.microscope) {
         groups.push_back(presence_measures());
+    }
+    if (anterior_capsule(world) >= 0) {
         groups.push_back(rhexis_measures(anterior_capsule(world)));
     }
     if (world.viscoelastic) {
         groups.push_back(viscoelastic_measures());
+    }
+    if (world.microscope) {
+        groups.push_back(microscope_measures());
     }
     return groups;
 }
@@ -139,6 +145,9 @@ Percept Observer::percept(const ObserveInput& input, const Observation& observat
     if (share != schema_.end() && !observation.values.empty()) {
         const double* const value = &observation.values[static_cast<std::size_t>(share - schema_.begin())];
         add_bridge_landmark(value[0], Vec3(value[1], value[2], value[3]), input.eye.anatomy, percept);
+    }
+    if (input.world.microscope) {
+        look_through(*input.world.microscope, *input.state.microscope, input.eye.anatomy, percept);
     }
     return percept;
 }

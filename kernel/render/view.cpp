@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/corneal_image.hpp"
+
 namespace rhexis {
 
 namespace {
 
-constexpr double index_of_aqueous = 1.336;
 constexpr double reach = 80.0;  ///< the scene lies within this distance of the target along the axis [mm]
 
 Mat4 projection(double tan_x, double tan_y, double near, double far) {
@@ -85,7 +86,7 @@ View view_in_air(const Camera& camera, int width, int height) {
 
 View view_through_cornea(const Camera& camera, int width, int height, const EyeAnatomy& eye) {
     View view = view_in_air(camera, width, height);
-    const double power = (index_of_aqueous - 1.0) / eye.cornea_radius;
+    const double power = corneal_power(eye);
     view.clip_from_world = view.clip_from_world * corneal_image(eye.cornea_apex_z, power);
     view.axis = -Vec3::UnitZ();
     view.plane_point = Vec3(0.0, 0.0, eye.cornea_apex_z);

@@ -103,6 +103,15 @@ ViscoelasticModel make_viscoelastic(const std::map<std::string, double>& setting
     return chamber;
 }
 
+MicroscopeModel make_microscope(const std::map<std::string, double>& settings, const EyeAnatomy& eye) {
+    MicroscopeModel microscope;
+    microscope.field_radius = 0.5 * settings.at("microscope.field_mm");
+    microscope.depth_of_field = settings.at("microscope.depth_of_field_mm");
+    microscope.start = Vec3(settings.at("microscope.x_mm"), settings.at("microscope.y_mm"),
+                            eye.iris_z + settings.at("microscope.focus_mm"));
+    return microscope;
+}
+
 constexpr double side_port_width = 1.0;  // [mm]
 
 bool has_instrument(const SceneDescription& scene, const std::string& name) {
@@ -176,6 +185,10 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         world->iris = make_iris(eye.value().anatomy);
     }
     for (const std::string& name : scene.instruments) {
+        if (name == microscope_name) {
+            world->microscope = make_microscope(all_settings(scene), eye.value().anatomy);
+            continue;
+        }
         Result<ToolModel> tool = make_tool(name);
         if (!tool) {
             return tool.error();

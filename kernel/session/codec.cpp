@@ -156,6 +156,7 @@ void fluid_fields(auto& io, auto& world) {
         inner(chamber.injected);
         inner(chamber.peak_fill);
     });
+    io.maybe(world.microscope, [](auto& inner, auto& microscope) { inner(microscope.position); });
     io.maybe(world.capsule, [](auto& inner, auto& capsule) {
         inner(capsule.tool);
         inner(capsule.captured);

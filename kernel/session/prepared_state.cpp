@@ -127,6 +127,7 @@ Status start_from(Session& session, const PreparedState& state) {
     start.observer_memory = fresh.observer_memory;
     start.step = fresh.step;
     start.world.time_s = fresh.world.time_s;
+    start.world.microscope = fresh.world.microscope;
     return session.restore(start);
 }
 

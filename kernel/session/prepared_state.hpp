@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// States to start from (.rhxs): a moment of one run, from which others begin. The line "rhexis state 3\n", then three
+// States to start from (.rhxs): a moment of one run, from which others begin. The line of session/chunk.hpp, then three
 // chunks as in a recording: header, checkpoint, end.
 #pragma once
 

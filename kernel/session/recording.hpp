@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings (.rhx): what happened in a session, step by step, so that it can be watched, judged and simulated again.
 //
-// A file is the line "rhexis recording 3\n", then chunks:
+// A file is its first line (session/chunk.hpp), then chunks:
 //   u32 kind, u32 size, the payload, u64 XXH3 of all before it in the chunk.
 // Kinds: header, start, step, checkpoint, end. A checkpoint before the start is the state that the run began from;
 // without one it began at rest. The file is written chunk by chunk to NAME.part and renamed when it ends; cut short

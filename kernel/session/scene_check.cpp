@@ -7,6 +7,7 @@
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "flow/microscope.hpp"
 #include "session/settings.hpp"
 #include "tools/instruments.hpp"
 
@@ -63,6 +64,21 @@ Status check_settings(const SceneDescription& scene) {
     return success();
 }
 
+/// Instruments before it have the numbers of tools, and it shows how it stands over the pupil.
+Status check_microscope(const SceneDescription& scene) {
+    const auto found = std::find(scene.instruments.begin(), scene.instruments.end(), microscope_name);
+    if (found == scene.instruments.end()) {
+        return success();
+    }
+    if (found + 1 != scene.instruments.end()) {
+        return Error{"instruments names microscope before " + *(found + 1), "", "last"};
+    }
+    if (std::find(scene.tissues.begin(), scene.tissues.end(), "iris") == scene.tissues.end()) {
+        return Error{"instruments names microscope, but tissues no iris", "", "both: it is centred on the pupil"};
+    }
+    return success();
+}
+
 /// What parts need of each other, and of the way of stepping.
 Status check_combination(const SceneDescription& scene) {
     const auto named = [&](const char* name) {
@@ -110,9 +126,10 @@ Status check_combination(const SceneDescription& scene) {
 Status check_scene(const SceneDescription& scene) {
     for (const Status& status :
          {check_patient(scene.patient), check_names("tissues", scene.tissues, known_tissues),
-          check_names("instruments", scene.instruments, tool_names()), check_range("step_s", scene.step_s, 0.001, 0.02),
-          check_range("threads", scene.threads, 1.0, 64.0), check_instruction_set(scene.instruction_set),
-          check_settings(scene), check_combination(scene)}) {
+          check_names("instruments", scene.instruments, instrument_names()),
+          check_range("step_s", scene.step_s, 0.001, 0.02), check_range("threads", scene.threads, 1.0, 64.0),
+          check_instruction_set(scene.instruction_set), check_settings(scene), check_combination(scene),
+          check_microscope(scene)}) {
         if (!status) {
             return status;
         }

@@ -16,6 +16,7 @@
 #include "session/snapshot_check.hpp"
 #include "session/state_hash.hpp"
 #include "tools/advance_tool.hpp"
+#include "tools/microscope.hpp"
 #include "topology/come_apart.hpp"
 #include "topology/crumble.hpp"
 #include "topology/remove.hpp"
@@ -54,7 +55,7 @@ struct Session::Parts {
     Observer observer;
     WorldState next;
     std::vector<std::optional<DeviceSample>> samples;  ///< per instrument: what it is to do in this step
-    std::vector<char> was_refused;                     ///< so that a broken device fills no log
+    std::vector<char> was_refused;                     ///< likewise; so that a broken device fills no log
 
     Parts(const SceneDescription& description, std::uint64_t session_seed, BuiltWorld built,
           const PhysicsSettings& settings, Physics made_physics);
@@ -62,6 +63,7 @@ struct Session::Parts {
     void obey(std::span<const Command> commands);
     void read_input(std::span<const DeviceSample> given);
     void move_tools();
+    void move_microscope();
     StepOutcome advance_physics();
     void change_topology(const StepOutcome& outcome);
     bool take_apart(int solid, const std::vector<BrokenFace>& broken);
@@ -153,8 +155,8 @@ Session::Parts::Parts(const SceneDescription& description, std::uint64_t session
       settings(all_settings(scene)),
       physics(std::move(made_physics)),
       observer(*world, tissues_of(scene), scene.step_s),
-      samples(world->tools.size()),
-      was_refused(world->tools.size(), 0) {
+      samples(scene.instruments.size()),
+      was_refused(scene.instruments.size(), 0) {
     cut_into_segments();
     observer_memory.assign(observer.memory_size(), 0.0);
     look_without_remembering();
@@ -183,7 +185,7 @@ void Session::Parts::obey(std::span<const Command> commands) {
 }
 
 void Session::Parts::refuse(int instrument, const std::string& why) {
-    const bool known = instrument >= 0 && instrument < static_cast<int>(tools.size());
+    const bool known = instrument >= 0 && instrument < static_cast<int>(samples.size());
     if (!known || was_refused[instrument] == 0) {
         note(LogLevel::warning, "sample refused, the instrument stays as it was: " + why);
     }
@@ -193,7 +195,7 @@ void Session::Parts::refuse(int instrument, const std::string& why) {
 }
 
 void Session::Parts::take_sample(const DeviceSample& sample) {
-    const Result<DeviceSample> checked = checked_sample(sample, static_cast<int>(tools.size()));
+    const Result<DeviceSample> checked = checked_sample(sample, static_cast<int>(samples.size()));
     if (checked) {
         samples[sample.instrument] = checked.value();
     } else {
@@ -222,6 +224,20 @@ void Session::Parts::move_tools() {
         } else {
             refuse(i, step_of_tool.rejected);
         }
+    }
+}
+
+/// Its sample is the last one.
+void Session::Parts::move_microscope() {
+    if (!state.microscope || !samples.back()) {
+        return;
+    }
+    const MicroscopeStep moved = next_microscope(*state.microscope, *samples.back(), scene.step_s);
+    state.microscope = moved.state;
+    if (moved.rejected.empty()) {
+        was_refused.back() = 0;
+    } else {
+        refuse(static_cast<int>(samples.size()) - 1, moved.rejected);
     }
 }
 
@@ -384,6 +400,7 @@ StepOutcome Session::step(std::span<const DeviceSample> samples, std::span<const
     parts_->obey(commands);
     parts_->read_input(samples);
     parts_->move_tools();
+    parts_->move_microscope();
     StepOutcome outcome = parts_->advance_physics();
     parts_->change_topology(outcome);
     parts_->observe();
@@ -412,11 +429,17 @@ Frame Session::frame() const {
         anatomy.iris_z = p.state.iris->z;
         anatomy.pupil_radius = p.state.iris->pupil_radius;
     }
-    return {p.world,        std::make_shared<const EyeAnatomy>(anatomy),
-            p.state.solids, p.state.membranes,
-            p.state.shells, p.state.bags,
-            p.tools,        p.state.capsule,
-            p.state.iris,   p.state.debris,
+    return {p.world,
+            std::make_shared<const EyeAnatomy>(anatomy),
+            p.state.solids,
+            p.state.membranes,
+            p.state.shells,
+            p.state.bags,
+            p.tools,
+            p.state.capsule,
+            p.state.iris,
+            p.state.debris,
+            p.state.microscope,
             p.state.time_s};
 }
 

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 22> table{{
+constexpr std::array<SettingInfo, 27> table{{
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
@@ -28,6 +28,15 @@ constexpr std::array<SettingInfo, 22> table{{
      "1: the infusion's line is open; 0: shut, kinked, or the bottle is empty."},
     {"machine.tubing_mm3_mmhg", "mm^3/mmHg", 0.05, 1.0, 0.15, false, "Volume per pressure of the aspiration tubing."},
     {"machine.vacuum_mmhg", "mmHg", 0.0, 650.0, 80.0, true, "Vacuum at which the pump stops, at full pedal."},
+    {"microscope.depth_of_field_mm", "mm", 0.2, 20.0, 1.4, false,
+     "Depth within which all looks sharp, from end to end; see docs/picture.md."},
+    {"microscope.field_mm", "mm", 10.0, 30.0, 14.6, false, "Diameter of the microscope's field at the eye."},
+    {"microscope.focus_mm", "mm", -8.0, 8.0, 2.0, false,
+     "How far over the plane of the pupil the microscope is focused at the start."},
+    {"microscope.x_mm", "mm", -4.0, 4.0, 1.6, false,
+     "How far to the surgeon's right of the pupil the microscope stands at the start."},
+    {"microscope.y_mm", "mm", -4.0, 4.0, 1.2, false,
+     "How far beyond the pupil, seen from the surgeon, the microscope stands at the start."},
     {"nucleus.segments", "1", 0.0, 8.0, 0.0, false, "Segments into which a laser has cut the lens: 0, 2, 4, 6 or 8."},
     {"nucleus.trench_mm", "mm", 0.0, 2.0, 0.0, false,
      "Width of trenches that were sculpted along those cuts, down to the back of the nucleus; 0: none."},

@@ -136,6 +136,12 @@ Status shells_fit(const WorldState& state, const WorldModel& world) {
     return success();
 }
 
+Status microscope_fits(const WorldState& state, const WorldModel& world) {
+    const bool fits = state.microscope.has_value() == world.microscope.has_value() &&
+                      (!state.microscope || state.microscope->position.allFinite());
+    return fits ? success() : Status(misfit("the microscope"));
+}
+
 bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
 
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
@@ -195,6 +201,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
         return status;
     }
     if (Status status = fluid_fits(snapshot.world, world); !status) {
+        return status;
+    }
+    if (Status status = microscope_fits(snapshot.world, world); !status) {
         return status;
     }
     return settings_fit(snapshot);

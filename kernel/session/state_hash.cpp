@@ -227,6 +227,9 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     add_if(hash, world.chamber);
     add_if(hash, world.capsule);
     add_if(hash, world.viscoelastic);
+    if (world.microscope) {
+        add(hash, world.microscope->position);
+    }
     add_if(hash, world.iris);
     add(hash, world.flows);
     add_all(hash, world.tips);

@@ -2,6 +2,7 @@
 #include "tools/instruments.hpp"
 
 #include "base/near_names.hpp"
+#include "flow/microscope.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -10,6 +11,12 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() { return {"cannula", "cystotome", "forceps", "phaco", "probe", "spatula"}; }
+
+std::vector<std::string> instrument_names() {
+    std::vector<std::string> names = tool_names();
+    names.emplace_back(microscope_name);
+    return names;
+}
 
 Result<ToolModel> make_tool(std::string_view name) {
     if (name == "phaco") {

@@ -18,4 +18,7 @@ Result<ToolModel> make_tool(std::string_view name);
 /// All names, in alphabetical order.
 std::vector<std::string> tool_names();
 
+/// Those of the tools, and then the microscope's.
+std::vector<std::string> instrument_names();
+
 }  // namespace rhexis

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "observe/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/corneal_image.hpp"
+
+namespace rhexis {
+namespace {
+
+bool is_felt(const Landmark& mark) { return mark.name == "incision" || mark.name == "side_port"; }
+
+/// The microscope is far away: what it shows lies straight under it.
+double offset_of(const MicroscopeState& state, const EyeAnatomy& eye, const Vec3& place) {
+    return (corneal_magnification(eye, place.z()) * place.head<2>() - state.position.head<2>()).norm();
+}
+
+}  // namespace
+
+double FieldOfView::out_of_focus() const { return std::max(0.0, std::abs(defocus) - 0.5 * depth_of_field); }
+
+FieldOfView field_of_view(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye) {
+    FieldOfView field;
+    field.radius = model.field_radius;
+    field.depth_of_field = model.depth_of_field;
+    field.pupil_offset = offset_of(state, eye, Vec3(0.0, 0.0, eye.iris_z));
+    field.pupil_radius = corneal_magnification(eye, eye.iris_z) * eye.pupil_radius;
+    field.defocus = state.position.z() - eye.iris_z;
+    return field;
+}
+
+void look_through(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye, Percept& percept) {
+    const FieldOfView field = field_of_view(model, state, eye);
+    percept.field = PerceivedField{state.position, field.radius, field.out_of_focus()};
+    for (Landmark& mark : percept.landmarks) {
+        const double reach = mark.name == "pupil" ? field.radius + field.pupil_radius : field.radius;
+        mark.visible = mark.visible && (is_felt(mark) || offset_of(state, eye, mark.position) < reach);
+    }
+}
+
+}  // namespace rhexis
