@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/renderer.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "render/bare_view.hpp"
 #include "render/depth_pass.hpp"
+#include "render/eyepiece.hpp"
 #include "render/gl_context.hpp"
 #include "render/microscope_view.hpp"
 
@@ -42,6 +44,19 @@ Image picture_of(const Target& target) {
         }
     }
     return image;
+}
+
+/// How much more than its field the picture shows, so that all of the field's edge is in it.
+constexpr double surround = 1.04;
+
+/// The camera follows the microscope, and sees its field.
+void look_with(const MicroscopeModel& model, const MicroscopeState& microscope, Camera& camera) {
+    const double defocus = microscope.position.z() - camera.target.z();
+    camera.target.head<2>() = microscope.position.head<2>();
+    camera.eye.head<2>() = microscope.position.head<2>();
+    camera.stop_mm = 2.0 * model.field_radius;
+    camera.field_mm = surround * camera.stop_mm;
+    camera.blur_mm = 2.0 * microscope_aperture * std::abs(defocus);
 }
 
 /// Everything that lives in the context.
@@ -146,7 +161,9 @@ Image Renderer::draw(const Frame& frame, const Camera& camera) {
     const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
     passes.depth.draw(frame, parts_->tools, inner, areas.cornea, areas.pupil);
     passes.microscope.draw(passes.painter, frame, parts_->tools, outer, inner, passes.depth, passes.detail);
-    return picture_of(passes.microscope.picture());
+    Image image = picture_of(passes.microscope.picture());
+    look_through_eyepiece(camera, image);
+    return image;
 }
 
 Camera microscope_camera(const Frame& frame) {
@@ -157,6 +174,9 @@ Camera microscope_camera(const Frame& frame) {
     camera.target = Vec3(0.0, 0.0, frame.eye->iris_z);
     camera.eye = camera.target + Vec3(0.0, 0.0, 200.0);
     camera.field_mm = 14.6;
+    if (frame.microscope) {
+        look_with(*frame.model->microscope, *frame.microscope, camera);
+    }
     return camera;
 }
 
