@@ -253,7 +253,22 @@ return scoring.rubric {
         { id = "G1", name = "Wound neutrality and minimising eye rolling and corneal distortion",
             not_scored = "the wound and the rolling of the eye are not simulated." },
         { id = "G2", name = "Eye positioned centrally within microscope view",
-            not_scored = "the microscope is not moved." },
+            not_scored = "the microscope is not moved.", measures = {
+            { id = "G2.offset", name = "Distance of the pupil from the middle of the field, share of its radius",
+                unit = "1", digits = 2, of = "microscope.pupil_offset", take = "mean",
+                during = "instruments.out_s <= 0", five = 0.15, three = 0.30, one = 0.50, weight = 1,
+                source = "proposal; Din 2016: novices about twice as far from the middle as experts",
+                better = "Bring the eye into the middle before you go in, and again when it has left it." },
+            { id = "G2.in_view", name = "Time with all of the pupil in view", unit = "%", digits = 0,
+                of = "microscope.pupil_in_view", take = "share", during = "instruments.out_s <= 0", five = 98,
+                three = 90, one = 75, weight = 1, source = "proposal",
+                better = "Move the microscope as soon as an edge of the pupil leaves the field." },
+            { id = "G2.focus", name = "Time with the pupil in focus", unit = "%", digits = 0,
+                of = "microscope.in_focus", take = "share", during = "instruments.out_s <= 0", five = 95,
+                three = 80, one = 60, weight = 1,
+                source = "proposal; depth of field by Berek's formula: docs/picture.md",
+                better = "Focus on the edge of the pupil before you go in." },
+        } },
 
         { id = "G3", name = "Conjunctival and corneal tissue handling", measures = {
             { id = "G3.endothelium_dose", name = "Ultrasound within 1 mm of the corneal endothelium", unit = "s",

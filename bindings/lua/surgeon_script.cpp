@@ -44,8 +44,15 @@ void push_landmarks(lua_State* L, const std::vector<Landmark>& landmarks) {
     }
 }
 
+void push_field(lua_State* L, const PerceivedField& field) {
+    lua_createtable(L, 0, 3);
+    lua::set_field(L, "position", field.position);
+    lua::set_field(L, "radius", field.radius);
+    lua::set_field(L, "out_of_focus_mm", field.out_of_focus);
+}
+
 void push_percept(lua_State* L, const Percept& percept) {
-    lua_createtable(L, 0, 9);
+    lua_createtable(L, 0, 10);
     lua::set_field(L, "time_s", percept.time_s);
     lua::set_field(L, "tip_brightness", percept.tip_brightness);
     lua::set_field(L, "reflex_brightness", percept.reflex_brightness);
@@ -57,6 +64,10 @@ void push_percept(lua_State* L, const Percept& percept) {
     lua_setfield(L, -2, "tools");
     push_landmarks(L, percept.landmarks);
     lua_setfield(L, -2, "landmarks");
+    if (percept.field) {
+        push_field(L, *percept.field);
+        lua_setfield(L, -2, "field");
+    }
 }
 
 /// A stream apart from the exercise's own.

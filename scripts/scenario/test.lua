@@ -4,8 +4,10 @@
 
 local Eye = require "engine.eye"
 local Hand = require "scenario.hand"
+local Microscope = require "scenario.microscope"
 local condition = require "engine.condition"
 local fields = require "engine.fields"
+local microscope = require "surgeons.microscope"
 local words = require "engine.words"
 
 local Test = {}
@@ -47,8 +49,9 @@ function Test.new(setup, scenario)
         commands = {}, hands = {}, at = words.where(nil, scenario.line) }, Test)
     local instruments = {}
     for i, name in ipairs(setup.instruments) do
-        self.hands[i] = Hand.new(name, i - 1, setup.landmarks, self)
-        instruments[name] = front(self.hands[i], Hand.public, {}, name)
+        local foot = name == microscope.name
+        self.hands[i] = foot and Microscope.new(i - 1, self) or Hand.new(name, i - 1, setup.landmarks, self)
+        instruments[name] = front(self.hands[i], foot and Microscope.public or Hand.public, {}, name)
     end
     self.t = front(self, Test.public, instruments, "t")
     return self

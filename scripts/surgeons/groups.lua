@@ -41,6 +41,9 @@ groups.parameters = {
         meaning = "moments in which hand and foot go on without heeding what is seen", source = "proposal" },
     { name = "lapse_s", unit = "s", a = 1.0, b = 0.9, c = 0.7, d = 0.6,
         meaning = "length of such a moment", source = "proposal" },
+    { name = "centring_mm", unit = "mm", a = 1.4, b = 1.1, c = 0.85, d = 0.7,
+        meaning = "how far from the middle of the microscope's field this person leaves the eye, each direction",
+        source = "Din 2016: novices about twice as far as experts; scale and the groups between are a proposal" },
 }
 
 --- People of one group differ: each parameter is multiplied by exp(spread * normal deviate). Proposal.

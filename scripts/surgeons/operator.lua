@@ -5,6 +5,7 @@
 local chance = require "surgeons.chance"
 local groups = require "surgeons.groups"
 local instruments = require "surgeons.instruments"
+local microscope = require "surgeons.microscope"
 local motion = require "surgeons.motion"
 local perception = require "surgeons.perception"
 local tremor = require "surgeons.tremor"
@@ -118,13 +119,34 @@ local function hand_words(self, side)
     return words
 end
 
+-- What a plan may do with the foot that moves the microscope.
+local function foot_words(self)
+    local foot = self.foot
+    local function push(shift)
+        foot:push(shift)
+        while foot:moving() do coroutine.yield() end
+    end
+    return {
+        --- Begins to move it by { x, y, z } [mm], and does not wait for its end.
+        begin = function(shift) foot:push(shift) end,
+
+        --- Moves it by { x, y, z } [mm].
+        move_by = push,
+
+        --- Moves it until a place that is seen is in the middle of the field, as this person finds the middle.
+        centre_on = function(place) push(foot:shift_to(place, self.seen.field)) end,
+    }
+end
+
 -- What a plan may do. The words of a hand are those of the leading hand; me.left has the same for the other one. There
 -- is one pair of eyes, one foot and one attention. Everything that takes time waits until it is over.
 local function make_me(self)
     local me = hand_words(self, self.right)
     me.left = hand_words(self, self.left)
+    me.microscope = self.foot and foot_words(self)  -- nil where the scene has none
 
-    --- What is seen now: tools, landmarks, tip_brightness, reflex_brightness, pedal, power. nil before the first look.
+    --- What is seen now: tools, landmarks, field, tip_brightness, reflex_brightness, pedal, power. nil before the first
+    --- look.
     function me.see() return self.seen end
 
     function me.time_s() return self.time_s end
@@ -160,7 +182,7 @@ local function make_me(self)
     --- Presses the foot: 0 up, 1 irrigation, 2 aspiration, 3 ultrasound; the fraction is travel within the position.
     function me.pedal(position) self.pedal_target = position end
 
-    --- Names of the instruments, in the scene's order.
+    --- Names of the instruments for the hands, in the scene's order.
     function me.instruments() return { table.unpack(self.names) } end
 
     --- Waits until both hands are still, as me.go does for one.
@@ -176,13 +198,15 @@ Operator.__index = Operator
 function operator.start(plan, group, seed, dt, names, habits)
     local person = operator.person(group, seed)
     local function stream(purpose) return chance.stream(seed, purpose) end
+    local hands, has_microscope = microscope.apart_from(names)
     local self = setmetatable({ person = person, dt = dt, time_s = 0, pedal = 0, pedal_target = 0,
-        recovers = not habits or habits.recovers ~= false, names = names, index = {},
-        right = make_hand(stream, person, dt, "", first_for(names, false)),
-        left = make_hand(stream, person, dt, "left ", first_for(names, true)), planning = stream("planning"),
+        recovers = not habits or habits.recovers ~= false, names = hands, index = {},
+        foot = has_microscope and microscope.foot(stream("centring"), person.centring_mm) or nil,
+        right = make_hand(stream, person, dt, "", first_for(hands, false)),
+        left = make_hand(stream, person, dt, "left ", first_for(hands, true)), planning = stream("planning"),
         look = perception.start(stream("perception"), person, dt, stream),
         inattentive = attention(stream("attention"), person, dt) }, Operator)
-    for i, name in ipairs(names) do self.index[name] = i end
+    for i, name in ipairs(hands) do self.index[name] = i end
     local me = make_me(self)
     self.thread = coroutine.create(function() plan(me) end)
     return self
@@ -230,6 +254,7 @@ function Operator:operate(percept)
     local right, left = self.index[self.right.instrument], self.index[self.left.instrument]
     if right then samples[right] = move(self, self.right, percept.landmarks, self.pedal) end
     if left then samples[left] = move(self, self.left, percept.landmarks, 0) end
+    if self.foot then samples[#samples + 1] = self.foot:sample(percept.field) end
     return samples
 end
 

@@ -5,6 +5,7 @@
 local perception = {}
 
 local drift_s = 2.0  -- correlation time of a misjudgement [s]; proposal
+local worse_per_mm = 1.0  -- growth of errors of place with the distance out of focus, share per mm; proposal
 
 -- A first-order random drift of unit spread.
 local function drift(stream, dt)
@@ -17,12 +18,20 @@ local function drift(stream, dt)
     end
 end
 
+-- blur: how many times as large the error is as in a sharp picture.
 local function place_error(stream, person, dt)
     local x, y, z = drift(stream, dt), drift(stream, dt), drift(stream, dt)
-    return function(place)
-        return { place[1] + person.lateral_error_mm * x(), place[2] + person.lateral_error_mm * y(),
-            place[3] + person.depth_error_mm * z() }
+    return function(place, blur)
+        return { place[1] + blur * person.lateral_error_mm * x(), place[2] + blur * person.lateral_error_mm * y(),
+            place[3] + blur * person.depth_error_mm * z() }
     end
+end
+
+-- How high the microscope is focused is not seen, only that the picture is not sharp.
+local function field_of(raw)
+    if not raw then return nil end
+    return { position = { raw.position[1], raw.position[2] }, radius = raw.radius,
+        out_of_focus_mm = raw.out_of_focus_mm }
 end
 
 -- What comes and goes, or is there in some exercises only, has a stream of chance of its own, so that it changes
@@ -42,23 +51,25 @@ end
 -- lies beside it are those of one look.
 local function judgement(stream, person, dt, stream_of)
     local places, bright = {}, drift(stream, dt)
-    local function place_of(name, place)
+    local function place_of(name, place, blur)
         if not places[name] then
             local source = has_own_stream(name) and stream_of("perception of " .. name) or stream
             places[name] = place_error(source, person, dt)
         end
-        return places[name](place)
+        return places[name](place, blur)
     end
     return function(raw)
         local factor = math.exp(person.brightness_error * bright())
+        local blur = raw.field and 1 + worse_per_mm * raw.field.out_of_focus_mm or 1
         local view = { time_s = raw.time_s, pedal = raw.pedal, power = raw.power,
-            vacuum_mmhg = raw.vacuum_mmhg, flow_ml_min = raw.flow_ml_min, tools = {}, landmarks = {},
+            vacuum_mmhg = raw.vacuum_mmhg, flow_ml_min = raw.flow_ml_min, field = field_of(raw.field), tools = {},
+            landmarks = {},
             tip_brightness = raw.tip_brightness * factor, reflex_brightness = raw.reflex_brightness * factor }
         for name, tool in pairs(raw.tools) do
-            view.tools[name] = { present = tool.present, position = place_of(name, tool.position) }
+            view.tools[name] = { present = tool.present, position = place_of(name, tool.position, blur) }
         end
         for name, mark in pairs(raw.landmarks) do
-            view.landmarks[name] = { position = place_of(name, mark.position), size = mark.size }
+            view.landmarks[name] = { position = place_of(name, mark.position, blur), size = mark.size }
         end
         return view
     end

@@ -44,6 +44,7 @@ return function(seed)
             if stream:uniform() < 0.8 then wander(me) end
             if stream:uniform() < 0.5 then wander(me.left) end
             if stream:uniform() < 0.6 then me.pedal(between(0, 3)) end
+            if me.microscope then me.microscope.begin({ between(-4, 4), between(-4, 4), between(-4, 4) }) end
             me.wait(between(0.1, 1.5))
         end
     end

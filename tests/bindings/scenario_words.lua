@@ -2,10 +2,11 @@
 -- bindings/lua/meta/scenario.lua declares the words that scripts/scenario offers, all of them and no others.
 package.path = "scripts/?.lua;scripts/?/init.lua;" .. package.path
 local Hand = require "scenario.hand"
+local Microscope = require "scenario.microscope"
 local Test = require "scenario.test"
 local host = require "scenario.host"
 
-local declared = { ScenarioTest = {}, Instrument = {} }
+local declared = { ScenarioTest = {}, Instrument = {}, Microscope = {} }
 local globals = {}
 for line in io.lines("bindings/lua/meta/scenario.lua") do
     local class, word = line:match("^function (%a+):([%w_]+)%(")
@@ -27,5 +28,6 @@ local function same(class, words)
 end
 same("ScenarioTest", Test.public)
 same("Instrument", Hand.public)
+same("Microscope", Microscope.public)
 assert(#globals == 3)
 for _, name in ipairs(globals) do assert(rawget(host.environment(), name), "there is no word " .. name) end

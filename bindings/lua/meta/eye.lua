@@ -13,7 +13,7 @@ local eye = {}
 ---@field side? "right"|"left" # default "right"
 ---@field tetrahedra? integer # wanted size of the lens mesh; 500 to 24000; default 3000
 ---@field tissues? string[] # what is simulated, by names below; default lens, bag, iris, cornea
----@field instruments? string[] # of "cannula", "cystotome", "forceps", "phaco", "probe", "spatula"; default {"phaco"}
+---@field instruments? string[] # names below; default {"phaco"}
 ---@field step? number # length of a step [s]; 0.001 to 0.02; default 0.01
 ---@field threads? integer # that work on a step; the result does not depend on it; 1 to 64; default 1
 ---@field advance? "automatic"|"explicit"|"implicit" # way to advance the lens in time; default "automatic"
@@ -26,6 +26,9 @@ local eye = {}
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". In place of the
 ---lens "implant": a foldable lens that is held by the ends of its haptics and that nothing touches yet.
+---
+---Instruments: "cannula", "cystotome", "forceps", "phaco", "probe", "spatula", and as the last one "microscope", which
+---makes the picture what it shows, and which stands where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
 ---assert(eye:step(2))

@@ -37,6 +37,7 @@ function starts(list) end
 ---@class rhexis.ScenarioTest
 ---@field phaco rhexis.Instrument
 ---@field probe rhexis.Instrument
+---@field microscope rhexis.Microscope
 ---@field [string] rhexis.Instrument # every other instrument of the exercise by its name
 local ScenarioTest = {}
 
@@ -138,3 +139,22 @@ function Instrument:jaw(opening) end
 ---Where the tip is.
 ---@return rhexis.Vec3
 function Instrument:tip() end
+
+---The microscope under an exact foot: 4 mm/s across and 2 mm/s in focus at most. Each word waits until it is there.
+---@class rhexis.Microscope
+local Microscope = {}
+
+---Until a place is in the middle of its field and in focus. Each direction -25 to 25 mm.
+---@param place rhexis.Vec3
+function Microscope:move_to(place) end
+
+---The same by a shift from where it is.
+---@param shift rhexis.Vec3
+function Microscope:move_by(shift) end
+
+---Until the pupil is in the middle and its edge in focus.
+function Microscope:centre() end
+
+---What is in the middle of its field and in focus.
+---@return rhexis.Vec3
+function Microscope:position() end
