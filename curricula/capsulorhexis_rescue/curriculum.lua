@@ -17,7 +17,7 @@ return exercise {
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
     tissues = { "anterior_capsule", "viscoelastic", "iris", "cornea" },
-    instruments = { "cystotome", "forceps", "cannula" },
+    instruments = { "cystotome", "forceps", "cannula", "microscope" },
     settings = {
         ["viscoelastic.fill"] = 0.3,
         ["vitreous.pressure_mmhg"] = 20,
@@ -67,5 +67,5 @@ return exercise {
     over = { "rhexis.opened", "instruments.out_s > 8" },
     time_limit_s = 300,
 
-    scoring = osacss { "T3", "T5", "G3", "G4", "G5", "G6" },
+    scoring = osacss { "T3", "T5", "G2", "G3", "G4", "G5", "G6" },
 }

@@ -4,14 +4,17 @@
 -- no score. Who does not react to what goes wrong (surgeon.recovery=0) does not fill the chamber.
 
 local capsulorhexis = require "surgeons.capsulorhexis"
+local centring = require "surgeons.centring"
 local sculpting = require "surgeons.sculpting"
 
 local wanted_radius = 2.62
 
 return function(me)
+    centring.centre(me)
     local eye = sculpting.look_around(me)
     local radius = capsulorhexis.plan_radius(me, wanted_radius)
     if me.notices(capsulorhexis.is_shallow) then capsulorhexis.fill(me, eye) end
+    centring.keep(me)
     capsulorhexis.tear_round(me, eye, radius, 200)
     capsulorhexis.take_away(me, eye)
 end
