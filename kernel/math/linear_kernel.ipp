@@ -149,13 +149,37 @@ void invert(const float* triangle, int leading, int columns, float* inverse) {
     }
 }
 
+template <typename Register>
+inline void add_register(float* target, const float* source) {
+    store(target, load<Register>(target) + load<Register>(source));
+}
+
+/// count: a multiple of 3. Mostly short, so what is left of whole registers goes by halves.
 inline void add_to(float* target, const float* source, int count) {
     int r = 0;
     for (; r + width <= count; r += width) {
-        store(target + r, load<Lanes>(target + r) + load<Lanes>(source + r));
+        add_register<Lanes>(target + r, source + r);
     }
-    for (; r < count; ++r) {
-        target[r] += source[r];
+    if (r + 8 <= count) {
+        add_register<Eight>(target + r, source + r);
+        r += 8;
+    }
+    if (r + 4 <= count) {
+        add_register<Four>(target + r, source + r);
+        r += 4;
+    }
+    switch (count - r) {
+        case 3:
+            target[r + 2] += source[r + 2];
+            [[fallthrough]];
+        case 2:
+            target[r + 1] += source[r + 1];
+            [[fallthrough]];
+        case 1:
+            target[r] += source[r];
+            break;
+        default:
+            break;
     }
 }
 
