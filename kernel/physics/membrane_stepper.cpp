@@ -162,11 +162,12 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
     held_.look(task.world, task.membrane, from, touching_.stiffness());
     layers_.look(*model_, from, touching_.stiffness(), dt);
     place_tools(tools_, 1.0, poses_);
+    touching_.place(poses_);
     CouplingFunction coupling;
     if (!touching_.empty() || !held_.empty() || !layers_.empty()) {
         coupling = [this](const std::vector<Vec3>& position, std::span<const RigidUnknown>,
                           std::vector<ContactTerm>& terms, std::vector<RigidTerm>&) {
-            touching_.terms(position, poses_, terms);
+            touching_.terms(position, terms);
             held_.terms(position, poses_, terms);
             layers_.terms(position, terms);
         };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/nearest_place.hpp"
 #include "physics/needle.hpp"
 #include "physics/tool_shape.hpp"
 
@@ -13,57 +14,8 @@ namespace {
 constexpr double stiffer = 5.0;  // a contact than the sheet's modulus times thickness
 constexpr double softer_forceps = 0.3;
 constexpr double margin = 0.4;  // beyond what moves in a step, within which something may touch [mm]
-constexpr int narrowings = 24;  // of the search along an instrument's axis
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// The nearest point of a triangle, by the region of its plane in which the point lies [Ericson2005].
-std::array<double, 3> nearest_to_point(const std::array<Vec3, 3>& t, const Vec3& p) {
-    const Vec3 ab = t[1] - t[0];
-    const Vec3 ac = t[2] - t[0];
-    const Vec3 ap = p - t[0];
-    const double d1 = ab.dot(ap);
-    const double d2 = ac.dot(ap);
-    if (d1 <= 0.0 && d2 <= 0.0) {
-        return {1.0, 0.0, 0.0};
-    }
-    const Vec3 bp = p - t[1];
-    const double d3 = ab.dot(bp);
-    const double d4 = ac.dot(bp);
-    if (d3 >= 0.0 && d4 <= d3) {
-        return {0.0, 1.0, 0.0};
-    }
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-        const double v = d1 / (d1 - d3);
-        return {1.0 - v, v, 0.0};
-    }
-    const Vec3 cp = p - t[2];
-    const double d5 = ab.dot(cp);
-    const double d6 = ac.dot(cp);
-    if (d6 >= 0.0 && d5 <= d6) {
-        return {0.0, 0.0, 1.0};
-    }
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-        const double w = d2 / (d2 - d6);
-        return {1.0 - w, 0.0, w};
-    }
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0.0, 1.0 - w, w};
-    }
-    const double sum = va + vb + vc;
-    if (!(sum > 0.0)) {
-        return {1.0, 0.0, 0.0};  // crushed to a line
-    }
-    return {va / sum, vb / sum, vc / sum};
-}
-
-Vec3 blend(const std::array<Vec3, 3>& t, const std::array<double, 3>& w) {
-    return w[0] * t[0] + w[1] * t[1] + w[2] * t[2];
-}
 
 Vec3 point_of(const SheetContact& contact, const std::vector<Vec3>& position) {
     Vec3 point = Vec3::Zero();
@@ -161,22 +113,6 @@ bool at_tear(const MembraneSheet& sheet, int triangle) {
 
 }  // namespace
 
-std::array<double, 3> nearest_to_segment(const std::array<Vec3, 3>& triangle, const Vec3& a, const Vec3& b) {
-    // the distance to a convex set is convex along a line
-    const auto distance = [&](double s) {
-        const Vec3 p = a + s * (b - a);
-        return (blend(triangle, nearest_to_point(triangle, p)) - p).squaredNorm();
-    };
-    double low = 0.0;
-    double high = 1.0;
-    for (int i = 0; i < narrowings; ++i) {
-        const double left = low + 0.382 * (high - low);
-        const double right = high - 0.382 * (high - low);
-        (distance(left) <= distance(right) ? high : low) = distance(left) <= distance(right) ? right : left;
-    }
-    return nearest_to_point(triangle, a + 0.5 * (low + high) * (b - a));
-}
-
 void SheetContacts::add(SheetContact contact, const MembraneState& state, const Pose& start) {
     const std::vector<SheetTouch>& known = state.touches;
     const std::array<int, 3> own = rank(contact.touch);
@@ -257,7 +193,7 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
             }
             const std::array<double, 3> weights =
                 nearest_to_segment(x, tool.pose.to_world(cone.a), tool.pose.to_world(cone.b));
-            const double gap = cone_distance(cone, tool.pose.to_body(blend(x, weights))).distance;
+            const double gap = cone_distance(cone, tool.pose.to_body(place_in(x, weights))).distance;
             if (gap < least) {
                 least = gap;
                 nearest = &cone;
@@ -267,7 +203,7 @@ void SheetContacts::meet_tool(const MembraneState& state, const ToolState& tool,
         if (!(least < margin)) {
             continue;
         }
-        const Vec3 point = blend(x, best.weights);
+        const Vec3 point = place_in(x, best.weights);
         touch_plane(*nearest, tool.previous_pose.to_body(point), best);
         if (model.kind == ToolKind::cystotome && under_point(model, tool.previous_pose, point) &&
             !at_tear(*state.sheet, t)) {
@@ -316,30 +252,25 @@ Pose SheetContacts::pose_of(const SheetContact& contact, const PartnerPoses& pos
     }
 }
 
-SheetContacts::Meeting SheetContacts::meeting(const SheetContact& contact, const std::vector<Vec3>& position,
-                                              const PartnerPoses& poses) const {
-    const Pose pose = pose_of(contact, poses);
-    Meeting result;
-    result.point = point_of(contact, position);
-    result.gap = contact.out.dot(pose.to_body(result.point) - contact.foot);
-    result.normal = pose.orientation * contact.out;
-    return result;
+void SheetContacts::place(const PartnerPoses& poses) {
+    const MembraneModel& model = world_->membranes[at(membrane_)];
+    for (SheetContact& contact : list_) {
+        const Pose pose = pose_of(contact, poses);
+        contact.normal = pose.orientation * contact.out;
+        contact.level = contact.normal.dot(pose.to_world(contact.foot));
+        contact.held_at = pose.to_world(contact.anchor);
+        contact.spring = {stiffness_ * stiffness_share(*world_, contact.touch),
+                          friction_of(*world_, model, contact.touch)};
+    }
 }
 
-SpringResponse SheetContacts::spring(const SheetContact& contact, const Meeting& meeting,
-                                     const PartnerPoses& poses) const {
-    const Vec3 anchor = pose_of(contact, poses).to_world(contact.anchor);
-    const double own = stiffness_ * stiffness_share(*world_, contact.touch);
-    const ContactSpring spring{own, friction_of(*world_, world_->membranes[at(membrane_)], contact.touch)};
-    return spring_contact(spring, meeting.gap, meeting.normal, meeting.point - anchor, true);
-}
-
-void SheetContacts::terms(const std::vector<Vec3>& position, const PartnerPoses& poses,
-                          std::vector<ContactTerm>& terms) const {
+void SheetContacts::terms(const std::vector<Vec3>& position, std::vector<ContactTerm>& terms) const {
     for (const SheetContact& contact : list_) {
-        const Meeting now = meeting(contact, position, poses);
-        if (now.gap < 0.0) {
-            const SpringResponse pushed = spring(contact, now, poses);
+        const Vec3 point = point_of(contact, position);
+        const double gap = contact.normal.dot(point) - contact.level;
+        if (gap < 0.0) {
+            const SpringResponse pushed =
+                spring_contact(contact.spring, gap, contact.normal, point - contact.held_at, true);
             ContactTerm& term = terms.emplace_back();
             term.nodes = contact.nodes;
             term.weights = contact.weights;
@@ -351,21 +282,18 @@ void SheetContacts::terms(const std::vector<Vec3>& position, const PartnerPoses&
 
 void SheetContacts::settle(const std::vector<Vec3>& position, const PartnerPoses& poses, double dt) {
     for (SheetContact& contact : list_) {
-        const Meeting now = meeting(contact, position, poses);
-        contact.point = now.point;
-        contact.normal = now.normal;
-        contact.gap = now.gap;
+        contact.point = point_of(contact, position);
+        contact.gap = contact.normal.dot(contact.point) - contact.level;
         contact.sliding = false;
-        const Pose pose = pose_of(contact, poses);
-        const Vec3 here = pose.to_body(now.point);
+        const Vec3 here = pose_of(contact, poses).to_body(contact.point);
         Vec3 stretch = Vec3::Zero();
-        if (now.gap < 0.0) {
-            const SpringResponse pushed = spring(contact, now, poses);
+        if (contact.gap < 0.0) {
+            const SpringResponse pushed =
+                spring_contact(contact.spring, contact.gap, contact.normal, contact.point - contact.held_at, true);
             contact.sliding = pushed.sliding;
             contact.impulse += dt * pushed.force;
-            const Vec3 normal = pose.orientation.conjugate() * now.normal;
             const Vec3 offset = here - contact.anchor;
-            const Vec3 tangential = offset - normal.dot(offset) * normal;
+            const Vec3 tangential = offset - contact.out.dot(offset) * contact.out;
             const double size = tangential.norm();
             stretch = size > 0.0 ? Vec3(std::min(1.0, pushed.stretch / size) * tangential) : Vec3(Vec3::Zero());
         }

@@ -27,10 +27,11 @@ struct SheetContact {
     Vec3 normal = Vec3::UnitZ();  ///< from the partner into the sheet
     double gap = 0.0;             ///< [mm]
     bool sliding = false;
+    // where the partner is at the end of the substep
+    ContactSpring spring;
+    double level = 0.0;           ///< of the plane of contact along its normal [mm]
+    Vec3 held_at = Vec3::Zero();  ///< the anchor [mm]
 };
-
-/// The point of a triangle that is nearest to a segment, as weights of its corners.
-std::array<double, 3> nearest_to_segment(const std::array<Vec3, 3>& triangle, const Vec3& a, const Vec3& b);
 
 class SheetContacts {
 public:
@@ -42,8 +43,10 @@ public:
     /// Impulse on the body under the sheet, along z [uN s].
     [[nodiscard]] double impulse_on_support() const;
 
-    /// Forces and stiffness at an iterate; poses: of the instruments at the end of the substep.
-    void terms(const std::vector<Vec3>& position, const PartnerPoses& poses, std::vector<ContactTerm>& terms) const;
+    /// Before the calls that follow. poses: of the instruments at the end of the substep.
+    void place(const PartnerPoses& poses);
+    /// Forces and stiffness at an iterate.
+    void terms(const std::vector<Vec3>& position, std::vector<ContactTerm>& terms) const;
     /// Ends a substep: sums impulses and lets go of what slid or is apart.
     void settle(const std::vector<Vec3>& position, const PartnerPoses& poses, double dt);
 
@@ -52,15 +55,6 @@ public:
     [[nodiscard]] std::vector<SheetTouch> touches() const;
 
 private:
-    struct Meeting {
-        double gap;
-        Vec3 normal;
-        Vec3 point;
-    };
-    [[nodiscard]] Meeting meeting(const SheetContact& contact, const std::vector<Vec3>& position,
-                                  const PartnerPoses& poses) const;
-    [[nodiscard]] SpringResponse spring(const SheetContact& contact, const Meeting& meeting,
-                                        const PartnerPoses& poses) const;
     [[nodiscard]] Pose pose_of(const SheetContact& contact, const PartnerPoses& poses) const;
     void meet_support(const MembraneState& state, double dt);
     void meet_planes(const MembraneState& state, double dt);

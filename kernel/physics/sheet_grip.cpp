@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "mesh/nearest_place.hpp"
 #include "physics/needle.hpp"
-#include "physics/sheet_contact.hpp"
 
 namespace rhexis {
 namespace {
@@ -27,8 +27,8 @@ std::vector<int> between_jaws(const MembraneState& state, const Vec3& place, dou
     for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
         const std::array<int, 3>& n = state.sheet->mesh.triangles[at(t)];
         const std::array<Vec3, 3> x{state.position[at(n[0])], state.position[at(n[1])], state.position[at(n[2])]};
-        const std::array<double, 3> w = nearest_to_segment(x, place, place);
-        if ((w[0] * x[0] + w[1] * x[1] + w[2] * x[2] - place).norm() < reach) {
+        const std::array<double, 3> w = nearest_to_point(x, place);
+        if ((place_in(x, w) - place).norm() < reach) {
             std::vector<int>& list = folded(state, t) ? over : plain;
             list.insert(list.end(), n.begin(), n.end());
         }

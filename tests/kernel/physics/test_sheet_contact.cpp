@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "base/profile.hpp"
-#include "base/rng.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/physics.hpp"
-#include "physics/sheet_contact.hpp"
 #include "scenes/membranes.hpp"
 
 using namespace rhexis;
@@ -92,33 +90,6 @@ MembraneModel drum(double stretch) {
 }  // namespace
 
 TEST_SUITE("sheet contact") {
-    TEST_CASE("nearest point of a triangle to a segment: no sampled point is nearer") {
-        Rng rng(3, "triangles");
-        const auto random = [&] { return Vec3(rng.uniform(), rng.uniform(), rng.uniform()); };
-        for (int i = 0; i < 100; ++i) {
-            const std::array<Vec3, 3> t{random(), random(), random()};
-            const Vec3 a = random();
-            const Vec3 b = random();
-            const std::array<double, 3> w = nearest_to_segment(t, a, b);
-            CHECK(w[0] + w[1] + w[2] == doctest::Approx(1.0));
-            CHECK(*std::min_element(w.begin(), w.end()) >= -1e-12);
-            const auto to_segment = [&](const Vec3& p) {
-                const double s = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-                return (a + s * (b - a) - p).norm();
-            };
-            const double found = to_segment(w[0] * t[0] + w[1] * t[1] + w[2] * t[2]);
-            for (int k = 0; k < 200; ++k) {
-                double u = rng.uniform();
-                double v = rng.uniform();
-                if (u + v > 1.0) {
-                    u = 1.0 - u;
-                    v = 1.0 - v;
-                }
-                CHECK(found <= to_segment(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0])) + 1e-4);
-            }
-        }
-    }
-
     TEST_CASE("a ball pressed into a taut drum: the deflection of theory") {
         // small indent of a membrane of tension T: F = 2 pi T d / ln(R / c), c the radius of contact
         const double stretch = 0.1;
