@@ -60,6 +60,7 @@ private:
     MembraneSolve solve_;
     std::optional<ImplicitStep> step_;
     MembraneBody* body_ = nullptr;  ///< of step_
+    int solves_ = 0;                ///< with the sheet of body_
     NodeMotion motion_;
     // scratch
     MembraneState between_;
