@@ -20,6 +20,8 @@ return exercise {
     instruments = { "cystotome", "forceps", "cannula", "microscope" },
     settings = { ["viscoelastic.fill"] = 0.2 },
 
+    step_s = 0.02,  -- docs/tearing.md, "What it costs, and which mesh and step"
+
     goals = {
         radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that is planned" },
         fill_percent = { 90, from = 50, to = 100,

@@ -24,6 +24,8 @@ return exercise {
         ["capsule.toughness"] = 0.6,
     },
 
+    step_s = 0.02,  -- docs/tearing.md, "What it costs, and which mesh and step"
+
     goals = {
         radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that was planned" },
         fill_percent = { 90, from = 50, to = 100, meaning = "how full the chamber must be before one pulls" },

@@ -7,13 +7,13 @@ local place, open_jaws = rhexis_hand.place, rhexis_hand.open_jaws
 
 local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
 
--- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
+-- Held near the end of the tear: from beside it to the middle; if it does not turn, taken hold of
 -- anew and led farther ahead.
 local function bring_back(t)
     for try = 1, 5 do
         local _, angle, lift = rhexis_hand.tear_end(t)
-        rhexis_hand.take_hold(t, 0.6, 0.5)
-        t.forceps:move_to(rhexis_hand.by_tear(t, -0.5, 1, 0.2), { speed = 1.5 })
+        rhexis_hand.take_hold(t, 0.4, 0.4)
+        t.forceps:move_to(rhexis_hand.by_tear(t, 0, 1, 0.2), { speed = 1.5 })
         if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2, lift), { speed = 1.5, stop = back }) then break end
         open_jaws(t)
     end
