@@ -21,7 +21,7 @@ local full = 1.0            -- share of the chamber that viscoelastic is to fill
 local pierce_speed = 0.6    -- of the needle, down [mm/s]
 local back = 0.45           -- how far it is raised again once it is seen to be through: it has dented capsule and lens
 local deepest = 0.6         -- where it is not through the capsule by then, something is wrong
-local cut_speed = 2.5
+local cut_speed = 3.0
 local first_angle = -10     -- where the needle goes in
 local first_radius = 0.9
 local spiral = 25           -- angle over which the cut comes out to the planned circle
@@ -33,19 +33,19 @@ local left_behind = 1.4     -- the end of the tear, by the needle, when that is 
 local pull_speed = 5.0
 local pull_step = 0.9       -- of one look to the next [mm]
 local pull_height = 0.2
-local early_pull = 10       -- inwards from the circle, at which the tear follows it at first [degrees]
-local late_pull = 95       -- and at last, when little holds the flap and the tear tends outwards
+local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
+local even_pull = 46        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
+local steer = 100           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
-local outwards = 40         -- as far as one dares to pull [degrees]
-local farthest_out = 2.9    -- of the jaws, clear of the iris [mm]
-local looks = 16            -- in one pull, before one takes hold anew
-local too_far_out = 0.2     -- the end of a tear that is pulled at: one lets go and looks where it is [mm]
-local too_far_in = 0.9
-local drawn = 0.1           -- inwards, the end of a tear while it is pulled at [mm]
-local most_turn = 30        -- of the pull from one look to the next [degrees]
-local steer = 80            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
-local stretch = 3.4         -- from the tear to the jaws, at which one takes hold anew [mm]
-local late_stretch = 4.8    -- at last, when most of the flap is free and lies in folds
+local least_inwards = 12    -- one does not dare to pull less far inwards [degrees]
+local most_turn = 15        -- of the pull from one look to the next [degrees]
+local farthest_out = 3.1    -- of the jaws, clear of the iris [mm]
+local stretch = 4.2         -- from the tear to the jaws, at which one takes hold anew [mm]
+local least_move = 0.15     -- of the jaws, short of which a pull has no room left [mm]
+local drawn = 0.85          -- towards the jaws, how far a pull draws the end of a tear before it goes on [mm]
+local drawn_round = 0.45    -- and more when it has gone all the way round
+local sprung = 0.15         -- outwards, how far the rest of the capsule draws the end of a tear that has just begun [mm]
+local sprung_round = 0.4    -- and more when it has gone all the way round
 local inside_tip = 0.4      -- where one takes hold, if no flap is seen [mm]
 local behind_tip = 12       -- likewise [degrees]
 local tries = 6             -- to take hold, before one gives up
@@ -77,15 +77,19 @@ function capsulorhexis.bring(me, eye, instrument, place)
     me.go({ place[1], place[2], math.max(place[3], eye.front[3] + clear) }, free_speed)
 end
 
+local function withdraw(me, eye)
+    me.go(eye.wound, free_speed)
+    me.go(instruments.outside(eye.wound), free_speed)
+    me.put_down()
+end
+
 --- Straight up and out.
 function capsulorhexis.take_away(me, eye)
     local tip = me.tip()
     local up = over(eye, tip, clear)
     up[3] = math.max(up[3], tip[3] + lift)
     me.go(up, lift_speed)
-    me.go(eye.wound, free_speed)
-    me.go(instruments.outside(eye.wound), free_speed)
-    me.put_down()
+    withdraw(me, eye)
 end
 
 local function mark(me, name)
@@ -108,7 +112,7 @@ function capsulorhexis.fill(me, eye)
     end, 30)
     me.jaw(0)
     me.wait(0.5)
-    capsulorhexis.take_away(me, eye)
+    withdraw(me, eye)  -- straight: raised over the lens, its shaft would touch the iris by the wound
     sculpting.look_at_height(me, eye)
 end
 
@@ -128,7 +132,7 @@ local function cut(me, eye, radius, low)
         local from, to = angle, math.min(cut_end, angle + cut_look)
         local tip = mark(me, "tear_tip")
         local off = angle > first_angle + spiral and tip
-            and capsulorhexis.polar(eye, tip.position) - radius or 0
+            and capsulorhexis.polar(eye, tip.position) - sprung - radius or 0
         local aim = radius + beside - math.max(-beside, math.min(beside, off))
         me.follow(function(share)
             local now = from + share * (to - from)
@@ -201,52 +205,54 @@ end
 
 local function closed(seen) return seen.landmarks.rim ~= nil end
 
--- Share of what the forceps tear, at an angle.
-local function gone(angle) return math.min(1, ((angle - cut_end) % 360) / (360 - cut_end)) end
-
--- Where the jaws go next, from the end of the tear: along the circle and inwards, and the farther out the tear is the
--- more back the way it came, for it runs at a right angle to the pull. A pull draws the end of the tear along, so that
--- its place is seen too far in or out: one turns the hand little by little. Returns the place and the angle inwards,
--- after that of the last look.
-local function aim(me, eye, tip, radius, last)
-    local tear_radius, angle = capsulorhexis.polar(eye, tip)
-    local even_pull = early_pull + (late_pull - early_pull) * gone(angle)
-    local wanted = even_pull + steer * (tear_radius + (last and drawn or 0) - radius)
-    wanted = math.max(-outwards, math.min(farthest_back, wanted))
-    if last then wanted = math.max(last - most_turn, math.min(last + most_turn, wanted)) end
-    local inwards = math.rad(wanted)
-    local a = math.rad(angle)
-    local along, across = math.cos(inwards), math.sin(inwards)
-    local reach = vector.distance(me.tip(), tip) + pull_step
-    local x = tip[1] + reach * (-along * math.sin(a) - across * math.cos(a))
-    local y = tip[2] + reach * (along * math.cos(a) - across * math.sin(a))
-    local out, where = capsulorhexis.polar(eye, { x, y, 0 })
-    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height), wanted
+-- Share of what the forceps tear that is done when the tear ends at an angle; it may end a little before they begin.
+local function gone(angle)
+    return math.max(0, math.min(1, ((angle - cut_end + 90) % 360 - 90) / (360 - cut_end)))
 end
 
--- Whether the tear has left the circle, and got farther from it than it was when the pull began.
-local function is_astray(tear_radius, radius, begun)
-    return tear_radius > math.max(radius, begun) + too_far_out or tear_radius < math.min(radius, begun) - too_far_in
+-- How far out the end of the tear would lie in a capsule that nothing pulls at. The rest of the capsule draws it
+-- outwards, the more the farther the tear has come round; the jaws draw it from where it lay when they took hold, and
+-- only then does the tear go on.
+local function unstrained_radius(eye, tip, lay, jaws)
+    local _, angle = capsulorhexis.polar(eye, tip)
+    local most = drawn + drawn_round * gone(angle)
+    local towards = vector.unit(vector.sub(jaws, tip))
+    local goes_on = vector.dot(vector.sub(tip, lay), towards) > most
+    local radius = capsulorhexis.polar(eye, goes_on and vector.sub(tip, vector.scale(towards, most)) or lay)
+    return radius - sprung - sprung_round * gone(angle)
+end
+
+-- Where the jaws go next, as seen from the end of the tear: along the circle and inwards, and the farther out the tear
+-- is the more back the way it came, for it runs at a right angle to the pull. Returns the place and the angle inwards,
+-- after that of the last look.
+local function aim(me, eye, tip, lay, radius, last)
+    local _, angle = capsulorhexis.polar(eye, tip)
+    local tear_radius = unstrained_radius(eye, tip, lay, me.tip())
+    local wanted = even_pull + steer * (tear_radius - radius)
+    wanted = math.max(least_inwards, math.min(farthest_back, wanted))
+    if last then wanted = math.max(last - most_turn, math.min(last + most_turn, wanted)) end
+    local along, way = math.rad(angle + 90), math.rad(angle + 90 + wanted)
+    local from = vector.add(tip, { ahead * math.cos(along), ahead * math.sin(along), 0 })
+    local reach = vector.distance(me.tip(), from) + pull_step
+    local out, where = capsulorhexis.polar(eye,
+        { from[1] + reach * math.cos(way), from[2] + reach * math.sin(way), 0 })
+    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height), wanted
 end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
-    local place, inwards, begun
-    for look = 1, looks do
+    local lay, place, inwards
+    while true do
         if mark(me, "rim") then return "closed" end
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
-        local tear_radius, angle = capsulorhexis.polar(eye, tip.position)
-        if vector.distance(me.tip(), tip.position) > stretch + (late_stretch - stretch) * gone(angle) then
-            return "far"
-        end
-        begun = begun or tear_radius
-        if look > 3 and is_astray(tear_radius, radius, begun) then return "astray" end
-        place, inwards = aim(me, eye, tip.position, radius, inwards)
+        if vector.distance(me.tip(), tip.position) > stretch then return "far" end
+        lay = lay or tip.position
+        place, inwards = aim(me, eye, tip.position, lay, radius, inwards)
+        if vector.distance(me.tip(), place) < least_move then return "far" end
         me.go(place, pull_speed, nil, closed)
     end
-    return "far"
 end
 
 -- The forceps through the wound, over the end of the tear.
