@@ -30,14 +30,14 @@ local cut_look = 20         -- angle from one look to the next
 local beside = 0.15         -- how far inside of the needle's way it cuts [mm]
 local left_behind = 1.4     -- the end of the tear, by the needle, when that is not in it [mm]
 
-local pull_speed = 5.0
+local pull_speed = 3.5
 local pull_step = 0.9       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
-local even_pull = 46        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
+local even_pull = 50        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
 local steer = 100           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
-local least_inwards = 12    -- one does not dare to pull less far inwards [degrees]
+local least_inwards = 20    -- one does not dare to pull less far inwards [degrees]
 local most_turn = 15        -- of the pull from one look to the next [degrees]
 local farthest_out = 3.1    -- of the jaws, clear of the iris [mm]
 local stretch = 4.2         -- from the tear to the jaws, at which one takes hold anew [mm]
@@ -213,43 +213,42 @@ end
 -- How far out the end of the tear would lie in a capsule that nothing pulls at. The rest of the capsule draws it
 -- outwards, the more the farther the tear has come round; the jaws draw it from where it lay when they took hold, and
 -- only then does the tear go on.
-local function unstrained_radius(eye, tip, lay, jaws)
+local function unstrained_radius(eye, tip, grip, jaws)
     local _, angle = capsulorhexis.polar(eye, tip)
     local most = drawn + drawn_round * gone(angle)
-    local towards = vector.unit(vector.sub(jaws, tip))
-    local goes_on = vector.dot(vector.sub(tip, lay), towards) > most
-    local radius = capsulorhexis.polar(eye, goes_on and vector.sub(tip, vector.scale(towards, most)) or lay)
-    return radius - sprung - sprung_round * gone(angle)
+    grip.goes_on = grip.goes_on or vector.distance(tip, grip.lay) > most
+    local place = grip.lay
+    if grip.goes_on then place = vector.sub(tip, vector.scale(vector.unit(vector.sub(jaws, tip)), most)) end
+    return capsulorhexis.polar(eye, place) - sprung - sprung_round * gone(angle)
 end
 
 -- Where the jaws go next, as seen from the end of the tear: along the circle and inwards, and the farther out the tear
--- is the more back the way it came, for it runs at a right angle to the pull. Returns the place and the angle inwards,
--- after that of the last look.
-local function aim(me, eye, tip, lay, radius, last)
-    local _, angle = capsulorhexis.polar(eye, tip)
-    local tear_radius = unstrained_radius(eye, tip, lay, me.tip())
-    local wanted = even_pull + steer * (tear_radius - radius)
+-- is the more back the way it came, for it runs at a right angle to the pull. One turns the hand little by little.
+local function aim(me, eye, tip, grip, radius)
+    local wanted = even_pull + steer * (unstrained_radius(eye, tip, grip, me.tip()) - radius)
     wanted = math.max(least_inwards, math.min(farthest_back, wanted))
-    if last then wanted = math.max(last - most_turn, math.min(last + most_turn, wanted)) end
-    local along, way = math.rad(angle + 90), math.rad(angle + 90 + wanted)
+    local last = grip.inwards or wanted
+    grip.inwards = math.max(last - most_turn, math.min(last + most_turn, wanted))
+    local _, angle = capsulorhexis.polar(eye, tip)
+    local along, way = math.rad(angle + 90), math.rad(angle + 90 + grip.inwards)
     local from = vector.add(tip, { ahead * math.cos(along), ahead * math.sin(along), 0 })
     local reach = vector.distance(me.tip(), from) + pull_step
     local out, where = capsulorhexis.polar(eye,
         { from[1] + reach * math.cos(way), from[2] + reach * math.sin(way), 0 })
-    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height), wanted
+    return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height)
 end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
-    local lay, place, inwards
+    local grip  -- lay: where the end of the tear lay then; goes_on: the tear does; inwards: the last pull [degrees]
     while true do
         if mark(me, "rim") then return "closed" end
         local tip = mark(me, "tear_tip")
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
         if vector.distance(me.tip(), tip.position) > stretch then return "far" end
-        lay = lay or tip.position
-        place, inwards = aim(me, eye, tip.position, lay, radius, inwards)
+        grip = grip or { lay = tip.position }
+        local place = aim(me, eye, tip.position, grip, radius)
         if vector.distance(me.tip(), place) < least_move then return "far" end
         me.go(place, pull_speed, nil, closed)
     end
