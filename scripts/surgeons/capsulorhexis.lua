@@ -21,29 +21,30 @@ local full = 1.0            -- share of the chamber that viscoelastic is to fill
 local pierce_speed = 0.6    -- of the needle, down [mm/s]
 local back = 0.45           -- how far it is raised again once it is seen to be through: it has dented capsule and lens
 local deepest = 0.6         -- where it is not through the capsule by then, something is wrong
-local cut_speed = 3.0
+local cut_speed = 3.4
 local first_angle = -10     -- where the needle goes in
 local first_radius = 0.9
 local spiral = 25           -- angle over which the cut comes out to the planned circle
 local cut_end = 200         -- angle at which it ends
 local cut_look = 20         -- angle from one look to the next
 local beside = 0.15         -- how far inside of the needle's way it cuts [mm]
+local flare = 0.2           -- at its end the cut leads outwards by so much, for the forceps begin by leading in [mm]
 local left_behind = 1.4     -- the end of the tear, by the needle, when that is not in it [mm]
 
-local pull_speed = 3.5
-local pull_step = 0.9       -- of one look to the next [mm]
+local pull_speed = 4.4
+local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
-local even_pull = 50        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
-local steer = 100           -- more, per mm that the tear is too far out: it runs at a right angle to the pull
+local even_pull = 48        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
+local steer = 95            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
-local least_inwards = 20    -- one does not dare to pull less far inwards [degrees]
-local most_turn = 15        -- of the pull from one look to the next [degrees]
+local least_inwards = 22    -- one does not dare to pull less far inwards [degrees]
+local most_turn = 25        -- of the pull from one look to the next [degrees]
 local farthest_out = 3.1    -- of the jaws, clear of the iris [mm]
 local stretch = 4.2         -- from the tear to the jaws, at which one takes hold anew [mm]
 local least_move = 0.15     -- of the jaws, short of which a pull has no room left [mm]
-local drawn = 0.85          -- towards the jaws, how far a pull draws the end of a tear before it goes on [mm]
-local drawn_round = 0.45    -- and more when it has gone all the way round
+local drawn = 0.75          -- towards the jaws, how far a pull draws the end of a tear before it goes on [mm]
+local drawn_round = 0.5     -- and more when it has gone all the way round
 local sprung = 0.15         -- outwards, how far the rest of the capsule draws the end of a tear that has just begun [mm]
 local sprung_round = 0.4    -- and more when it has gone all the way round
 local inside_tip = 0.4      -- where one takes hold, if no flap is seen [mm]
@@ -133,7 +134,7 @@ local function cut(me, eye, radius, low)
         local tip = mark(me, "tear_tip")
         local off = angle > first_angle + spiral and tip
             and capsulorhexis.polar(eye, tip.position) - sprung - radius or 0
-        local aim = radius + beside - math.max(-beside, math.min(beside, off))
+        local aim = radius + beside - math.max(-beside, math.min(beside, off)) + (to == cut_end and flare or 0)
         me.follow(function(share)
             local now = from + share * (to - from)
             local out = math.sqrt(math.min(1, (now - first_angle) / spiral))  -- along the slit at first
@@ -223,9 +224,13 @@ local function unstrained_radius(eye, tip, grip, jaws)
 end
 
 -- Where the jaws go next, as seen from the end of the tear: along the circle and inwards, and the farther out the tear
--- is the more back the way it came, for it runs at a right angle to the pull. One turns the hand little by little.
+-- is the more back the way it came, for it runs at a right angle to the pull. The jaws are there a look later: one
+-- steers for where the tear will be then.
 local function aim(me, eye, tip, grip, radius)
-    local wanted = even_pull + steer * (unstrained_radius(eye, tip, grip, me.tip()) - radius)
+    local now = unstrained_radius(eye, tip, grip, me.tip())
+    local soon = now + (grip.radius and now - grip.radius or 0)
+    if grip.goes_on then grip.radius = now end
+    local wanted = even_pull + steer * (soon - radius)
     wanted = math.max(least_inwards, math.min(farthest_back, wanted))
     local last = grip.inwards or wanted
     grip.inwards = math.max(last - most_turn, math.min(last + most_turn, wanted))
@@ -240,7 +245,9 @@ end
 
 -- Pulls until it is time to take hold anew. Returns what ended it.
 local function pull(me, eye, radius)
-    local grip  -- lay: where the end of the tear lay then; goes_on: the tear does; inwards: the last pull [degrees]
+    -- lay: where the end of the tear lay at first; goes_on: the tear does; of the last look, inwards: the pull
+    -- [degrees], radius: how far out the tear was
+    local grip
     while true do
         if mark(me, "rim") then return "closed" end
         local tip = mark(me, "tear_tip")
