@@ -6,7 +6,7 @@ local capsulorhexis = require "surgeons.capsulorhexis"
 local centring = require "surgeons.centring"
 local sculpting = require "surgeons.sculpting"
 
-local wanted_radius = 2.60
+local wanted_radius = 2.62  -- for an opening 5.25 mm wide
 
 return function(me)
     centring.centre(me)

@@ -35,7 +35,7 @@ local pull_speed = 4.4
 local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
-local even_pull = 48        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
+local even_pull = 46        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
 local steer = 95            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
 local least_inwards = 22    -- one does not dare to pull less far inwards [degrees]
@@ -45,7 +45,7 @@ local stretch = 4.2         -- from the tear to the jaws, at which one takes hol
 local least_move = 0.15     -- of the jaws, short of which a pull has no room left [mm]
 local drawn = 0.75          -- towards the jaws, how far a pull draws the end of a tear before it goes on [mm]
 local drawn_round = 0.5     -- and more when it has gone all the way round
-local sprung = 0.15         -- outwards, how far the rest of the capsule draws the end of a tear that has just begun [mm]
+local sprung = 0.15         -- outwards, how far the rest of the capsule draws the end of a fresh tear [mm]
 local sprung_round = 0.4    -- and more when it has gone all the way round
 local inside_tip = 0.4      -- where one takes hold, if no flap is seen [mm]
 local behind_tip = 12       -- likewise [degrees]
@@ -236,7 +236,8 @@ local function aim(me, eye, tip, grip, radius)
     grip.inwards = math.max(last - most_turn, math.min(last + most_turn, wanted))
     local _, angle = capsulorhexis.polar(eye, tip)
     local along, way = math.rad(angle + 90), math.rad(angle + 90 + grip.inwards)
-    local from = vector.add(tip, { ahead * math.cos(along), ahead * math.sin(along), 0 })
+    local lead = grip.goes_on and ahead or 0
+    local from = vector.add(tip, { lead * math.cos(along), lead * math.sin(along), 0 })
     local reach = vector.distance(me.tip(), from) + pull_step
     local out, where = capsulorhexis.polar(eye,
         { from[1] + reach * math.cos(way), from[2] + reach * math.sin(way), 0 })
