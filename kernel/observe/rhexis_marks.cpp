@@ -37,29 +37,31 @@ std::optional<Vec3> one_of(const std::vector<Vec3>& places, const Vec3& tip) {
     });
 }
 
-bool within_reach(const Vec3& place, const Vec3& tip) {
+/// Can be taken hold of: within reach of the tip, and not behind the iris.
+bool within_reach(const Vec3& place, const Vec3& tip, const EyeAnatomy& eye) {
     const double distance = (place - tip).norm();
-    return distance > nearest && distance < farthest;
+    return distance > nearest && distance < farthest && shows(eye, place);
 }
 
-std::optional<Vec3> on_fold(const MembraneState& state, const Vec3& tip) {
+std::optional<Vec3> on_fold(const MembraneState& state, const Vec3& tip, const EyeAnatomy& eye) {
     std::vector<Vec3> places;
     for (int t = 0; t < static_cast<int>(state.sheet->mesh.triangles.size()); ++t) {
         const Vec3 middle = middle_now(state, t);
-        if (within_reach(middle, tip) && folded(state, t)) {
+        if (within_reach(middle, tip, eye) && folded(state, t)) {
             places.push_back(middle);
         }
     }
     return one_of(places, tip);
 }
 
-std::optional<Vec3> on_lip(const MembraneState& state, const std::vector<int>& lip, const Vec3& tip) {
+std::optional<Vec3> on_lip(const MembraneState& state, const std::vector<int>& lip, const Vec3& tip,
+                           const EyeAnatomy& eye) {
     std::vector<Vec3> places;
     const TriNeighbours& near = state.sheet->neighbours;
     for (std::size_t i = 1; i < lip.size(); ++i) {
         for (int k = near.offset[at(lip[i])]; k < near.offset[at(lip[i]) + 1]; ++k) {
             const Vec3 middle = middle_now(state, near.triangles[at(k)]);
-            if (within_reach(middle, tip)) {
+            if (within_reach(middle, tip, eye)) {
                 places.push_back(middle);
             }
         }
@@ -74,10 +76,10 @@ void add_tear(const MembraneState& state, const std::vector<int>& lip, const Eye
     }
     const Vec3& tip = state.position[at(lip[0])];
     marks.push_back({"tear_tip", shows(eye, tip), tip, 0.0});
-    const std::optional<Vec3> fold = on_fold(state, tip);
-    const std::optional<Vec3> flap = fold ? fold : on_lip(state, lip, tip);
+    const std::optional<Vec3> fold = on_fold(state, tip, eye);
+    const std::optional<Vec3> flap = fold ? fold : on_lip(state, lip, tip, eye);
     if (flap) {
-        marks.push_back({"flap", shows(eye, *flap), *flap, fold ? 1.0 : 0.0});
+        marks.push_back({"flap", true, *flap, fold ? 1.0 : 0.0});
     }
 }
 
