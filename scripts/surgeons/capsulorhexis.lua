@@ -28,14 +28,15 @@ local spiral = 25           -- angle over which the cut comes out to the planned
 local cut_end = 200         -- angle at which it ends
 local cut_look = 20         -- angle from one look to the next
 local beside = 0.15         -- how far inside of the needle's way it cuts [mm]
-local flare = 0.2           -- at its end the cut leads outwards by so much, for the forceps begin by leading in [mm]
+local flare = 0.1           -- at its end the cut leads outwards by so much, for the forceps begin by leading in [mm]
 local left_behind = 1.4     -- the end of the tear, by the needle, when that is not in it [mm]
 
 local pull_speed = 4.4
 local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
-local even_pull = 46        -- inwards from the circle: the tear neither leaves it nor turns in [degrees]
+local even_pull = 42        -- inwards from the circle: the tear neither leaves it nor turns in, at first [degrees]
+local even_round = 14       -- and more when it has come all the way round, for it tends outwards by then
 local steer = 95            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
 local least_inwards = 22    -- one does not dare to pull less far inwards [degrees]
@@ -134,7 +135,7 @@ local function cut(me, eye, radius, low)
         local tip = mark(me, "tear_tip")
         local off = angle > first_angle + spiral and tip
             and capsulorhexis.polar(eye, tip.position) - sprung - radius or 0
-        local aim = radius + beside - math.max(-beside, math.min(beside, off)) + (to == cut_end and flare or 0)
+        local aim = radius + beside + (to == cut_end and flare or math.max(-beside, math.min(beside, -off)))
         me.follow(function(share)
             local now = from + share * (to - from)
             local out = math.sqrt(math.min(1, (now - first_angle) / spiral))  -- along the slit at first
@@ -230,11 +231,11 @@ local function aim(me, eye, tip, grip, radius)
     local now = unstrained_radius(eye, tip, grip, me.tip())
     local soon = now + (grip.radius and now - grip.radius or 0)
     if grip.goes_on then grip.radius = now end
-    local wanted = even_pull + steer * (soon - radius)
+    local _, angle = capsulorhexis.polar(eye, tip)
+    local wanted = even_pull + even_round * gone(angle) + steer * (soon - radius)
     wanted = math.max(least_inwards, math.min(farthest_back, wanted))
     local last = grip.inwards or wanted
     grip.inwards = math.max(last - most_turn, math.min(last + most_turn, wanted))
-    local _, angle = capsulorhexis.polar(eye, tip)
     local along, way = math.rad(angle + 90), math.rad(angle + 90 + grip.inwards)
     local lead = grip.goes_on and ahead or 0
     local from = vector.add(tip, { lead * math.cos(along), lead * math.sin(along), 0 })
