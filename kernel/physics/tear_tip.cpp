@@ -92,6 +92,27 @@ bool pushed(const MembraneState& state, int node) {
                        [node](const SheetGrip& grip) { return grip.node == node && grip.pushed; });
 }
 
+/// Jaws within the domain of a tip's integral: their forces are in it.
+bool held_near(const MembraneState& state, int node, double radius) {
+    const std::vector<Vec3>& rest = state.sheet->mesh.nodes;
+    const double reach = std::max(radius, least_radius * mean_edge_at(*state.sheet, node));
+    return std::any_of(state.grips.begin(), state.grips.end(), [&](const SheetGrip& grip) {
+        return (rest[at(grip.node)] - rest[at(node)]).norm() < 1.5 * reach;
+    });
+}
+
+/// The way that a tear came, in the plane. A needle that went back leaves a hook, whose end points backwards: energy
+/// comes free against it, which no straight tear has, and the tear may go on that way.
+Vec3 way_on(const MembraneModel& model, const MembraneState& state, const TearTip& tip, const Vec3& release) {
+    const double least = std::min(model.toughness.along, model.toughness.across);
+    const bool hooked = release.dot(tip.direction) < -least && !held_near(state, tip.node, model.tear_radius);
+    return hooked ? Vec3(release.normalized()) : tip.direction;
+}
+
+bool is_tip(const MembraneState& state, int node) {
+    return std::any_of(state.tips.begin(), state.tips.end(), [node](const TearTip& tip) { return tip.node == node; });
+}
+
 }  // namespace
 
 std::vector<NearTriangle> near_tip(const MembraneSheet& sheet, int node, double radius) {
@@ -132,7 +153,8 @@ Vec3 release_at(const MembraneModel& model, const MembraneState& state, int node
         for (std::size_t a = 0; a < 3; ++a) {
             const int corner = sheet.mesh.triangles[at(near.triangle)][a];
             const double distance = (sheet.mesh.nodes[at(corner)] - origin).norm();
-            slope += std::max(0.0, 1.0 - distance / reach) * triangle.gradient[a];
+            const bool counts = distance < reach && (corner == node || !is_tip(state, corner));
+            slope += (counts ? 1.0 - distance / reach : 0.0) * triangle.gradient[a];
         }
         if (slope.isZero()) {
             continue;
@@ -214,12 +236,13 @@ std::vector<TearProposal> propose_tears(const MembraneModel& model, const Membra
             continue;
         }
         const Vec3 release = release_at(model, state, tip.node, model.tear_radius);
-        const double free = release.dot(tip.direction);
+        const Vec3 on = way_on(model, state, tip, release);
+        const double free = release.dot(on);
         if (free < std::min(model.toughness.along, model.toughness.across)) {
             continue;
         }
-        const TipStress about = stress_at(model, state, tip.node, tip.direction);
-        Vec2 came = about.frame.to_plane(tip.direction);
+        const TipStress about = stress_at(model, state, tip.node, on);
+        Vec2 came = about.frame.to_plane(on);
         came.normalize();
         const std::optional<Vec2> way = tear_direction(about.stress, about.fibre, ratio, came, model.turn_cosine);
         if (!way) {

@@ -11,7 +11,8 @@
 // Whether: the energy that comes free per area, by the domain integral of the energy-momentum tensor [Eshelby1975],
 // [LiShihNeedleman1985] over the sheet at rest,
 //   G = 1/h sum over triangles of V (F^T P - w I) : (d x grad q),
-// q falling from 1 at the tip to 0 away from it. It does not depend on the size of the triangles or of the domain.
+// q falling from 1 at the tip to 0 away from it, and at other tips: what pulls those on is not this one's. It does not
+// depend on the size of the triangles or of the domain.
 #pragma once
 
 #include <optional>

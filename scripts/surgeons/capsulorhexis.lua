@@ -42,6 +42,8 @@ local farthest_back = 140   -- a pull that is turned farther back tears nothing 
 local least_inwards = 22    -- one does not dare to pull less far inwards [degrees]
 local most_turn = 25        -- of the pull from one look to the next [degrees]
 local farthest_out = 3.1    -- of the jaws, clear of the iris [mm]
+local another_way = 30      -- more inwards than before, where a pull has torn nothing [degrees]
+local nothing = 0.3         -- the end of the tear went on by less than this [mm]
 local stretch = 4.2         -- from the tear to the jaws, at which one takes hold anew [mm]
 local least_move = 0.15     -- of the jaws, short of which a pull has no room left [mm]
 local drawn = 0.75          -- towards the jaws, how far a pull draws the end of a tear before it goes on [mm]
@@ -232,7 +234,7 @@ local function aim(me, eye, tip, grip, radius)
     local soon = now + (grip.radius and now - grip.radius or 0)
     if grip.goes_on then grip.radius = now end
     local _, angle = capsulorhexis.polar(eye, tip)
-    local wanted = even_pull + even_round * gone(angle) + steer * (soon - radius)
+    local wanted = even_pull + even_round * gone(angle) + steer * (soon - radius) + grip.more
     wanted = math.max(least_inwards, math.min(farthest_back, wanted))
     local last = grip.inwards or wanted
     grip.inwards = math.max(last - most_turn, math.min(last + most_turn, wanted))
@@ -245,8 +247,8 @@ local function aim(me, eye, tip, grip, radius)
     return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height)
 end
 
--- Pulls until it is time to take hold anew. Returns what ended it.
-local function pull(me, eye, radius)
+-- Pulls until it is time to take hold anew. more: inwards than one would [degrees]. Returns what ended it.
+local function pull(me, eye, radius, more)
     -- lay: where the end of the tear lay at first; goes_on: the tear does; of the last look, inwards: the pull
     -- [degrees], radius: how far out the tear was
     local grip
@@ -256,7 +258,7 @@ local function pull(me, eye, radius)
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
         if vector.distance(me.tip(), tip.position) > stretch then return "far" end
-        grip = grip or { lay = tip.position }
+        grip = grip or { lay = tip.position, more = more }
         local place = aim(me, eye, tip.position, grip, radius)
         if vector.distance(me.tip(), place) < least_move then return "far" end
         me.go(place, pull_speed, nil, closed)
@@ -269,9 +271,16 @@ local function bring_forceps(me, eye)
     capsulorhexis.bring(me, eye, "forceps", tip and tip.position or eye.pupil)
 end
 
+-- Whether a pull has led the end of the tear on, from where it lay.
+local function went_on(me, lay)
+    local tip = mark(me, "tear_tip")
+    return not lay or not tip or vector.distance(tip.position, lay.position) > nothing
+end
+
 --- Tears the flap round with the forceps. Returns "closed", or why it stopped.
 function capsulorhexis.tear_round(me, eye, radius, longest)
     local until_s = me.time_s() + longest
+    local more = 0
     bring_forceps(me, eye)
     while me.time_s() < until_s do
         if mark(me, "rim") then return "closed" end
@@ -280,10 +289,12 @@ function capsulorhexis.tear_round(me, eye, radius, longest)
             capsulorhexis.fill(me, eye)
             bring_forceps(me, eye)
         end
+        local lay = mark(me, "tear_tip")
         if not grasp(me, eye) then return "not grasped" end
-        local why = pull(me, eye, radius)
+        local why = pull(me, eye, radius, more)
         if why == "closed" then return why end
         let_go(me, eye)
+        more = went_on(me, lay) and 0 or more + another_way
         if why == "lost" then return why end
     end
     return "late"
