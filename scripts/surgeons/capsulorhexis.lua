@@ -19,7 +19,7 @@ local lift_speed = 5
 local full = 1.0            -- share of the chamber that viscoelastic is to fill
 
 local pierce_speed = 0.6    -- of the needle, down [mm/s]
-local back = 0.45           -- how far it is raised again once it is seen to be through: it has dented capsule and lens
+local back = 0.3           -- how far it is raised again once it is seen to be through: it has dented capsule and lens
 local deepest = 0.6         -- where it is not through the capsule by then, something is wrong
 local cut_speed = 3.4
 local first_angle = -10     -- where the needle goes in
@@ -28,16 +28,18 @@ local spiral = 25           -- angle over which the cut comes out to the planned
 local cut_end = 200         -- angle at which it ends
 local cut_look = 20         -- angle from one look to the next
 local beside = 0.15         -- how far inside of the needle's way it cuts [mm]
-local flare = 0.1           -- at its end the cut leads outwards by so much, for the forceps begin by leading in [mm]
+local flare = 0.2           -- at its end the cut leads outwards by so much, for the forceps begin by leading in [mm]
 local left_behind = 1.4     -- the end of the tear, by the needle, when that is not in it [mm]
 
 local pull_speed = 4.4
 local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
-local even_pull = 42        -- inwards from the circle: the tear neither leaves it nor turns in, at first [degrees]
-local even_round = 14       -- and more when it has come all the way round, for it tends outwards by then
-local steer = 95            -- more, per mm that the tear is too far out: it runs at a right angle to the pull
+local even_pull = 40        -- inwards from the circle: the tear neither leaves it nor turns in, at first [degrees]
+local even_round = 22       -- and more when it has come all the way round, for it tends outwards by then
+local steer_back = 140      -- more, per mm that the tear is too far out: it runs at a right angle to the pull, and the
+                            -- farther out it is the more the zonules draw it on
+local steer_out = 80        -- less, per mm that it is too far in
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
 local least_inwards = 22    -- one does not dare to pull less far inwards [degrees]
 local most_turn = 25        -- of the pull from one look to the next [degrees]
@@ -53,7 +55,7 @@ local sprung_round = 0.4    -- and more when it has gone all the way round
 local inside_tip = 0.4      -- where one takes hold, if no flap is seen [mm]
 local behind_tip = 12       -- likewise [degrees]
 local tries = 6             -- to take hold, before one gives up
-local shallow = 0.80        -- share of the chamber below which it is filled again
+local shallow = 0.77        -- share of the chamber below which it is filled again
 
 --- A place by radius, angle and height.
 function capsulorhexis.place(eye, radius, angle, height)
@@ -234,7 +236,8 @@ local function aim(me, eye, tip, grip, radius)
     local soon = now + (grip.radius and now - grip.radius or 0)
     if grip.goes_on then grip.radius = now end
     local _, angle = capsulorhexis.polar(eye, tip)
-    local wanted = even_pull + even_round * gone(angle) + steer * (soon - radius) + grip.more
+    local off = soon - radius
+    local wanted = even_pull + even_round * gone(angle) + (off > 0 and steer_back or steer_out) * off + grip.more
     wanted = math.max(least_inwards, math.min(farthest_back, wanted))
     local last = grip.inwards or wanted
     grip.inwards = math.max(last - most_turn, math.min(last + most_turn, wanted))
