@@ -35,8 +35,8 @@ local pull_speed = 4.4
 local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
-local even_pull = 40        -- inwards from the circle: the tear neither leaves it nor turns in, at first [degrees]
-local even_round = 22       -- and more when it has come all the way round, for it tends outwards by then
+local even_pull = 34        -- inwards from the circle: the tear neither leaves it nor turns in, at first [degrees]
+local even_round = 29       -- and more when it has come all the way round, for it tends outwards by then
 local steer_back = 140      -- more, per mm that the tear is too far out: it runs at a right angle to the pull, and the
                             -- farther out it is the more the zonules draw it on
 local steer_out = 80        -- less, per mm that it is too far in
