@@ -9,8 +9,8 @@
 
 namespace rhexis {
 
-/// The rigid side of a contact.
-enum class ContactPartner { tool, bag, plane, dome, support };
+/// The other side of a contact: rigid, or another layer of the same shell.
+enum class ContactPartner { tool, bag, plane, dome, support, tube, layer };
 
 /// A surface point of a solid or a membrane against a rigid partner. The point is a weighted mean of up to three nodes.
 struct Contact {

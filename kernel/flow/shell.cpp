@@ -38,7 +38,8 @@ Status check_numbers(const ShellModel& model) {
                          {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
                          {"temperature", model.temperature, -50.0, 150.0, " C"},
                          {"fluid_density", model.fluid_density, 0.0, 1.0, " g/mm^3"},
-                         {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"}},
+                         {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"},
+                         {"friction", model.friction, 0.0, 10.0, ""}},
                         model.name);
 }
 
@@ -119,6 +120,11 @@ Status check_shell_state(const ShellModel& model, const ShellState& state) {
     if (!pulls_fit(state.loads, static_cast<int>(nodes))) {
         return Error{"a load on the shell is none", model.name,
                      std::string("a finite force on nodes from 0 to ").append(std::to_string(nodes - 1))};
+    }
+    for (const ShellTouch& touch : state.touches) {
+        if (touch.index < 0 || touch.sample < 0 || !touch.stretch.allFinite()) {
+            return Error{"a contact of the shell is none", model.name, "indices from 0 and a finite stretch"};
+        }
     }
     for (std::size_t n = 0; n < nodes; ++n) {
         if (!state.position[n].allFinite() || !state.velocity[n].allFinite() || !state.spin[n].allFinite() ||

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "flow/contact.hpp"
 #include "flow/material.hpp"
 #include "mesh/tri_mesh.hpp"
 
@@ -44,6 +45,7 @@ struct ShellModel {
     double temperature = 23.0;                  ///< of the shell [C], -50 to 150
     double fluid_density = 0.0;                 ///< of what it displaces [g/mm^3], 0 to 1
     double drag = 0.0;                          ///< of fluid at rest, per area and speed [g/(s mm^2)], 0 to 1e3
+    double friction = 0.2;                      ///< Coulomb coefficient of its layers on each other, 0 to 10
     std::vector<ShellHold> holds;               ///< one per node at most, by ascending node
 };
 
@@ -56,6 +58,15 @@ struct ShellPull {
     Vec3 total = Vec3::Zero();  ///< [uN]
 };
 
+/// A place of the surface that friction holds: what the next step must know of it.
+struct ShellTouch {
+    ContactPartner partner = ContactPartner::tool;
+    int index = 0;                ///< of the partner
+    int sample = 0;               ///< of the surface
+    bool front = true;            ///< of another layer: it lies before the sample, else behind it
+    Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is [mm]; tools: in their frame
+};
+
 /// Changes from step to step; by nodes unless said.
 struct ShellState {
     std::vector<Vec3> position;  ///< [mm]
@@ -66,6 +77,7 @@ struct ShellState {
     /// elastic shell.
     std::vector<double> branch;
     std::vector<ShellPull> loads;
+    std::vector<ShellTouch> touches;  ///< ascending by partner, index, sample, front
 };
 
 /// Forces and moments that keep their direction in space; either list by nodes, or empty. Such moments have no

@@ -77,6 +77,8 @@ Mat3 cayley(const Vec3& w) {
     return q.normalized().toRotationMatrix();
 }
 
+Mat3 spin_of_turn(const Vec3& z) { return (Mat3::Identity() + 0.5 * cross_matrix(z)) / (1.0 + 0.25 * z.squaredNorm()); }
+
 Quat turned(const Quat& rotation, const Vec3& w) {
     return (Quat(1.0, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()) * rotation).normalized();
 }

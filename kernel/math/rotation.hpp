@@ -26,6 +26,9 @@ Vec3 skew_vector(const Mat3& a);
 /// Rotation by the vector w (angle |w| to third order in it): Cayley map, exactly orthogonal up to rounding.
 Mat3 cayley(const Vec3& w);
 
+/// The spin of cayley(z) Q, with Q constant, per change of z.
+Mat3 spin_of_turn(const Vec3& z);
+
 /// A rotation turned further by cayley(w), of unit length again.
 Quat turned(const Quat& rotation, const Vec3& w);
 

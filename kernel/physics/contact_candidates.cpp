@@ -189,6 +189,8 @@ Pose PartnerPoses::of(ContactPartner partner, int index) const {
         case ContactPartner::plane:
         case ContactPartner::support:
         case ContactPartner::dome:
+        case ContactPartner::tube:
+        case ContactPartner::layer:
             break;
     }
     return Pose{};

@@ -76,6 +76,32 @@ void CoupledMatrix::add(const ContactTerm& contact, double scale, std::span<cons
             add_tie(node, contact.body, -contact.weights[a] * (stiffness * jacobian));
         }
     }
+    add_shares(contact, stiffness, moves);
+}
+
+/// Of what is in `more`, among itself and with the nodes.
+void CoupledMatrix::add_shares(const ContactTerm& contact, const Mat3& stiffness, std::span<const std::uint8_t> moves) {
+    RHEXIS_ASSERT(contact.more.empty() || contact.body < 0);
+    for (const ContactShare& own : contact.more) {
+        if (moves[at(own.node)] == 0) {
+            continue;
+        }
+        const Mat3 pulled = own.share.transpose() * stiffness;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int node = contact.nodes[k];
+            if (node >= 0 && moves[at(node)] != 0) {
+                add_pair(own.node, node, contact.weights[k] * pulled);
+                add_pair(node, own.node, contact.weights[k] * pulled.transpose());
+            }
+        }
+        for (const ContactShare& with : contact.more) {
+            if (moves[at(with.node)] != 0) {
+                const int slot = pattern_->slot(own.node, with.node);
+                RHEXIS_ASSERT(slot >= 0);
+                add_block(solid_, slot, pulled * with.share);
+            }
+        }
+    }
 }
 
 void CoupledMatrix::multiply(std::span<const double> x, std::span<double> y) const {

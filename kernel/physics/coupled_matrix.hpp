@@ -58,6 +58,7 @@ private:
         int b;
         Mat3 block;
     };
+    void add_shares(const ContactTerm& contact, const Mat3& stiffness, std::span<const std::uint8_t> moves);
     void add_pair(int a, int b, const Mat3& block);
     void add_tie(int node, int body, const Mat36& block);
 

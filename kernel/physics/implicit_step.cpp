@@ -148,6 +148,9 @@ void ImplicitStep::Parts::evaluate_coupling(const Task& task) {
         for (int& node : contact.nodes) {
             node = node >= 0 ? elastic.row_of()[at(node)] : node;
         }
+        for (ContactShare& share : contact.more) {
+            share.node = elastic.row_of()[at(share.node)];
+        }
     }
 }
 
@@ -158,6 +161,9 @@ void ImplicitStep::Parts::add_contact_forces(const Task& task, std::vector<doubl
             if (contact.nodes[k] >= 0) {
                 Eigen::Map<Vec3>(r.data() + 3 * at(contact.nodes[k])) += task.dt * contact.weights[k] * contact.force;
             }
+        }
+        for (const ContactShare& share : contact.more) {
+            Eigen::Map<Vec3>(r.data() + 3 * at(share.node)) += task.dt * share.share.transpose() * contact.force;
         }
         if (contact.body >= 0) {
             Eigen::Map<Vec6>(r.data() + solid + 6 * at(contact.body)) -=

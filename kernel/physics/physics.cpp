@@ -68,6 +68,7 @@ struct Physics::Solvers {
     std::vector<SolidStepper> steppers;
     std::vector<MembraneStepper> membranes;
     std::vector<ShellStepper> shells;
+    std::vector<ShellContacts> shell_contacts;
     std::vector<CrackFinder> cracks;  ///< per solid
     std::vector<SculptZone> zones;    ///< per tool
     std::vector<MouthProbe> probes;   ///< per tool
@@ -160,8 +161,13 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
 void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome) {
     ShellStepReport& report = outcome.shells.emplace_back();
     const int before = outcome.rollbacks;
-    const ShellMotion motion = move_shell(shells[shell], task.state.shells[shell], model->gravity, task.dt,
-                                          next.shells[shell], report, outcome.rollbacks);
+    ShellPartners partners;
+    partners.planes = model->planes;
+    partners.tools = model->tools;
+    partners.tool_states = task.tools;
+    const ShellTask own{task.state.shells[shell], partners, model->gravity, task.dt};
+    const ShellMotion motion =
+        move_shell(shells[shell], shell_contacts[shell], own, next.shells[shell], report, outcome.rollbacks);
     if (motion == ShellMotion::failed) {
         outcome.failure = StepFailure::not_finite;
     } else if (outcome.rollbacks > before) {
@@ -204,6 +210,7 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
             return stepper.error();
         }
         solvers->shells.push_back(std::move(stepper).value());
+        solvers->shell_contacts.emplace_back(shell);
     }
     if (before != nullptr) {
         RHEXIS_ASSERT(before->solvers_->zones.size() == model->tools.size());

@@ -18,16 +18,23 @@ using shell_kernel::lanes;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-BlockPattern pattern_by(const TriMesh& mesh, const std::vector<int>& rank_of, int rows_each) {
+BlockPattern pattern_by(const TriMesh& mesh, std::span<const std::array<int, 2>> links, const std::vector<int>& rank_of,
+                        int rows_each) {
     std::vector<int> first{0};
     std::vector<int> rows;
-    for (const std::array<int, 3>& triangle : mesh.triangles) {
-        for (const int node : triangle) {
+    const auto add = [&](std::span<const int> nodes) {
+        for (const int node : nodes) {
             for (int k = 0; k < rows_each; ++k) {
                 rows.push_back(rows_each * rank_of[at(node)] + k);
             }
         }
         first.push_back(static_cast<int>(rows.size()));
+    };
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        add(triangle);
+    }
+    for (const std::array<int, 2>& link : links) {
+        add(link);
     }
     return block_pattern(rows_each * static_cast<int>(mesh.nodes.size()), first, rows);
 }
@@ -77,14 +84,12 @@ void fill_data(const ShellTriangle& triangle, const std::array<int, 3>& local, b
     }
 }
 
-/// d(spin) / dz of Q = cayley(z) Q_ref.
-Mat3 spin_of_turn(const Vec3& z) { return (Mat3::Identity() + 0.5 * cross_matrix(z)) / (1.0 + 0.25 * z.squaredNorm()); }
-
 }  // namespace
 
-ShellBody::ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker)
+ShellBody::ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker,
+                     std::span<const std::array<int, 2>> links)
     : ElasticBody(model.damping_mass, model.damping_stiffness), model_(&model), kernel_(&kernel) {
-    number_rows();
+    number_rows(links);
     hold();
     weigh();
     fill_groups(maker);
@@ -93,12 +98,12 @@ ShellBody::ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel
     buffer_.resize(at(lanes * shell_kernel::buffer_length));
 }
 
-void ShellBody::number_rows() {
+void ShellBody::number_rows(std::span<const std::array<int, 2>> links) {
     const TriMesh& mesh = model_->mesh;
     const int nodes = static_cast<int>(mesh.nodes.size());
     std::vector<int> same(at(nodes));
     std::iota(same.begin(), same.end(), 0);
-    const std::vector<int> order = elimination_order(pattern_by(mesh, same, 1));
+    const std::vector<int> order = elimination_order(pattern_by(mesh, links, same, 1));
     node_of_.resize(2 * at(nodes));
     row_of_.resize(2 * at(nodes));
     std::vector<int> rank_of(at(nodes));
@@ -110,7 +115,7 @@ void ShellBody::number_rows() {
             row_of_[at(2 * node + k)] = 2 * rank + k;
         }
     }
-    pattern_ = pattern_by(mesh, rank_of, 2);
+    pattern_ = pattern_by(mesh, links, rank_of, 2);
 }
 
 void ShellBody::hold() {

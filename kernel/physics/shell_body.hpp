@@ -18,8 +18,10 @@ namespace rhexis {
 
 class ShellBody final : public ElasticBody {
 public:
-    /// The model must outlive this and pass check_shell.
-    ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker = shell_triangle);
+    /// The model must outlive this and pass check_shell. links: pairs of nodes that contact may tie, though no triangle
+    /// does: they are in the pattern too.
+    ShellBody(const ShellModel& model, const shell_kernel::Kernel& kernel, ShellTriangleMaker maker = shell_triangle,
+              std::span<const std::array<int, 2>> links = {});
 
     /// Turns count from here; by nodes.
     void set_reference(std::span<const Quat> rotation);
@@ -49,7 +51,7 @@ public:
     [[nodiscard]] int rank(int node) const { return row_of()[2 * static_cast<std::size_t>(node)] / 2; }
 
 private:
-    void number_rows();
+    void number_rows(std::span<const std::array<int, 2>> links);
     void hold();
     void weigh();
     void drag();

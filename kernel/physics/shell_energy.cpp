@@ -84,8 +84,12 @@ double ShellLedger::viscous_work(const ShellState& before, const ShellState& aft
 }
 
 ShellStepEnergy ShellLedger::step(const ShellState& before, const ShellState& after, const ShellLoad& load,
-                                  const Vec3& gravity, double dt) const {
+                                  const Vec3& gravity, double dt, const ShellContactWork& contact,
+                                  double stored_before) const {
     ShellStepEnergy result;
+    result.external = contact.brought;
+    result.contact = contact.stored - stored_before;
+    result.friction = contact.friction;
     for (std::size_t n = 0; n < mass_.size(); ++n) {
         const Vec3 moved = after.position[n] - before.position[n];
         result.external += (1.0 - model_->fluid_density / model_->material.density) * mass_[n] * gravity.dot(moved);
@@ -95,7 +99,8 @@ ShellStepEnergy ShellLedger::step(const ShellState& before, const ShellState& af
     }
     result.gain = energy(after).all() - energy(before).all();
     result.viscosity = viscous_work(before, after, dt);
-    result.integrator = result.external - result.gain - result.viscosity - result.drag;
+    result.integrator =
+        result.external - result.gain - result.contact - result.friction - result.viscosity - result.drag;
     return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "energy/shell_triangle.hpp"
 #include "flow/shell.hpp"
+#include "physics/shell_contact.hpp"
 
 namespace rhexis {
 
@@ -18,10 +19,12 @@ struct ShellEnergy {
     [[nodiscard]] double all() const { return kinetic + elastic + branch; }
 };
 
-/// Of one step [nJ]: external = gain + viscosity + drag + integrator.
+/// Of one step [nJ]: external = gain + contact + friction + viscosity + drag + integrator.
 struct ShellStepEnergy {
-    double external = 0.0;    ///< brought by loads and weight
+    double external = 0.0;    ///< brought by loads, weight and instruments
     double gain = 0.0;        ///< of all()
+    double contact = 0.0;     ///< gain of what the springs of contact store
+    double friction = 0.0;    ///< taken by it
     double viscosity = 0.0;   ///< taken by the branch's dashpot, for a deformation that goes evenly over the step
     double drag = 0.0;        ///< taken by the fluid
     double integrator = 0.0;  ///< the rest: what backward Euler takes, and Rayleigh damping
@@ -33,8 +36,10 @@ public:
     explicit ShellLedger(const ShellModel& model);
 
     [[nodiscard]] ShellEnergy energy(const ShellState& state) const;
+    /// contact: of this step; stored_before: in its springs at the start.
     [[nodiscard]] ShellStepEnergy step(const ShellState& before, const ShellState& after, const ShellLoad& load,
-                                       const Vec3& gravity, double dt) const;
+                                       const Vec3& gravity, double dt, const ShellContactWork& contact = {},
+                                       double stored_before = 0.0) const;
     /// Of every triangle, 15 numbers each: the branch of a shell that came to this state at once from rest.
     [[nodiscard]] std::vector<double> deformation(const ShellState& state) const;
 

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/tool_shape.hpp"
+
 namespace rhexis {
 namespace {
+
+constexpr int most_steps = 128;  // before any is redone
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};
@@ -29,44 +33,80 @@ void stop(ShellState& state) {
     std::fill(state.spin.begin(), state.spin.end(), Vec3(Vec3::Zero()));
 }
 
-/// Whether every one of the steps balances.
-bool run(ShellStepper& stepper, const ShellLoad& load, const Vec3& gravity, double dt, int steps, ShellState& state,
+double farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+    double square = 0.0;
+    for (std::size_t n = 0; n < from.size(); ++n) {
+        square = std::max(square, (to[n] - from[n]).squaredNorm());
+    }
+    return std::sqrt(square);
+}
+
+/// Steps in which the instruments go no farther near the shell than contact allows.
+int steps_for(const ShellContacts& contacts, const ShellTask& task) {
+    Box box;
+    for (const Vec3& place : task.state.position) {
+        box.add(place, contacts.most_travel());
+    }
+    double way = 0.0;
+    for (std::size_t i = 0; i < task.partners.tools.size(); ++i) {
+        if (task.partners.tool_states[i].present) {
+            way = std::max(way, travel_near(task.partners.tools[i], task.partners.tool_states[i], box));
+        }
+    }
+    return std::clamp(static_cast<int>(std::ceil(way / contacts.most_travel())), 1, most_steps);
+}
+
+/// Whether every one of the steps balances and none goes too far.
+bool run(ShellStepper& stepper, ShellContacts& contacts, const ShellTask& task, int steps, ShellState& state,
          ShellStepReport& report) {
+    const ShellLoad load = load_of(task.state);
     report = ShellStepReport{};
     report.substeps = steps;
     bool balanced = true;
+    std::vector<Vec3> before;
     for (int i = 0; i < steps; ++i) {
-        const ImplicitReport one = stepper.step(state, load, gravity, dt / steps, settings, state);
+        ShellPartners partners = task.partners;
+        partners.from = static_cast<double>(i) / steps;
+        partners.to = static_cast<double>(i + 1) / steps;
+        contacts.look(state, partners);
+        before = state.position;
+        ImplicitSettings own = settings;
+        if (!contacts.empty()) {
+            own.predict_stress = false;  // whole iterations jump over what touches
+            own.most_travel = contacts.most_travel();
+        }
+        const ImplicitReport one = stepper.step(state, load, task.gravity, task.dt / steps, own, state, &contacts);
         report.newton_iterations += one.newton_iterations;
         report.linear_iterations += one.linear_iterations;
         report.residual = std::max(report.residual, one.newton_residual);
-        balanced = balanced && one.converged;
         if (!std::isfinite(one.newton_residual)) {
             report.residual = one.newton_residual;
             return false;
         }
+        balanced = balanced && one.converged &&
+                   (contacts.empty() || farthest(before, state.position) <= contacts.most_travel());
     }
     return balanced;
 }
 
 }  // namespace
 
-ShellMotion move_shell(ShellStepper& stepper, const ShellState& state, const Vec3& gravity, double dt, ShellState& next,
+ShellMotion move_shell(ShellStepper& stepper, ShellContacts& contacts, const ShellTask& task, ShellState& next,
                        ShellStepReport& report, int& rollbacks) {
-    const ShellLoad load = load_of(state);
+    const int coarsest = steps_for(contacts, task);
     constexpr int finest = 16;
-    for (const int steps : {1, 4, finest}) {
-        next = state;
-        if (run(stepper, load, gravity, dt, steps, next, report)) {
+    for (const int finer : {1, 4, finest}) {
+        next = task.state;
+        if (run(stepper, contacts, task, coarsest * finer, next, report)) {
             return ShellMotion::balanced;
         }
-        if (steps == finest && std::isfinite(report.residual)) {
+        if (finer == finest && std::isfinite(report.residual)) {
             return ShellMotion::rough;
         }
         ++rollbacks;
         stepper.drop_caches();
     }
-    next = state;
+    next = task.state;
     stop(next);
     return ShellMotion::failed;
 }

@@ -3,15 +3,25 @@
 #pragma once
 
 #include "flow/step_outcome.hpp"
+#include "physics/shell_contact.hpp"
 #include "physics/shell_stepper.hpp"
 
 namespace rhexis {
 
 enum class ShellMotion { balanced, rough, failed };
 
-/// rough: the finest steps did not balance either, and are kept; failed: they are not finite, and next is the state
-/// without velocities. rollbacks: counts what was thrown away.
-ShellMotion move_shell(ShellStepper& stepper, const ShellState& state, const Vec3& gravity, double dt, ShellState& next,
+/// A shell and what it may touch in a step.
+struct ShellTask {
+    const ShellState& state;
+    const ShellPartners& partners;
+    const Vec3& gravity;  ///< [mm/s^2]
+    double dt = 0.0;      ///< [s]
+};
+
+/// In as many steps as it takes that neither shell nor instruments go farther in one than contact allows. rough: the
+/// finest steps did not balance either, and are kept; failed: they are not finite, and next is the state without
+/// velocities. rollbacks: counts what was thrown away.
+ShellMotion move_shell(ShellStepper& stepper, ShellContacts& contacts, const ShellTask& task, ShellState& next,
                        ShellStepReport& report, int& rollbacks);
 
 }  // namespace rhexis

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/shell_stepper.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,9 +21,35 @@ Result<ShellStepper> ShellStepper::create(const ShellModel& model, std::string_v
         return Error{"unknown or missing instruction set \"" + std::string(instruction_set) + "\"", "instruction_set",
                      "\"\", \"baseline\", \"avx2\" or \"avx512\", as the machine has"};
     }
-    std::unique_ptr<ShellBody> body = std::make_unique<ShellBody>(model, *shell);
-    ShellBody& reference = *body;
-    return ShellStepper(ImplicitStep(std::move(body), *linear), reference, model);
+    return ShellStepper(model, *linear, *shell);
+}
+
+ShellStepper::ShellStepper(const ShellModel& model, const linear_kernel::Kernel& linear,
+                           const shell_kernel::Kernel& shell)
+    : model_(&model), linear_(&linear), shell_(&shell), relaxation_(model) {
+    build();
+}
+
+void ShellStepper::build() {
+    std::unique_ptr<ShellBody> body = std::make_unique<ShellBody>(*model_, *shell_, shell_triangle, links_);
+    body_ = body.get();
+    step_.emplace(std::move(body), *linear_);
+}
+
+/// A pattern with room for these links. One that has them and more will do.
+void ShellStepper::tie(std::vector<std::array<int, 2>> links) {
+    if (!std::includes(links_.begin(), links_.end(), links.begin(), links.end())) {
+        links_ = std::move(links);
+        build();
+    }
+}
+
+void ShellStepper::drop_caches() {
+    if (!links_.empty()) {
+        links_.clear();
+        build();
+    }
+    step_->drop_caches();
 }
 
 /// Held freedoms bear their loads themselves.
@@ -62,19 +89,33 @@ const std::vector<double>& ShellStepper::rows_of(const std::vector<Vec3>& points
 }
 
 ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
-                                  const ImplicitSettings& settings, ShellState& next) {
+                                  const ImplicitSettings& settings, ShellState& next, ShellContacts* contacts) {
     const std::size_t nodes = state.position.size();
     RHEXIS_ASSERT((load.force.empty() || load.force.size() == nodes) &&
                   (load.moment.empty() || load.moment.size() == nodes));
+    if (contacts != nullptr) {
+        tie(contacts->links());
+    }
     body_->set_reference(state.rotation);
     lay_out(state, load, gravity);
     relaxation_.begin(state.branch, dt, rows_of(position_), *body_);
+    CouplingFunction coupling;
+    if (contacts != nullptr && !contacts->empty()) {
+        coupling = [contacts](const std::vector<Vec3>& points, std::span<const RigidUnknown> /*bodies*/,
+                              std::vector<ContactTerm>& terms,
+                              std::vector<RigidTerm>& /*rigid*/) { contacts->terms(points, terms); };
+    }
     const ImplicitReport report =
-        step_.step(position_, velocity_, Vec3::Zero(), external_, dt, settings, {}, no_bodies_, motion_);
+        step_->step(position_, velocity_, Vec3::Zero(), external_, dt, settings, coupling, no_bodies_, motion_);
     if (&next != &state) {
         next = state;
     }
+    std::vector<ShellTouch> touches;
+    if (contacts != nullptr) {
+        contacts->settle(motion_.position, touches);
+    }
     relaxation_.finish(state.branch, rows_of(motion_.position), *body_, next.branch);
+    next.touches = std::move(touches);
     for (std::size_t n = 0; n < nodes; ++n) {
         next.position[n] = motion_.position[2 * n];
         next.velocity[n] = motion_.velocity[2 * n];

@@ -4,12 +4,16 @@
 // that goes evenly over the step.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "base/result.hpp"
 #include "flow/shell.hpp"
 #include "physics/implicit_step.hpp"
 #include "physics/shell_body.hpp"
+#include "physics/shell_contact.hpp"
 #include "physics/shell_relaxation.hpp"
 
 namespace rhexis {
@@ -20,26 +24,31 @@ public:
     /// same bits, other speed. Fails on one that the machine lacks and on a model that check_shell refuses.
     static Result<ShellStepper> create(const ShellModel& model, std::string_view instruction_set = {});
 
-    /// One step of dt [s]. gravity [mm/s^2]. next may be state.
+    /// One step of dt [s]. gravity [mm/s^2]. next may be state. contacts: that looked from this state, or none; then it
+    /// touches nothing and forgets what it touched.
     ImplicitReport step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
-                        const ImplicitSettings& settings, ShellState& next);
+                        const ImplicitSettings& settings, ShellState& next, ShellContacts* contacts = nullptr);
 
     /// Force and moment of the shell on each of the model's holds at the end of the last step [uN, uN mm]; in freedoms
     /// that are not held, zero. A step must have been made.
     std::vector<Vec6> hold_forces();
 
-    /// Forgets the kept factor.
-    void drop_caches() { step_.drop_caches(); }
+    /// Forgets the kept factor and what touched.
+    void drop_caches();
 
 private:
-    ShellStepper(ImplicitStep step, ShellBody& body, const ShellModel& model)
-        : model_(&model), step_(std::move(step)), body_(&body), relaxation_(model) {}
+    ShellStepper(const ShellModel& model, const linear_kernel::Kernel& linear, const shell_kernel::Kernel& shell);
+    void build();
+    void tie(std::vector<std::array<int, 2>> links);
     const std::vector<double>& rows_of(const std::vector<Vec3>& points);
     void lay_out(const ShellState& state, const ShellLoad& load, const Vec3& gravity);
 
     const ShellModel* model_;
-    ImplicitStep step_;
-    ShellBody* body_;  ///< of step_
+    const linear_kernel::Kernel* linear_;
+    const shell_kernel::Kernel* shell_;
+    std::vector<std::array<int, 2>> links_;  ///< of nodes, in the pattern beside the mesh's
+    std::optional<ImplicitStep> step_;
+    ShellBody* body_ = nullptr;  ///< of step_
     ShellRelaxationStep relaxation_;
     // scratch, by points: movement and turn of each node
     std::vector<Vec3> position_;

@@ -266,6 +266,14 @@ void shell_fields(auto& io, auto& shell) {
         inner(load.nodes);
         inner(load.total);
     });
+    io.list(shell.touches, 37, [](auto& inner, auto& touch) {
+        inner(touch.partner);
+        inner.limit(touch.partner >= ContactPartner::tool && touch.partner <= ContactPartner::layer);
+        inner(touch.index);
+        inner(touch.sample);
+        inner(touch.front);
+        inner(touch.stretch);
+    });
 }
 
 void world_fields(auto& io, auto& world) {
@@ -284,7 +292,7 @@ void world_fields(auto& io, auto& world) {
         });
     });
     io.list(world.membranes, 88, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
-    io.list(world.shells, 48, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
+    io.list(world.shells, 56, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
     io.list(world.bags, 168, [](auto& inner, auto& bag) {
         inner(bag.pose);
         inner(bag.velocity);

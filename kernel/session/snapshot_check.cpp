@@ -37,7 +37,10 @@ std::size_t partners(const WorldModel& world, ContactPartner partner) {
         case ContactPartner::dome:
             return world.domes.size();
         case ContactPartner::support:
+        case ContactPartner::layer:
             return 1;
+        case ContactPartner::tube:
+            return 0;
     }
     return 0;
 }

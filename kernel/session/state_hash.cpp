@@ -107,6 +107,14 @@ void add(StateHash& hash, const ShellState& shell) {
         hash.add_bytes(load.nodes.data(), load.nodes.size() * sizeof(int));
         add(hash, load.total);
     }
+    hash.add(static_cast<std::uint64_t>(shell.touches.size()));
+    for (const ShellTouch& touch : shell.touches) {
+        hash.add(static_cast<std::uint64_t>(touch.partner));
+        hash.add(static_cast<std::uint64_t>(touch.index));
+        hash.add(static_cast<std::uint64_t>(touch.sample));
+        hash.add(static_cast<std::uint64_t>(touch.front ? 1 : 0));
+        add(hash, touch.stretch);
+    }
 }
 
 void add(StateHash& hash, const NodeLoad& load) {

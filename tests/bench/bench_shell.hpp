@@ -10,5 +10,6 @@ std::vector<BenchCase> shell_speed_cases();
 std::vector<BenchCase> shell_element_cases();
 std::vector<BenchCase> implant_cases();
 std::vector<BenchCase> implant_unfold_cases();
+std::vector<BenchCase> shell_contact_cases();
 
 }  // namespace rhexis::bench

@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/shell_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "mesh/nearest_place.hpp"
+#include "physics/contact_candidates.hpp"
+#include "physics/tool_shape.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double travel_in_thicknesses = 0.5;  // of shell and partner in a step
+constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in between samples, if they are rigid
+constexpr int finest_level = 3;
+constexpr int level_of_layers = 1;
+constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+auto rank(const ShellTouch& touch) {
+    return std::tuple(static_cast<int>(touch.partner), touch.index, touch.sample, touch.front);
+}
+
+std::vector<std::uint8_t> free_of(const ShellModel& model) {
+    std::vector<std::uint8_t> free(6 * model.mesh.nodes.size(), 1);
+    for (const ShellHold& hold : model.holds) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            free[6 * at(hold.node) + i] = hold.held[i] ? 0 : 1;
+        }
+    }
+    return free;
+}
+
+Vec3 across(const Vec3& v, const Vec3& normal) { return v - normal.dot(v) * normal; }
+
+}  // namespace
+
+ShellContacts::ShellContacts(const ShellModel& model, const ShellContactSettings& settings)
+    : model_(&model),
+      settings_(settings),
+      thinnest_(*std::min_element(model.thickness.begin(), model.thickness.end())),
+      edge_(mean_edge(model.mesh)),
+      modulus_(model.material.young_modulus * (model.relaxation ? 1.0 + model.relaxation->branch_share : 1.0)),
+      free_(free_of(model)),
+      layers_(model),
+      most_travel_(travel_in_thicknesses * thinnest_) {}
+
+/// As fine as a partner of that radius asks for: an edge of it sinks in between two samples by square / (8 radius).
+int ShellContacts::level_for(double radius) const {
+    int level = 1;
+    while (level < finest_level &&
+           edge_ * edge_ / (1 << 2 * level) > 8.0 * sag * thinnest_ * (radius + 0.5 * thinnest_)) {
+        ++level;
+    }
+    return level;
+}
+
+const ShellSamples& ShellContacts::samples_at(int level) {
+    level = settings_.level.value_or(level);
+    const auto found = samples_.find(level);
+    return found != samples_.end() ? found->second
+                                   : samples_.emplace(level, shell_samples(*model_, level)).first->second;
+}
+
+void ShellContacts::find_points(const ShellSamples& on) {
+    points_.resize(on.samples.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        points_[i] = pose_.at(on.samples[i].place);
+    }
+}
+
+const ShellPlace& ShellContacts::place(const Contact& contact) const {
+    return contact.on->samples[at(contact.touch.sample)].place;
+}
+
+Pose ShellContacts::partner_pose(const Contact& contact, double share) const {
+    if (contact.touch.partner != ContactPartner::tool) {
+        return {};
+    }
+    return pose_within(partners_.tool_states[at(contact.touch.index)],
+                       partners_.from + share * (partners_.to - partners_.from));
+}
+
+/// share: of the step, 0 or 1.
+ShellContacts::Distance ShellContacts::distance(ContactPartner partner, int index, double share,
+                                                const Vec3& point) const {
+    const std::size_t i = at(index);
+    switch (partner) {
+        case ContactPartner::plane:
+            return {partners_.planes[i].normal.dot(point - partners_.planes[i].point), partners_.planes[i].normal};
+        case ContactPartner::tube: {
+            const Pose& pose = partners_.tubes[i].pose;
+            const SurfaceDistance found = tube_distance(partners_.tubes[i], pose.to_body(point));
+            return {found.distance, pose.orientation * found.normal};
+        }
+        case ContactPartner::bag: {
+            const Pose& pose = partners_.bag_poses[i];
+            const Gap found = bag_gap(partners_.bags[i], pose.to_body(point), false);
+            return {found.gap, pose.orientation * found.normal};
+        }
+        default: {
+            const Pose pose =
+                pose_within(partners_.tool_states[i], partners_.from + share * (partners_.to - partners_.from));
+            const ShapeDistance found = tool_distance(partners_.tools[i], pose.to_body(point));
+            return {found.distance, pose.orientation * found.normal};
+        }
+    }
+}
+
+/// Takes over what friction knew of a contact at the end of the last step.
+void ShellContacts::add(Contact contact) {
+    const std::vector<ShellTouch>& known = state_->touches;
+    const auto found = std::lower_bound(known.begin(), known.end(), contact.touch,
+                                        [](const ShellTouch& a, const ShellTouch& b) { return rank(a) < rank(b); });
+    if (found != known.end() && rank(*found) == rank(contact.touch)) {
+        contact.touch.stretch = found->stretch;
+    }
+    contact.anchor -= contact.touch.stretch;
+    list_.push_back(std::move(contact));
+}
+
+void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
+                               const std::optional<Box>& box) {
+    const ShellSamples& on = samples_at(level_for(radius));
+    find_points(on);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const ShellPlace& own = on.samples[i].place;
+        if (box && !box->holds(points_[i])) {
+            continue;
+        }
+        const Distance start = distance(partner, index, 0.0, points_[i]);
+        if (!(start.distance - 0.5 * own.thickness < reach)) {
+            continue;
+        }
+        Contact contact;
+        contact.on = &on;
+        contact.touch.partner = partner;
+        contact.touch.index = index;
+        contact.touch.sample = static_cast<int>(i);
+        contact.stiffness = settings_.stiffer * modulus_ / own.thickness * on.samples[i].area;
+        contact.friction = friction;
+        contact.lever = -0.5 * own.thickness * start.normal;
+        contact.anchor = partner_pose(contact, 0.0).to_body(points_[i] + contact.lever);
+        add(std::move(contact));
+    }
+}
+
+void ShellContacts::meet_tools() {
+    for (int i = 0; i < static_cast<int>(partners_.tools.size()); ++i) {
+        const ToolModel& tool = partners_.tools[at(i)];
+        const ToolState& state = partners_.tool_states[at(i)];
+        if (!state.present || tool.parts.empty()) {
+            continue;
+        }
+        ToolState meanwhile = state;
+        meanwhile.previous_pose = pose_within(state, partners_.from);
+        meanwhile.pose = pose_within(state, partners_.to);
+        Box box = swept_box(tool, meanwhile);
+        const double reach = most_travel_ + travel(tool, meanwhile);
+        const double around = reach + 0.5 * *std::max_element(model_->thickness.begin(), model_->thickness.end());
+        box.low -= Vec3::Constant(around);
+        box.high += Vec3::Constant(around);
+        meet_rigid(ContactPartner::tool, i, thinnest(tool), tool.friction, reach, box);
+    }
+}
+
+/// Every sample with what is nearest before it and behind it.
+void ShellContacts::meet_layers() {
+    const ShellSamples& on = samples_at(level_of_layers);
+    find_points(on);
+    std::vector<Box> boxes(model_->mesh.triangles.size());
+    for (std::size_t f = 0; f < on.facets.size(); ++f) {
+        for (const int sample : on.facets[f]) {
+            boxes[f / at(on.facets_each)].add(points_[at(sample)], 0.0);
+        }
+    }
+    layers_.take(std::move(boxes));
+    const double thickest = *std::max_element(model_->thickness.begin(), model_->thickness.end());
+    const double reach = thickest + 2.0 * most_travel_;
+    std::vector<int> found;
+    std::array<std::vector<int>, 2> side;
+    for (std::size_t i = 0; i < on.samples.size(); ++i) {
+        const ShellSamples::Sample& sample = on.samples[i];
+        layers_.find(points_[i], reach, sample.place.nodes, found);
+        if (found.empty()) {
+            continue;
+        }
+        const std::array<int, 3>& facet = on.facets[at(sample.triangle * on.facets_each)];
+        const Vec3 front =
+            (points_[at(facet[1])] - points_[at(facet[0])]).cross(points_[at(facet[2])] - points_[at(facet[0])]);
+        side[0].clear();
+        side[1].clear();
+        for (const int t : found) {
+            const Layer near = nearest_layer(on, i, {&t, 1});
+            if (near.gap < 2.0 * most_travel_) {
+                side[front.dot(near.normal) < 0.0 ? 1 : 0].push_back(t);
+            }
+        }
+        for (const bool before : {false, true}) {
+            if (!side[before ? 1 : 0].empty()) {
+                add_layer(on, i, before, nearest_layer(on, i, side[before ? 1 : 0]));
+            }
+        }
+    }
+}
+
+void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near) {
+    const ShellPlace& own = on.samples[sample].place;
+    Contact contact;
+    contact.on = &on;
+    contact.touch.partner = ContactPartner::layer;
+    contact.touch.sample = static_cast<int>(sample);
+    contact.touch.front = front;
+    contact.stiffness = settings_.stiffer * modulus_ / own.thickness * on.samples[sample].area;
+    contact.friction = model_->friction;
+    contact.lever = near.own_share * near.way;
+    contact.foot = near.foot;
+    contact.foot_lever = (near.own_share - 1.0) * near.way;
+    contact.normal = near.normal;
+    contact.gap = near.gap;
+    add(std::move(contact));
+}
+
+void ShellContacts::look(const ShellState& state, const ShellPartners& partners) {
+    partners_ = partners;
+    state_ = &state;
+    list_.clear();
+    start_.resize(2 * state.position.size());
+    for (std::size_t n = 0; n < state.position.size(); ++n) {
+        start_[2 * n] = state.position[n];
+        start_[2 * n + 1].setZero();
+    }
+    pose_.set(state.rotation, start_);
+    for (int i = 0; i < static_cast<int>(partners.planes.size()); ++i) {
+        meet_rigid(ContactPartner::plane, i, smooth, partners.planes[at(i)].friction, most_travel_, {});
+    }
+    for (int i = 0; i < static_cast<int>(partners.tubes.size()); ++i) {
+        meet_rigid(ContactPartner::tube, i, smooth, partners.tubes[at(i)].friction, most_travel_, {});
+    }
+    for (int i = 0; i < static_cast<int>(partners.bags.size()); ++i) {
+        meet_rigid(ContactPartner::bag, i, smooth, partners.bags[at(i)].friction, most_travel_, {});
+    }
+    meet_tools();
+    if (partners.layers) {
+        meet_layers();
+    }
+}
+
+std::vector<std::array<int, 2>> ShellContacts::links() const {
+    std::vector<std::array<int, 2>> pairs;
+    for (const Contact& contact : list_) {
+        for (const int other : contact.foot.nodes) {
+            for (const int own : place(contact).nodes) {
+                if (own >= 0 && other >= 0) {
+                    pairs.push_back({std::min(own, other), std::max(own, other)});
+                }
+            }
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample,
+                                                  std::span<const int> triangles) const {
+    Layer nearest;
+    const Vec3& point = points_[sample];
+    const double own = 0.5 * on.samples[sample].place.thickness;
+    for (const int t : triangles) {
+        for (int f = t * on.facets_each; f < (t + 1) * on.facets_each; ++f) {
+            const std::array<int, 3>& n = on.facets[at(f)];
+            const std::array<Vec3, 3> x{points_[at(n[0])], points_[at(n[1])], points_[at(n[2])]};
+            const std::array<double, 3> weights = nearest_to_point(x, point);
+            const Vec3 way = place_in(x, weights) - point;
+            const ShellPlace foot = place_between(on.corners[at(f)], weights);
+            const double far = way.norm();
+            const double gap = far - own - 0.5 * foot.thickness;
+            if (gap < nearest.gap) {
+                const Vec3 flat = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+                nearest = {gap, far > 0.0 ? Vec3(-way / far) : flat, foot, way, own / (own + 0.5 * foot.thickness)};
+            }
+        }
+    }
+    return nearest;
+}
+
+/// Of layers: both sides are planes at right angles to the normal where they would touch.
+ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
+    Meeting now;
+    const ShellPlace& own = place(contact);
+    now.point = pose_.at(own);
+    if (contact.touch.partner == ContactPartner::layer) {
+        now.normal = contact.normal;
+        now.gap = contact.gap + contact.normal.dot(offset(contact, now.point) + contact.anchor);
+        return now;
+    }
+    const Distance found = distance(contact.touch.partner, contact.touch.index, 1.0, now.point);
+    now.gap = found.distance - 0.5 * own.thickness;
+    now.normal = found.normal;
+    return now;
+}
+
+/// From where friction holds it to where it is.
+Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point) const {
+    const Vec3 own = point + pose_.turned(place(contact), contact.lever);
+    if (contact.touch.partner == ContactPartner::layer) {
+        const Vec3 other = pose_.at(contact.foot) + pose_.turned(contact.foot, contact.foot_lever);
+        return own - other - contact.anchor;
+    }
+    return own - partner_pose(contact, 1.0).to_world(contact.anchor);
+}
+
+/// The spring of friction.hpp with a soft onset.
+SpringResponse ShellContacts::push(const Contact& contact, const Meeting& now) const {
+    const double onset = settings_.onset * place(contact).thickness;
+    const double depth = -now.gap;
+    const double softened = depth < onset ? 0.5 * depth * depth / onset : depth - 0.5 * onset;
+    SpringResponse pushed =
+        spring_contact({contact.stiffness, contact.friction}, -softened, now.normal, offset(contact, now.point), true);
+    if (depth < onset) {
+        pushed.stiffness -= (1.0 - depth / onset) * contact.stiffness * now.normal * now.normal.transpose();
+    }
+    return pushed;
+}
+
+double ShellContacts::normal_energy(const Contact& contact, double gap) const {
+    const double onset = settings_.onset * place(contact).thickness;
+    const double depth = std::max(0.0, -gap);
+    if (depth < onset) {
+        return contact.stiffness * depth * depth * depth / (6.0 * onset);
+    }
+    return contact.stiffness * (0.5 * depth * (depth - onset) + onset * onset / 6.0);
+}
+
+void ShellContacts::fill(const Contact& contact, const Meeting& now, const SpringResponse& pushed,
+                         ContactTerm& term) const {
+    term.force = pushed.force;
+    term.stiffness = pushed.stiffness;
+    term.nodes = {-1, -1, -1};
+    const ShellPlace& own = place(contact);
+    if (contact.touch.partner == ContactPartner::layer) {
+        pose_.add_shares(own, contact.lever, true, 1.0, free_, term.more);
+        pose_.add_shares(contact.foot, contact.foot_lever, true, -1.0, free_, term.more);
+    } else {
+        pose_.add_shares(own, -0.5 * own.thickness * now.normal, false, 1.0, free_, term.more);
+    }
+    if (!settings_.turns) {
+        std::erase_if(term.more, [](const ContactShare& share) { return share.node % 2 == 1; });
+    }
+}
+
+void ShellContacts::terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms) {
+    if (list_.empty()) {
+        return;
+    }
+    pose_.set(state_->rotation, points);
+    for (const Contact& contact : list_) {
+        const Meeting now = meeting(contact);
+        if (now.gap < 0.0) {
+            fill(contact, now, push(contact, now), terms.emplace_back());
+        }
+    }
+}
+
+double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
+    pose_.set(state_->rotation, points);
+    double sum = 0.0;
+    for (const Contact& contact : list_) {
+        sum += normal_energy(contact, meeting(contact).gap);
+    }
+    return sum;
+}
+
+void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTouch>& touches) {
+    pose_.set(state_->rotation, points);
+    work_ = {};
+    deepest_ = 0.0;
+    touching_ = 0;
+    std::vector<ShellTouch> kept;
+    for (Contact& contact : list_) {
+        const Meeting now = meeting(contact);
+        contact.force.setZero();
+        if (!(now.gap < 0.0)) {
+            continue;
+        }
+        const Vec3 from_anchor = offset(contact, now.point);
+        const SpringResponse pushed = push(contact, now);
+        const Vec3 tangential = across(from_anchor, now.normal);
+        const double size = tangential.norm();
+        const double share = size > 0.0 ? std::min(1.0, pushed.stretch / size) : 0.0;
+        const Vec3 stretch = share * tangential;
+        contact.force = pushed.force;
+        ++touching_;
+        deepest_ = std::max(deepest_, -now.gap / place(contact).thickness);
+        work_.stored += normal_energy(contact, now.gap) + 0.5 * contact.stiffness * stretch.squaredNorm();
+        work_.friction += contact.stiffness * stretch.norm() * (size - stretch.norm());
+        const Pose end = partner_pose(contact, 1.0);
+        const Vec3 own = end.to_body(now.point - 0.5 * place(contact).thickness * now.normal);
+        work_.brought += pushed.force.dot(end.to_world(own) - partner_pose(contact, 0.0).to_world(own));
+        if (contact.friction > 0.0) {
+            contact.touch.stretch = end.orientation.conjugate() * stretch;
+            kept.push_back(contact.touch);
+        }
+    }
+    std::sort(kept.begin(), kept.end(), [](const ShellTouch& a, const ShellTouch& b) { return rank(a) < rank(b); });
+    touches = std::move(kept);
+}
+
+Vec3 ShellContacts::force_of(ContactPartner partner, int index) const {
+    Vec3 sum = Vec3::Zero();
+    for (const Contact& contact : list_) {
+        if (contact.touch.partner == partner && contact.touch.index == index) {
+            sum += contact.force;
+        }
+    }
+    return sum;
+}
+
+}  // namespace rhexis

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: a shell of its thickness against half-spaces, tubes, bags and instruments, and against itself.
+// Sampled places of its curved middle surface meet a partner where its distance is less than half the thickness there,
+// and another layer where it is less than half of both. The place and the normal of that layer stay for a step, so that
+// Newton's method finds no kinks; at its start both sides' forces and moments sum to nothing, later the moments by what
+// the layers have slid in the step. The force of a sample is the pressure of a spring on the area that
+// it stands for (friction.hpp), so that it is the same however finely the surface is sampled; it goes to the nodes by
+// the transposed of the interpolation, forces and moments. Friction acts where the surfaces touch, half a thickness
+// from the middle. Without it the forces are the gradient of the springs' energy but for partners whose distance is not
+// exact.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "flow/bag.hpp"
+#include "flow/shell.hpp"
+#include "flow/tool.hpp"
+#include "flow/tube.hpp"
+#include "flow/world.hpp"
+#include "physics/friction.hpp"
+#include "physics/shell_layers.hpp"
+#include "physics/shell_pose.hpp"
+#include "physics/shell_samples.hpp"
+
+namespace rhexis {
+
+/// What a shell may touch in a step, from share `from` to share `to` of the instruments' way. Bags stay as they are.
+struct ShellPartners {
+    std::span<const PlaneModel> planes;
+    std::span<const TubeModel> tubes;
+    std::span<const BagModel> bags;
+    std::span<const Pose> bag_poses;
+    std::span<const ToolModel> tools;
+    std::span<const ToolState> tool_states;
+    bool layers = true;  ///< of itself
+    double from = 0.0;
+    double to = 1.0;
+};
+
+struct ShellContactSettings {
+    double stiffer = 5.0;      ///< the springs than the shell across its thickness
+    double onset = 0.002;      ///< penetration over which the springs gain their stiffness, of the thickness
+    std::optional<int> level;  ///< of sampling; none: by the size of the partner
+    bool turns = true;         ///< contact turns nodes, else it only moves them
+};
+
+/// Energy of a step [nJ].
+struct ShellContactWork {
+    double brought = 0.0;   ///< by instruments that move
+    double friction = 0.0;  ///< taken by it
+    double stored = 0.0;    ///< in the springs at the end
+};
+
+class ShellContacts {
+public:
+    /// The model must outlive this and pass check_shell.
+    explicit ShellContacts(const ShellModel& model, const ShellContactSettings& settings = {});
+
+    /// What can touch in a step from a state. The partners must outlive the calls that follow.
+    void look(const ShellState& state, const ShellPartners& partners);
+    [[nodiscard]] bool empty() const { return list_.empty(); }
+    /// No node may go farther in a step, or something may have been missed [mm].
+    [[nodiscard]] double most_travel() const { return most_travel_; }
+
+    /// Pairs of nodes that layers may tie in the step, ascending.
+    [[nodiscard]] std::vector<std::array<int, 2>> links() const;
+
+    /// Forces and stiffness at an iterate. points: as of ShellBody, turns since the state's rotations.
+    void terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms);
+    /// In the springs at an iterate, without friction [nJ].
+    double normal_energy(const std::vector<Vec3>& points);
+    /// Ends a step: lets go of what slid or is apart.
+    void settle(const std::vector<Vec3>& points, std::vector<ShellTouch>& touches);
+
+    // Of the last step that was settled.
+    [[nodiscard]] const ShellContactWork& work() const { return work_; }
+    [[nodiscard]] double deepest() const { return deepest_; }  ///< penetration over thickness
+    [[nodiscard]] int touching() const { return touching_; }   ///< samples
+    /// On the shell at the end [uN].
+    [[nodiscard]] Vec3 force_of(ContactPartner partner, int index) const;
+
+private:
+    struct Contact {
+        ShellTouch touch;
+        const ShellSamples* on = nullptr;
+        double stiffness = 0.0;  ///< [uN/mm]
+        double friction = 0.0;
+        Vec3 lever = Vec3::Zero();   ///< from the middle to the surface that touches, at the start [mm]
+        Vec3 anchor = Vec3::Zero();  ///< where friction holds it, in the partner's frame; of layers: the difference
+        // of layers, at the start: nothing goes far in a step
+        ShellPlace foot;                 ///< what it is above
+        Vec3 foot_lever = Vec3::Zero();  ///< likewise
+        Vec3 normal = Vec3::Zero();
+        double gap = 0.0;           ///< [mm]
+        Vec3 force = Vec3::Zero();  ///< on the shell at the end
+    };
+    /// Where a contact is at an iterate.
+    struct Meeting {
+        double gap = HUGE_VAL;
+        Vec3 normal = Vec3::UnitZ();  ///< into the sample
+        Vec3 point = Vec3::Zero();    ///< of the middle surface
+    };
+    /// The nearest place of some triangles.
+    struct Layer {
+        double gap = HUGE_VAL;
+        Vec3 normal = Vec3::UnitZ();
+        ShellPlace foot;
+        Vec3 way = Vec3::Zero();  ///< from the sample to it
+        double own_share = 0.5;   ///< of that way, to where the surfaces touch
+    };
+    /// Distance of the middle surface from a partner and the normal away from it.
+    using Distance = SurfaceDistance;
+
+    [[nodiscard]] int level_for(double radius) const;
+    [[nodiscard]] const ShellSamples& samples_at(int level);
+    void find_points(const ShellSamples& on);
+    void meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
+                    const std::optional<Box>& box);
+    void meet_tools();
+    void meet_layers();
+    void add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near);
+    void add(Contact contact);
+    [[nodiscard]] Pose partner_pose(const Contact& contact, double share) const;
+    [[nodiscard]] Distance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
+    [[nodiscard]] Meeting meeting(const Contact& contact) const;
+    [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, std::span<const int> triangles) const;
+    [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point) const;
+    [[nodiscard]] const ShellPlace& place(const Contact& contact) const;
+    [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;
+    [[nodiscard]] double normal_energy(const Contact& contact, double gap) const;
+    void fill(const Contact& contact, const Meeting& now, const SpringResponse& pushed, ContactTerm& term) const;
+
+    const ShellModel* model_;
+    ShellContactSettings settings_;
+    double thinnest_ = 0.0;
+    double edge_ = 0.0;               ///< mean, at rest [mm]
+    double modulus_ = 0.0;            ///< at once [Pa]
+    std::vector<std::uint8_t> free_;  ///< six per node
+    ShellLayers layers_;
+    std::map<int, ShellSamples> samples_;  ///< by level
+    ShellPartners partners_;
+    double most_travel_ = 0.0;
+    ShellPose pose_;
+    std::vector<Contact> list_;
+    ShellContactWork work_;
+    double deepest_ = 0.0;
+    int touching_ = 0;
+    // scratch
+    const ShellState* state_ = nullptr;
+    std::vector<Vec3> points_;  ///< of samples at the start
+    std::vector<Vec3> start_;
+};
+
+}  // namespace rhexis
