@@ -20,6 +20,6 @@ return function(me)
     end
     capsulorhexis.take_away(me, eye)
     centring.keep(me)
-    capsulorhexis.tear_round(me, eye, radius, 150)
+    capsulorhexis.tear_round(me, eye, { radius = radius, inwards = 0 }, 150)
     capsulorhexis.take_away(me, eye)
 end

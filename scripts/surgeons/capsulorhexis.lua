@@ -280,8 +280,9 @@ local function went_on(me, lay)
     return not lay or not tip or vector.distance(tip.position, lay.position) > nothing
 end
 
---- Tears the flap round with the forceps. Returns "closed", or why it stopped.
-function capsulorhexis.tear_round(me, eye, radius, longest)
+--- Tears the flap round with the forceps. plan: { radius = of the circle [mm], inwards = how much farther inwards than
+--- usual one pulls [degrees] }; longest: [s]. Returns "closed", or why it stopped.
+function capsulorhexis.tear_round(me, eye, plan, longest)
     local until_s = me.time_s() + longest
     local more = 0
     bring_forceps(me, eye)
@@ -294,7 +295,7 @@ function capsulorhexis.tear_round(me, eye, radius, longest)
         end
         local lay = mark(me, "tear_tip")
         if not grasp(me, eye) then return "not grasped" end
-        local why = pull(me, eye, radius, more)
+        local why = pull(me, eye, plan.radius, plan.inwards + more)
         if why == "closed" then return why end
         let_go(me, eye)
         more = went_on(me, lay) and 0 or more + another_way
