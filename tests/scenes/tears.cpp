@@ -235,62 +235,128 @@ TearLoad trousers(int triangles, double toughness) {
     return load;
 }
 
-MiddleCrack middle_crack(int triangles) {
-    const double side = 10.0;
-    const double half = 1.0;
-    const double stress = 1000.0;  // 0.1 % strain
-    MembraneModel model = membrane("sheet", square_sheet(side, triangles), isotropic(young_modulus, 0.3));
+namespace {
+
+constexpr double plate_side = 10.0;
+constexpr double plate_stress = 1000.0;  // 0.1 % strain
+
+MembraneModel plate(int triangles) {
+    MembraneModel model = membrane("sheet", square_sheet(plate_side, triangles), isotropic(young_modulus, 0.3));
     model.damping_mass = 50.0;
     model.slack_share = 1.0;  // the handbook's plate bears compression
-    MembraneState cut = rest_state(model);
-    // along x through the middle, from -half to half: the pull is along y
-    const int middle = nearest_node(model.sheet->mesh, Vec3(0.5 * side, 0.5 * side, 0.0));
-    const Vec3 origin = model.sheet->mesh.nodes[at(middle)];
-    const int triangle = model.sheet->neighbours.triangles[at(model.sheet->neighbours.offset[at(middle)])];
+    return model;
+}
+
+/// From the middle of the plate so far to the right: x at the left end and at the right one.
+struct Slit {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// Across the pull, which is along y. Snapping leaves its ends within 0.05 mm of where they are asked for, or short of
+/// an edge beyond.
+void cut_slit(const MembraneModel& model, MembraneState& cut, const Slit& slit) {
+    const double middle = 0.5 * plate_side;
+    const TriMesh& mesh = cut.sheet->mesh;
+    const int node = nearest_node(mesh, Vec3(middle + 0.5 * (slit.from + slit.to), middle, 0.0));
+    const Vec3 origin = mesh.nodes[at(node)];
+    const int triangle = cut.sheet->neighbours.triangles[at(cut.sheet->neighbours.offset[at(node)])];
+    const std::size_t before = cut.tips.size();
     Result<MembraneEdit> edit = puncture(model, cut, triangle, origin, Vec3::UnitX());
-    MiddleCrack result;
     while (edit.ok()) {
         cut = applied(cut, edit.value());
-        const auto short_tip = std::find_if(cut.tips.begin(), cut.tips.end(), [&](const TearTip& tip) {
-            return std::abs(cut.sheet->mesh.nodes[at(tip.node)].x() - origin.x()) < half - 0.05;
+        const auto x_of = [&](const TearTip& tip) { return cut.sheet->mesh.nodes[at(tip.node)].x() - middle; };
+        const auto is_right = [&](const TearTip& tip) { return x_of(tip) > origin.x() - middle; };
+        const auto first = cut.tips.begin() + static_cast<std::ptrdiff_t>(before);
+        const auto short_tip = std::find_if(first, cut.tips.end(), [&](const TearTip& tip) {
+            return is_right(tip) ? x_of(tip) < slit.to - 0.05 : x_of(tip) > slit.from + 0.05;
         });
         if (short_tip == cut.tips.end()) {
             break;
         }
         const Vec3& here = cut.sheet->mesh.nodes[at(short_tip->node)];
-        const double way = here.x() > origin.x() ? 0.4 : -0.4;
+        const double way = is_right(*short_tip) ? 0.4 : -0.4;
         edit = tear(model, cut, static_cast<int>(short_tip - cut.tips.begin()), Vec3(way, origin.y() - here.y(), 0.0));
     }
-    result.half_length = 0.5 * std::abs(cut.sheet->mesh.nodes[at(cut.tips[0].node)].x() -
-                                        cut.sheet->mesh.nodes[at(cut.tips[1].node)].x());
-    model = with_sheet(model, cut);
-    result.sheet = std::make_unique<HeldSheet>(model);
-    HeldSheet& held = *result.sheet;
-    held.state().tips = cut.tips;
-    std::vector<Vec3> load(held.state().position.size(), Vec3::Zero());
+}
+
+/// At rest, pulled at its edges along y.
+std::unique_ptr<HeldSheet> pulled_plate(const MembraneModel& whole, const MembraneState& cut) {
+    const MembraneModel model = with_sheet(whole, cut);
+    auto held = std::make_unique<HeldSheet>(model);
+    held->state().tips = cut.tips;
+    std::vector<Vec3> load(held->state().position.size(), Vec3::Zero());
     const TriMesh& mesh = model.sheet->mesh;
-    for (const double edge : {0.0, side}) {
+    for (const double edge : {0.0, plate_side}) {
         for (const std::array<int, 3>& t : mesh.triangles) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vec3& a = mesh.nodes[at(t[k])];
                 const Vec3& b = mesh.nodes[at(t[(k + 1) % 3])];
                 if (a.y() == edge && b.y() == edge) {
-                    const double share = 0.5 * stress * thickness * (edge > 0.0 ? 1.0 : -1.0) * (b - a).norm();
+                    const double share = 0.5 * plate_stress * thickness * (edge > 0.0 ? 1.0 : -1.0) * (b - a).norm();
                     load[at(t[k])].y() += share;
                     load[at(t[(k + 1) % 3])].y() += share;
                 }
             }
         }
     }
-    held.settle(load, 1e-5, 600, 0.02);
-    const double ratio = result.half_length / (0.5 * side);
+    held->settle(load, 1e-5, 600, 0.02);
+    return held;
+}
+
+double release_along(HeldSheet& held, const TearTip& tip) {
+    return release_at(held.model(), held.state(), tip.node, held.model().tear_radius).dot(tip.direction);
+}
+
+}  // namespace
+
+MiddleCrack middle_crack(int triangles) {
+    const MembraneModel model = plate(triangles);
+    MembraneState cut = rest_state(model);
+    cut_slit(model, cut, {-1.0, 1.0});
+    MiddleCrack result;
+    result.half_length = 0.5 * std::abs(cut.sheet->mesh.nodes[at(cut.tips[0].node)].x() -
+                                        cut.sheet->mesh.nodes[at(cut.tips[1].node)].x());
+    result.sheet = pulled_plate(model, cut);
+    const double ratio = result.half_length / (0.5 * plate_side);
     const double factor =
         (1.0 - 0.025 * ratio * ratio + 0.06 * std::pow(ratio, 4)) / std::sqrt(std::cos(0.5 * M_PI * ratio));
-    result.expected = stress * stress * M_PI * result.half_length / young_modulus * factor * factor;
+    result.expected = plate_stress * plate_stress * M_PI * result.half_length / young_modulus * factor * factor;
     for (const TearTip& tip : cut.tips) {
-        const Vec3 outward = tip.direction;
-        result.release += 0.5 * release_at(model, held.state(), tip.node, model.tear_radius).dot(outward);
+        result.release += 0.5 * release_along(*result.sheet, tip);
     }
+    return result;
+}
+
+FacingSlits facing_slits(int triangles, double gap) {
+    const MembraneModel model = plate(triangles);
+    MembraneState cut = rest_state(model);
+    cut_slit(model, cut, {-1.3, -0.5 * gap});
+    cut_slit(model, cut, {0.5 * gap, 1.3});
+    const std::unique_ptr<HeldSheet> held = pulled_plate(model, cut);
+    FacingSlits result;
+    result.tips = static_cast<int>(cut.tips.size());
+    double inner = 0.0;  // distances from the middle
+    double outer = 0.0;
+    for (const TearTip& tip : cut.tips) {
+        const double x = cut.sheet->mesh.nodes[at(tip.node)].x() - 0.5 * plate_side;
+        const bool is_inner = x * tip.direction.x() < 0.0;
+        (is_inner ? inner : outer) += 0.5 * std::abs(x);
+        (is_inner ? result.inner : result.outer) += 0.5 * release_along(*held, tip);
+    }
+    held->state().tips.clear();
+    for (const TearTip& tip : cut.tips) {
+        const double x = cut.sheet->mesh.nodes[at(tip.node)].x() - 0.5 * plate_side;
+        result.blind += x * tip.direction.x() < 0.0 ? 0.5 * release_along(*held, tip) : 0.0;
+    }
+    const double modulus = std::sqrt(1.0 - inner * inner / (outer * outer));
+    const double share = std::comp_ellint_2(modulus) / std::comp_ellint_1(modulus);
+    const double apart = outer * outer - inner * inner;
+    const auto squared = [](double v) { return v * v; };
+    const double unit = plate_stress * plate_stress * M_PI / young_modulus;
+    result.gap = 2.0 * inner;
+    result.expected_inner = unit * squared(outer * outer * share - inner * inner) / (inner * apart);
+    result.expected_outer = unit * outer * outer * outer * squared(1.0 - share) / apart;
     return result;
 }
 

@@ -32,6 +32,18 @@ struct MiddleCrack {
 /// A square of 10 mm with a straight crack of 2 mm across the pull in its middle, at small strain.
 MiddleCrack middle_crack(int triangles);
 
+struct FacingSlits {
+    int tips = 0;
+    double gap = 0.0;    ///< between the slits, as they were cut [mm]
+    double inner = 0.0;  ///< energy release by the domain integral, mean of the two tips that face each other [uN/mm]
+    double blind = 0.0;  ///< the same by an integral that takes no notice of other tips
+    double outer = 0.0;  ///< of the other two
+    double expected_inner = 0.0;  ///< of two such slits in an endless plate [Willmore1949]
+    double expected_outer = 0.0;
+};
+/// The same square with two slits in one line across the pull, their far ends 1.3 mm from the middle.
+FacingSlits facing_slits(int triangles, double gap);
+
 /// One step of a tear that may go on: proposals carried out at the tip with the most energy. True if one was.
 bool tear_once(const MembraneModel& model, MembraneState& state, const TearRules& rules = {});
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/shapes.hpp"
+#include "physics/tear_tip.hpp"
 #include "scenes/tears.hpp"
 
 using namespace rhexis;
@@ -32,5 +33,37 @@ TEST_SUITE("tearing") {
             const MiddleCrack crack = middle_crack(triangles);
             CHECK(crack.release == doctest::Approx(crack.expected).epsilon(triangles < 3000 ? 0.15 : 0.08));
         }
+    }
+
+    TEST_CASE("two slits that face each other: the tips between them are pulled at harder, as in theory") {
+        double before = 1.0;
+        for (const int triangles : {3000, 12000}) {
+            const FacingSlits slits = facing_slits(triangles, 0.25);
+            REQUIRE(slits.tips == 4);
+            CHECK(slits.inner > 1.1 * slits.outer);
+            CHECK(slits.blind < 0.8 * slits.inner);
+            const double off = std::abs(slits.inner / slits.expected_inner - 1.0);
+            CHECK(off < 0.6 * before);  // the finer the mesh, the better
+            before = off;
+            CHECK(slits.outer == doctest::Approx(slits.expected_outer).epsilon(triangles < 5000 ? 0.25 : 0.12));
+        }
+        CHECK(before < 0.2);
+    }
+
+    TEST_CASE("an end that points backwards goes on the way that energy comes free, unless jaws are beside it") {
+        const MiddleCrack crack = middle_crack(1500);
+        MembraneModel model = crack.sheet->model();
+        MembraneState state = crack.sheet->state();
+        model.toughness = {0.5 * crack.release, 0.5 * crack.release};
+        REQUIRE(propose_tears(model, state).size() == 2);
+        const Vec3 outward = state.tips[0].direction;
+        state.tips[0].direction = -outward;
+        const std::vector<TearProposal> proposals = propose_tears(model, state);
+        REQUIRE(proposals.size() == 2);
+        CHECK(proposals[0].direction.dot(outward) > 0.9 * proposals[0].direction.norm());
+        SheetGrip grip;
+        grip.node = state.tips[0].node;
+        state.grips.push_back(grip);
+        CHECK(propose_tears(model, state).size() == 1);
     }
 }
