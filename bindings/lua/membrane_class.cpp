@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/index.hpp"
 #include "lua/bare_scene.hpp"
 #include "lua/guard.hpp"
 #include "lua/modules.hpp"
@@ -20,8 +21,6 @@ struct MembranePart {
     const MembraneModel& model;
     const MembraneState& state;
 };
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 MembranePart check_membrane_part(lua_State* L) {
     const ScenePart part = check_part(L, 1, membrane_class);

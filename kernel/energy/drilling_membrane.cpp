@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using StressColumns = Eigen::Matrix<double, 9, 3>;
 using RotationRows = Eigen::Matrix<double, 3, 9>;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "eye/anatomy.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "eye/table.hpp"
@@ -40,8 +41,6 @@ constexpr std::array<TableRow, 2> pole{{{0.0, 0.011}, {98.0, 0.015}}};
 constexpr std::array<TableRow, 2> mid_periphery{{{0.0, 0.0135}, {98.0, 0.016}}};
 constexpr double mid_share = 0.55;  ///< of the way to the equator, where it is thickest
 constexpr double at_equator = 0.007;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double across(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
 

@@ -6,14 +6,13 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/numbers.hpp"
 #include "base/ranges.hpp"
 #include "eye/implant_outline.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 in_plane(const Vec2& p) { return {p.x(), p.y(), 0.0}; }
 

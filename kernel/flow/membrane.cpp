@@ -5,13 +5,12 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/numbers.hpp"
 #include "base/ranges.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Status check_sheet(const MembraneModel& model) {
     const MembraneSheet& sheet = *model.sheet;

@@ -7,14 +7,13 @@
 #include <span>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/numbers.hpp"
 #include "base/ranges.hpp"
 #include "math/decay.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Status check_thickness(const ShellModel& model) {
     if (model.thickness.size() != model.mesh.triangles.size()) {

@@ -4,11 +4,10 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Groups of each row: group[offset[row]] .. group[offset[row + 1] - 1].
 struct RowGroups {

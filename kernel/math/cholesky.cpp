@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 extern "C" void openblas_set_num_threads(int threads);
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// CHOLMOD's workspace, silent.
 struct Common : cholmod_common {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 using linear_kernel::row_block;
 using linear_kernel::row_unit;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
 
 constexpr int cut_nodes = 16;  ///< panels wider than this are cut, so that inverting their triangles stays cheap

@@ -4,11 +4,10 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Rows below the diagonal of each column of the factor, ascending.
 std::vector<std::vector<int>> column_rows(const BlockPattern& pattern) {

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/index.hpp"
 #include "base/numbers.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A directed edge of a triangle.
 struct HalfEdge {

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.hpp"
 #include "observe/measure_group.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Height of a place over the front of the lens, straight along the axis; undefined beside the lens [mm].
 double height_over(const SupportModel& lens, double lift, const Vec3& place) {

@@ -7,12 +7,11 @@
 #include <iterator>
 #include <utility>
 
+#include "base/index.hpp"
 #include "observe/ring_area.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A boundary of the sheet, or the stretch of one that follows a tear.
 struct Stretch {

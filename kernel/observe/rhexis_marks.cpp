@@ -5,14 +5,14 @@
 #include <cmath>
 #include <optional>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
 
 constexpr double farthest = 1.8;  ///< of a place to take hold of, from the tip [mm]
 constexpr double nearest = 0.3;   ///< likewise
 constexpr double wanted = 0.8;    ///< likewise
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool shows(const EyeAnatomy& eye, const Vec3& place) { return place.head<2>().norm() < eye.pupil_radius; }
 

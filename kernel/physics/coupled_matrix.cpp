@@ -4,14 +4,9 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 Mat36 rigid_jacobian(const Vec3& arm) {
     Mat36 result;
     result << 1.0, 0.0, 0.0, 0.0, arm.z(), -arm.y(),  //

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "math/cholesky.hpp"
 #include "math/rotation.hpp"
 
@@ -16,7 +17,6 @@ using elastic_kernel::Group;
 using elastic_kernel::lanes;
 using elastic_kernel::Mode;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 int pairs(int nodes) { return nodes * (nodes + 1) / 2; }
 
 void singular_rotation(const double* gradient, double* rotation) {

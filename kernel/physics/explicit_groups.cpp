@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <numeric>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// What is not yet packed, and how many of those meet at each node.
 class Remaining {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "base/index.hpp"
 #include "energy/nodal_pressure.hpp"
 #include "physics/explicit_groups.hpp"
 #include "physics/explicit_kernel.hpp"
@@ -23,8 +24,6 @@ using explicit_kernel::Group;
 using explicit_kernel::Kernel;
 using explicit_kernel::lanes;
 using explicit_kernel::Nodes;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Storage that whole vector registers can be loaded from.
 template <typename T>

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "math/rotation.hpp"
 #include "physics/kept_solver.hpp"
 
@@ -23,8 +24,6 @@ namespace rhexis {
 namespace {
 
 using elastic_kernel::Mode;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int max_halvings = 10;
 constexpr double descent_left = 0.5;  // share of the slope that may be left, with the other sign, after a step

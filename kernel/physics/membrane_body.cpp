@@ -5,14 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
 #include "math/cholesky.hpp"
 
 namespace rhexis {
 namespace {
 
 using elastic_kernel::Mode;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 TrianglePoints points_of(const std::vector<Vec3>& nodes, const TriMesh& mesh, int triangle) {
     const std::array<int, 3>& n = mesh.triangles[at(triangle)];

@@ -6,12 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "base/index.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int new_order_pays = 30;  // linear solves between two tears: then a new order has fewer entries. Proposal
 constexpr double rest_share = 0.1;  // of the force tolerance: what is no farther out of balance is left as it is

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
 
@@ -11,8 +13,6 @@ constexpr double inside = 1e-3;  ///< of a triangle, as weights of its corners: 
 
 constexpr double dent_at_tear = 0.15;  ///< of a needle beside a tear: deeper, it has slipped into it [mm]
 constexpr double farthest_lip = 1.0;   ///< from a needle that stands in a tear [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The point of a segment that is nearest to another: share of the way from a to b.
 double share_nearest(const Vec3& a, const Vec3& b, const Vec3& place) {

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "base/index.hpp"
 #include "physics/needle.hpp"
 
 namespace rhexis {
 namespace {
 
 constexpr double end_length = 0.25;  ///< of a needle: what presses so near to its point is pierced [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The triangle with these corners, or -1.
 int triangle_of(const MembraneSheet& sheet, const std::array<int, 3>& nodes) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "mesh/nearest_place.hpp"
 #include "physics/needle.hpp"
 #include "physics/tool_shape.hpp"
@@ -14,8 +15,6 @@ namespace {
 constexpr double stiffer = 5.0;  // a contact than the sheet's modulus times thickness
 constexpr double softer_forceps = 0.3;
 constexpr double margin = 0.4;  // beyond what moves in a step, within which something may touch [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 point_of(const SheetContact& contact, const std::vector<Vec3>& position) {
     Vec3 point = Vec3::Zero();

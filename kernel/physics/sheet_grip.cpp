@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/index.hpp"
 #include "mesh/nearest_place.hpp"
 #include "physics/needle.hpp"
 
@@ -17,8 +18,6 @@ constexpr double beside_tip = 0.8;  ///< of a needle from the end of a tear, at 
 
 constexpr double gape = 0.15;        ///< of the lips of a slit about a needle [mm]
 constexpr double least_ahead = 0.1;  ///< cosine of the way from there to the needle to that of the tear
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Nodes of the triangles that come within reach of a place, ascending.
 std::vector<int> between_jaws(const MembraneState& state, const Vec3& place, double reach) {

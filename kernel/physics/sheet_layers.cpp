@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
 
@@ -18,8 +20,6 @@ constexpr double near_at_rest = 1.5;   // edges: what belongs to the fold itself
 constexpr double beyond_edges = -0.1;  // share of a corner to which a triangle reaches beyond its edges
 constexpr double cell_size = 0.4;      // of the grid [mm]
 constexpr int most_cells = 200;        // each way; what is farther lies in the last
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 normal_of(const std::vector<Vec3>& x, const std::array<int, 3>& n) {
     return (x[at(n[1])] - x[at(n[0])]).cross(x[at(n[2])] - x[at(n[0])]);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "math/cholesky.hpp"
 #include "math/rotation.hpp"
 
@@ -15,8 +16,6 @@ using elastic_kernel::Mode;
 using shell_kernel::data_length;
 using shell_kernel::index_length;
 using shell_kernel::lanes;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 BlockPattern pattern_by(const TriMesh& mesh, std::span<const std::array<int, 2>> links, const std::vector<int>& rank_of,
                         int rows_each) {

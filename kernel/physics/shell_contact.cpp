@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/index.hpp"
 #include "mesh/nearest_place.hpp"
 #include "physics/contact_candidates.hpp"
 #include "physics/tool_shape.hpp"
@@ -18,8 +19,6 @@ constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in
 constexpr int finest_level = 3;
 constexpr int level_of_layers = 1;
 constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 auto rank(const ShellTouch& touch) {
     return std::tuple(static_cast<int>(touch.partner), touch.index, touch.sample, touch.front);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/shell_energy.hpp"
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec15 numbers_of(const std::vector<double>& all, std::size_t triangle) {
     return Eigen::Map<const Vec15>(all.data() + at(shell_deformation_length) * triangle);

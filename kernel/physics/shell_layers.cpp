@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 namespace {
 
 constexpr double near_in_thicknesses = 1.5;  // half a turn at the tightest takes pi / 2 along the middle
 constexpr int most_cells = 64;               // each way
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Edges = std::vector<std::vector<std::pair<int, double>>>;
 

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/shell_pose.hpp"
 
+#include "base/index.hpp"
 #include "math/rotation.hpp"
 
 namespace rhexis {
 namespace {
 
-std::size_t at_index(int i) { return static_cast<std::size_t>(i); }
-
 /// Without the columns of freedoms that are held.
 Mat3 of_free(const Mat3& share, std::span<const std::uint8_t> free) {
     Mat3 result = share;
     for (int i = 0; i < 3; ++i) {
-        if (free[at_index(i)] == 0) {
+        if (free[rhexis::at(i)] == 0) {
             result.col(i).setZero();
         }
     }
@@ -39,7 +38,7 @@ Vec3 ShellPose::at(const ShellPlace& place) const {
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
         if (place.nodes[k] >= 0) {
-            const std::size_t n = at_index(place.nodes[k]);
+            const std::size_t n = rhexis::at(place.nodes[k]);
             sum += place.weights[k] * position_[n] + rotation_[n] * place.arms[k];
         }
     }
@@ -50,7 +49,7 @@ Vec3 ShellPose::turned(const ShellPlace& place, const Vec3& arm) const {
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
         if (place.nodes[k] >= 0) {
-            sum += place.blend[k] * (turn_[at_index(place.nodes[k])] * arm);
+            sum += place.blend[k] * (turn_[rhexis::at(place.nodes[k])] * arm);
         }
     }
     return sum;
@@ -62,7 +61,7 @@ void ShellPose::add_shares(const ShellPlace& place, const Vec3& arm, bool turned
         if (place.nodes[k] < 0) {
             continue;
         }
-        const std::size_t n = at_index(place.nodes[k]);
+        const std::size_t n = rhexis::at(place.nodes[k]);
         shares.push_back(
             {2 * place.nodes[k], of_free(scale * place.weights[k] * Mat3::Identity(), free.subspan(6 * n, 3))});
         const Vec3 now = turned ? Vec3(turn_[n] * arm) : arm;

@@ -5,11 +5,10 @@
 #include <map>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Of a triangle, at share[k] of its corners.
 ShellPlace place_in(const ShellModel& model, const std::vector<double>& thickness, std::size_t triangle,

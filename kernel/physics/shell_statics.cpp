@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "math/cholesky.hpp"
 #include "math/pcg.hpp"
 #include "math/rotation.hpp"
@@ -13,8 +14,6 @@
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double least_stride = 1.0 / 4096.0;  // of a step between loads, of the way between them
 constexpr int most_strides = 300;

@@ -5,13 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "energy/metric_strain.hpp"
 #include "physics/membrane_body.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double least_radius = 2.0;  // of the domain of the integral, in edges at the tip
 

@@ -3,13 +3,9 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace rhexis {
-
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 ShellSurface::ShellSurface(const ShellModel& model) : node_(model.mesh.nodes) {
     find_normals(model.mesh);

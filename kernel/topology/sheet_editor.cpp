@@ -4,11 +4,10 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Local number of a node in a triangle, or -1.
 int corner_of(const std::array<int, 3>& triangle, int node) {

@@ -7,13 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/numbers.hpp"
 #include "topology/sheet_editor.hpp"
 
 namespace rhexis {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The star of a node as it lies in the plane that fits it.
 struct Fan {

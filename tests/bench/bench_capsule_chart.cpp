@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "tools/rhexis_tools.hpp"
 
@@ -22,8 +23,6 @@ constexpr double height = 0.2;   ///< over the lens [mm]
 constexpr double arc = 2.2;      ///< of the hand in the pull [rad]
 constexpr double stride = 0.08;  ///< of the hand between two places [rad]
 constexpr double speed = 1.5;    ///< of forceps and, through the capsule, of the needle [mm/s]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Point {
     std::string name;

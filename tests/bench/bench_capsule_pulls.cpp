@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "scenes/flap_hand.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -23,8 +24,6 @@ constexpr double height = 0.2;       ///< over the lens [mm]
 constexpr double arc = 2.2;          ///< of the hand in a pull [rad]
 constexpr double stride = 0.04;      ///< of the hand between two looks [rad]
 constexpr double speed = 1.5;        ///< [mm/s]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// While it tears: from the first tear of a pull to the last.
 struct Pull {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "bench/bench_shell.hpp"
 #include "eye/implant.hpp"
 #include "physics/shell_statics.hpp"
@@ -13,8 +14,6 @@
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct HeldImplant {
     Implant implant;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "bench/bench_shell.hpp"
 #include "bench/timing.hpp"
 #include "math/cholesky.hpp"
@@ -15,8 +16,6 @@
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// 10 ms steps of the lifted disc, one linear solve each. set: instruction set, or empty for the best.
 nlohmann::json steps_row(const BenchOptions& options, double tolerance, const std::string& set = {}) {

@@ -9,12 +9,11 @@
 #include <set>
 #include <sstream>
 
+#include "base/index.hpp"
 #include "mesh/surface.hpp"
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Nodes and elements as CalculiX numbers them (from 1 in the deck).
 struct Deck {

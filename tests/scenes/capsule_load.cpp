@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "physics/membrane_body.hpp"
 
 namespace rhexis::scenes {
@@ -10,8 +11,6 @@ namespace {
 
 constexpr double ring_inner = 2.3;  ///< [mm]
 constexpr double ring_outer = 2.9;  ///< [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double pull_of_zonules(const MembraneModel& model, const MembraneState& sheet) {
     double sum = 0.0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
 #include "eye/anatomy.hpp"
 #include "eye/capsular_bag.hpp"
 #include "topology/tear.hpp"
@@ -13,8 +14,6 @@ namespace rhexis::scenes {
 namespace {
 
 constexpr double lens_mass = 0.2;  // only scales the bag's damping
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 HalfEllipsoids lens_at(double age) {
     Patient patient;

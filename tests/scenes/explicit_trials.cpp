@@ -5,12 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 ExplicitSolid solid_of(const SolidModel& model) { return ExplicitSolid::create(model, "").value(); }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
+
 namespace rhexis::scenes {
 namespace {
 
@@ -16,8 +18,6 @@ constexpr double pupil_radius = 3.6;  ///< the forceps stay in the pupil [mm]
 constexpr double jump = 1.2;          ///< farther than that an end is not the one that was followed [mm]
 constexpr int steps_between_looks = 15;
 constexpr int most_looks = 40;  ///< 6 s
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Round the axis from one place to another, less than half a turn [degrees].
 double angle_between(const Vec3& from, const Vec3& to) {

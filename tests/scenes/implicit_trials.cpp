@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "energy/corotational_tet.hpp"
 #include "mesh/shapes.hpp"
@@ -18,8 +19,6 @@
 
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A solid stepped without contact.
 class Free {

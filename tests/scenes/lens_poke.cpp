@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "energy/corotational.hpp"
 #include "energy/nodal_pressure.hpp"
 #include "mesh/surface.hpp"
@@ -13,8 +14,6 @@
 
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Each anterior triangle, cut into 16, gives its load to its corners by the linear shape functions.
 void add_triangle(const PokeLoad& load, const std::vector<Vec3>& nodes, const std::array<int, 3>& triangle,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane_body.hpp"
@@ -16,8 +17,6 @@ namespace rhexis::scenes {
 namespace {
 
 const Orthotropic fibrous{1.0e6, 2.5e5, 0.45, 0.0};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double off_plane(const MembraneState& state) {
     double most = 0.0;

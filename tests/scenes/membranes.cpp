@@ -5,13 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
 #include "mesh/io.hpp"
 #include "scenes/bodies.hpp"
 
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double fastest(const MembraneState& state) {
     double speed = 0.0;

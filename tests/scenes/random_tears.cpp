@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "physics/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
@@ -20,8 +21,6 @@ namespace {
 constexpr int needle = 0;
 constexpr int jaws = 1;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// One sheet and what is done to it.
 class Tearing {

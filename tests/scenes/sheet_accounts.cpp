@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "topology/tear.hpp"
 
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double mass_of(const MembraneModel& model, const MembraneSheet& sheet) {
     double mass = 0.0;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
+
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Held = std::array<bool, 6>;
 

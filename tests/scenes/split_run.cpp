@@ -3,12 +3,11 @@
 
 #include <cmath>
 
+#include "base/index.hpp"
 #include "mesh/shapes.hpp"
 
 namespace rhexis::scenes {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 MembraneModel sheet_held_around(int triangles, double damping) {
     MembraneModel model = membrane("sheet", round_sheet(4.6, triangles), isotropic(1e6, 0.45));

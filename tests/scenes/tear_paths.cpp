@@ -6,15 +6,10 @@
 #include <utility>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "scenes/tears.hpp"
 
 namespace rhexis::scenes {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
     double mean_x = 0.0;
     double mean_y = 0.0;

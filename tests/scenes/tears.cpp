@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/index.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/tear_tip.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double young_modulus = 1e6;  // [Pa]
 constexpr double thickness = 0.01;     // of membrane() [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A square sheet scaled to a rectangle of about so many triangles, of even shape.
 TriMesh rectangle(double width, double height, int triangles) {

@@ -7,6 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "energy/corotational_tet.hpp"
 #include "physics/explicit_solid.hpp"
 #include "physics/solid_share.hpp"
@@ -16,8 +17,6 @@
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 SolidModel bar_of(int thick, double nu) {
     SolidModel model = scenes::clamped_bar(4 * thick, thick, thick, 1.0 / thick, 3000.0, nu);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "bench/methods/kernel_factor.hpp"
 #include "bench/methods/updown_factor.hpp"
 #include "math/cholesky.hpp"
@@ -11,8 +12,6 @@
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void copy_rows(const std::vector<double>& from, const ElasticBody& of_from, const ElasticBody& of_to,
                std::vector<double>& to) {

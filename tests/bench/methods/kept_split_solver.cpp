@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "bench/methods/kernel_factor.hpp"
 #include "math/cholesky.hpp"
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int patience = 40;  // iterations after which an old factor is given up; a new one costs about 30
 constexpr int most_iterations = 1000;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/index.hpp"
 #include "bench/methods/matrix_free_product.hpp"
 #include "energy/corotational_tet.hpp"
 #include "math/cholesky.hpp"
@@ -19,7 +20,6 @@
 namespace rhexis::bench {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 using View = std::span<const double>;
 using Out = std::span<double>;
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Share {
     std::array<int, 3> nodes;

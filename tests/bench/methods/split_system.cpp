@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double stiffness_weight(const MembraneModel& model, double dt) { return dt * (dt + model.damping_stiffness); }
 

@@ -2,12 +2,11 @@
 // The factor of an earlier sheet; nodes that are new since then by their blocks of the diagonal.
 #include <Eigen/LU>
 
+#include "base/index.hpp"
 #include "bench/methods/kept_split_solver.hpp"
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class StaleSolver final : public KeptSplitSolver {
 public:

@@ -7,11 +7,10 @@
 #include <algorithm>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double negligible = 1e-12;  // eigenvalues of a change, over the largest
 

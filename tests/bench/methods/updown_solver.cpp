@@ -3,14 +3,13 @@
 // of when its triangles came into it; the sheet has moved since, which is left to the iterations.
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "bench/methods/kept_split_solver.hpp"
 #include "bench/methods/sheet_change.hpp"
 #include "bench/methods/updown_factor.hpp"
 
 namespace rhexis::bench {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class UpdownSolver final : public KeptSplitSolver {
 public:

@@ -7,13 +7,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "bench/methods/kept_split_solver.hpp"
 #include "bench/methods/sheet_change.hpp"
 
 namespace rhexis::bench {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 Eigen::Index three(int i) { return 3 * static_cast<Eigen::Index>(i); }
 
 class WoodburySolver final : public KeptSplitSolver {

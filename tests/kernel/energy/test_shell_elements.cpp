@@ -7,14 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "base/index.hpp"
 #include "energy/dkt_plate.hpp"
 #include "energy/drilling_membrane.hpp"
 
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A square of 1 mm with one node within, in no symmetric place, and one at a side.
 struct Patch {

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "eye/implant.hpp"
 #include "eye/implant_outline.hpp"
 
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double smallest_degrees(const TriMesh& mesh) { return smallest_angle(mesh) * 180.0 / M_PI; }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "math/cholesky.hpp"
 #include "math/packed_factor.hpp"
@@ -15,8 +16,6 @@
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A grid of nodes, each tied to its neighbours, in the order of elimination.
 BlockPattern grid_pattern(int side) {

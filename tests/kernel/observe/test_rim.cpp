@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "mesh/shapes.hpp"
 #include "observe/opening.hpp"
 #include "observe/rim.hpp"
@@ -20,8 +21,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180.0;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Where a tear is to go: a place by an angle [rad], as seen from above.
 using Line = std::function<Vec2(double)>;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/index.hpp"
 #include "physics/elastic_assembly.hpp"
 
 #include <doctest/doctest.h>
@@ -16,8 +17,6 @@ using namespace rhexis;
 using elastic_kernel::Mode;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 SolidModel small_bar(Formulation formulation) {
     SolidModel model;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/hash.hpp"
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "energy/corotational.hpp"
 #include "energy/corotational_tet.hpp"
@@ -20,8 +21,6 @@
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 ExplicitSolid make(const SolidModel& model, std::string_view set = "") {
     Result<ExplicitSolid> solid = ExplicitSolid::create(model, set);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/index.hpp"
 #include "mesh/shapes.hpp"
 #include "scenes/membrane_trials.hpp"
 #include "scenes/membranes.hpp"
@@ -13,8 +14,6 @@ using namespace rhexis::scenes;
 namespace {
 
 const Orthotropic fibrous{1.0e6, 2.5e5, 0.45, 0.0};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

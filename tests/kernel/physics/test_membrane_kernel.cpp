@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane_body.hpp"
@@ -15,8 +16,6 @@ using namespace rhexis::scenes;
 namespace {
 
 using elastic_kernel::Mode;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Some 60 triangles, which do not fill the last group, stretched and crumpled so that all states of a sheet occur.
 struct Crumpled {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "base/profile.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/physics.hpp"
@@ -12,8 +13,6 @@
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 ToolModel ball(double radius, double friction) {
     ToolModel tool;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -13,8 +14,6 @@ using namespace rhexis;
 using scenes::CapsuleScene;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 above(const CapsuleScene& scene, double x, double y, double height) {
     return scene.front(x, y) + height * Vec3::UnitZ();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "physics/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -17,8 +18,6 @@ namespace {
 constexpr double of_the_fold = 0.7;  // nearer to each other at rest, they belong to the fold itself [mm]
 constexpr double steepest = 0.3;     // cosine, from where it looked at rest, of what has an above and a below
 constexpr double stayed = 0.6;       // of what has gone less far it is known which side is up [mm]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 above(const CapsuleScene& scene, double x, double y, double height) {
     return scene.front(x, y) + height * Vec3::UnitZ();

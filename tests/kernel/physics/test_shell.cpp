@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "energy/shell_triangle.hpp"
 #include "math/rotation.hpp"
@@ -17,8 +18,6 @@
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A curved sheet of varying thickness.
 ShellModel sample() {

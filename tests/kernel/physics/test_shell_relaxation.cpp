@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/index.hpp"
 #include "physics/shell_energy.hpp"
 #include "physics/shell_statics.hpp"
 #include "physics/shell_stepper.hpp"
@@ -14,8 +15,6 @@
 using namespace rhexis;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 const ImplicitSettings balanced{.tolerance = 1e-6, .max_newton = 30, .newton_tolerance = 1e-8};
 constexpr double share = 4.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/index.hpp"
 #include "eye/implant.hpp"
 #include "render/renderer.hpp"
 #include "render/shell_surface.hpp"
@@ -20,8 +21,6 @@ namespace {
 
 constexpr int width = 320;
 constexpr int height = 240;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Six times the signed volume within a closed surface.
 double six_volumes(const ShellSurface& surface, const std::vector<Vec3>& x) {

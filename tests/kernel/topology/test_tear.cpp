@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane_body.hpp"
@@ -17,8 +18,6 @@ namespace {
 
 constexpr double degree = M_PI / 180.0;
 const Orthotropic fibrous{1.0e6, 2.5e5, 0.45, 0.0};
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void check_sound(const MembraneState& state) {
     const Status status = validate_tri_mesh(state.sheet->mesh);

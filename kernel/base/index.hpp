@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Numbers of nodes, triangles and tips are int, for -1 says none; containers count in std::size_t.
+
+#include <cstddef>
+
+#include "base/assert.hpp"
+
+namespace rhexis {
+
+/// The place of a thing in its container. i: 0 or more.
+inline std::size_t at(int i) {
+    RHEXIS_ASSERT(i >= 0);
+    return static_cast<std::size_t>(i);
+}
+
+}  // namespace rhexis
