@@ -285,11 +285,13 @@ double distance_of_lip(const MembraneSheet& sheet, const std::vector<int>& lip) 
     return count > 0 ? sum / count : HUGE_VAL;
 }
 
-/// The flap's: the one that lies nearer to the axis.
-std::vector<int> flap_lip(const MembraneSheet& sheet, const Stretch& stretch, int place) {
-    const std::vector<int> one = lip_from(sheet.mesh, stretch, place, true);
-    const std::vector<int> other = lip_from(sheet.mesh, stretch, place, false);
-    return distance_of_lip(sheet, one) < distance_of_lip(sheet, other) ? one : other;
+/// The flap's is the one that lies nearer to the axis.
+void find_lips(const MembraneSheet& sheet, const Stretch& stretch, int place, Opening& opening) {
+    opening.lip = lip_from(sheet.mesh, stretch, place, true);
+    opening.margin = lip_from(sheet.mesh, stretch, place, false);
+    if (distance_of_lip(sheet, opening.margin) <= distance_of_lip(sheet, opening.lip)) {
+        std::swap(opening.lip, opening.margin);
+    }
 }
 
 /// Null: there is none.
@@ -324,7 +326,7 @@ Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
     opening.exists = true;
     opening.tip = tip;
     if (tip >= 0) {
-        opening.lip = flap_lip(*state.sheet, *chosen, place);
+        find_lips(*state.sheet, *chosen, place, opening);
     }
     opening.edge = places_of(mesh, chosen->nodes);
     if (!chosen->ring) {

@@ -69,13 +69,32 @@ std::optional<Vec3> on_lip(const MembraneState& state, const std::vector<int>& l
     return one_of(places, tip);
 }
 
-void add_tear(const MembraneState& state, const std::vector<int>& lip, const EyeAnatomy& eye,
+/// So far behind the tip, along the margin as it lies now; its end, where it is shorter. margin: two nodes or more.
+Vec3 behind_tip(const MembraneState& state, const std::vector<int>& margin) {
+    double left = wanted;
+    for (std::size_t i = 1; i < margin.size(); ++i) {
+        const Vec3& from = state.position[at(margin[i - 1])];
+        const Vec3 way = state.position[at(margin[i])] - from;
+        if (way.norm() > left) {
+            return from + left * way.normalized();
+        }
+        left -= way.norm();
+    }
+    return state.position[at(margin.back())];
+}
+
+void add_tear(const MembraneState& state, const RhexisShape& rhexis, const EyeAnatomy& eye,
               std::vector<Landmark>& marks) {
+    const std::vector<int>& lip = rhexis.lip;
     if (lip.empty()) {
         return;
     }
     const Vec3& tip = state.position[at(lip[0])];
     marks.push_back({"tear_tip", shows(eye, tip), tip, 0.0});
+    if (rhexis.margin.size() > 1) {
+        const Vec3 margin = behind_tip(state, rhexis.margin);
+        marks.push_back({"margin", shows(eye, margin), margin, 0.0});
+    }
     const std::optional<Vec3> fold = on_fold(state, tip, eye);
     const std::optional<Vec3> flap = fold ? fold : on_lip(state, lip, tip, eye);
     if (flap) {
@@ -111,7 +130,7 @@ void add_rhexis_landmarks(const ObserveInput& input, const RhexisShape& rhexis, 
         const double fill = input.state.viscoelastic->fill;
         marks.push_back({"viscoelastic", true, Vec3(0.0, 0.0, eye.iris_z), fill});
     }
-    add_tear(state, rhexis.lip, eye, marks);
+    add_tear(state, rhexis, eye, marks);
     add_held(state, eye, marks);
     if (rhexis.closed) {
         marks.push_back({"rim", true, Vec3(rhexis.centre.x(), rhexis.centre.y(), lens ? lens->shape.anterior : 0.0),

@@ -148,6 +148,7 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     shape.run_out = opening.run_out;
     shape.length = opening.torn;
     shape.lip = opening.lip;
+    shape.margin = opening.margin;
     if (!opening.exists) {
         return shape;
     }

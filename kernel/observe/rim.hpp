@@ -33,6 +33,7 @@ struct RhexisShape {
     double flap_area = 0.0;         ///< that the outline encloses [mm^2]
     double overlap = none;          ///< angle over which a closed rim covers the edge of an implant's optic [rad]
     std::vector<int> lip;           ///< nodes of the flap's edge from the leading tip on for 2 mm, where there is a tip
+    std::vector<int> margin;        ///< likewise of the edge of what stays
 };
 
 /// The shape of the opening in a sheet that faces +z. start: the sheet before it was torn. axis: where the axis of the

@@ -40,6 +40,9 @@ local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$"
     "^capsule_folds$", "^capsule_hole$", "^iris_caught$", "^viscoelastic$", "^tear_tip$", "^flap$",
     "^held$", "^rim$" }
 
+-- What lies so near to another thing that one look takes in both is misjudged as that is.
+local one_look = { margin = "tear_tip" }
+
 local function has_own_stream(name)
     for _, pattern in ipairs(own_stream) do
         if name:find(pattern) then return true end
@@ -52,6 +55,7 @@ end
 local function judgement(stream, person, dt, stream_of)
     local places, bright = {}, drift(stream, dt)
     local function place_of(name, place, blur)
+        name = one_look[name] or name
         if not places[name] then
             local source = has_own_stream(name) and stream_of("perception of " .. name) or stream
             places[name] = place_error(source, person, dt)
