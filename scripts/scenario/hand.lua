@@ -2,6 +2,7 @@
 -- One instrument in a scenario: an exact hand, without tremor. Its shaft turns about the wound that it goes through.
 
 local condition = require "engine.condition"
+local coordinates = require "scenario.coordinates"
 local fields = require "engine.fields"
 local instruments = require "surgeons.instruments"
 local motion = require "surgeons.motion"
@@ -18,7 +19,7 @@ local main_entry = "incision"  -- of an instrument whose own wound the eye does 
 
 local outside_mm = 2.2       -- from the wound to where an instrument appears
 local peak_over_mean = 1.875  -- of the speed of a minimum-jerk movement
-local farthest = 50          -- that a place may be from the middle of the eye, each direction [mm]
+local place_of = coordinates.within(50)  -- as far as a place may be from the middle of the eye, each direction [mm]
 
 local number = { kind = "number" }
 
@@ -30,18 +31,6 @@ local move_rules = {
     stop = { kind = "condition" },         -- the movement ends as soon as this holds
 }
 local default_speed = 5
-
-local function place_of(value, where, what)
-    if type(value) ~= "table" or #value ~= 3 then
-        words.fail(where, ("%s must be a place { x, y, z } in mm"):format(what))
-    end
-    local place = {}
-    for i, axis in ipairs({ "x", "y", "z" }) do
-        fields.check_value({ kind = "number", from = -farthest, to = farthest }, value[i], where, what .. ": " .. axis)
-        place[i] = value[i] + 0.0
-    end
-    return place
-end
 
 local function direction_of(value, where)
     if value == "wound" then return nil end

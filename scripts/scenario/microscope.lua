@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The microscope in a scenario: an exact foot. It moves as fast as its motors do.
 
-local fields = require "engine.fields"
+local coordinates = require "scenario.coordinates"
 local vector = require "surgeons.vector"
 local words = require "engine.words"
 
@@ -11,17 +11,7 @@ Microscope.__index = Microscope
 --- What a scenario may ask of it.
 Microscope.public = { "move_to", "move_by", "centre", "position" }
 
-local farthest = 25  -- that it may be sent from the middle of the eye, each direction [mm]; as in the kernel
-
-local function place_of(value, where, what)
-    if type(value) ~= "table" or #value ~= 3 then
-        words.fail(where, ("%s must be given { x, y, z } in mm"):format(what))
-    end
-    for i, axis in ipairs({ "x", "y", "z" }) do
-        fields.check_value({ kind = "number", from = -farthest, to = farthest }, value[i], where, what .. ": " .. axis)
-    end
-    return value
-end
+local place_of = coordinates.within(25)  -- as far as it may be sent from the middle of the eye [mm]; as in the kernel
 
 --- index: of the instrument, from 0.
 function Microscope.new(index, test) return setmetatable({ index = index, test = test }, Microscope) end

@@ -96,7 +96,7 @@ fails range 3 "phaco.power_limit = 7 is out of range (0" 't:set { ["phaco.power_
 fails fixed 3 "zonules.strength can only be set before the first step" 't:set { ["zonules.strength"] = 1 }'
 fails nan_place 3 "phaco:move_to: x must be a number, not " "$into t.phaco:move_to({ 0/0, 0, 3 })"
 fails far_place 3 "phaco:move_to: z = 1e+300 is out of range (-50 to 50)" "$into t.phaco:move_to({ 0, 0, 1e300 })"
-fails no_place 3 "phaco:move_to must be a place { x, y, z } in mm" "$into t.phaco:move_to(3)"
+fails no_place 3 "phaco:move_to must be given { x, y, z } in mm" "$into t.phaco:move_to(3)"
 fails pedal 3 "phaco:pedal = 7 is out of range (0 to 3)" "$into t.phaco:pedal(7)"
 fails pedal_nan 3 "phaco:pedal must be a number" "$into t.phaco:pedal(0/0)"
 fails jaw 3 "phaco:jaw = 2 is out of range (0 to 1)" "$into t.phaco:jaw(2)"
