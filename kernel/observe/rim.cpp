@@ -19,11 +19,11 @@ constexpr double core_radius = 1.0;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// In the rim's plane, from the axis.
-std::vector<Vec2> flat(const std::vector<Vec3>& places, const Vec2& axis) {
+/// As seen along the eye's axis.
+std::vector<Vec2> flat(const std::vector<Vec3>& places) {
     std::vector<Vec2> result;
     for (const Vec3& place : places) {
-        result.emplace_back(place.x() - axis.x(), place.y() - axis.y());
+        result.emplace_back(place.head<2>());
     }
     return result;
 }
@@ -68,7 +68,7 @@ std::vector<Vec2> smoothed(const std::vector<Vec2>& ring) {
     return result;
 }
 
-/// Positive if counter-clockwise [mm^2].
+/// 4 pi area / perimeter^2, 1 for a circle.
 double circularity_of(const std::vector<Vec2>& ring) {
     const double perimeter = perimeter_of(ring);
     return 4.0 * std::numbers::pi * std::abs(ring_area(ring)) / (perimeter * perimeter);
@@ -140,7 +140,7 @@ void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
 
 }  // namespace
 
-RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state, double zonules, const Vec2& axis) {
+RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state, double zonules) {
     const Opening opening = find_opening(start, state);
     RhexisShape shape;
     shape.opened = opening.exists;
@@ -152,9 +152,9 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     if (!opening.exists) {
         return shape;
     }
-    shape.largest_radius = largest_norm(flat(opening.edge, axis));
+    shape.largest_radius = largest_norm(flat(opening.edge));
     shape.run_out = opening.run_out || shape.largest_radius > zonules;
-    const std::vector<Vec2> curve = flat(opening.curve, axis);
+    const std::vector<Vec2> curve = flat(opening.curve);
     if (opening.closed) {
         measure_rim(curve, shape);
     } else {
@@ -164,7 +164,7 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     if (opening.tip >= 0) {
         const TearTip& tip = state.tips[static_cast<std::size_t>(opening.tip)];
         const Vec3& place = state.sheet->mesh.nodes[static_cast<std::size_t>(tip.node)];
-        measure_tip(flat({place}, axis)[0], tip.direction.head<2>(), shape);
+        measure_tip(place.head<2>(), tip.direction.head<2>(), shape);
     }
     return shape;
 }

@@ -36,11 +36,10 @@ struct RhexisShape {
     std::vector<int> margin;        ///< likewise of the edge of what stays
 };
 
-/// The shape of the opening in a sheet that faces +z. start: the sheet before it was torn. axis: where the axis of the
-/// planned opening meets the plane z = 0 [mm]. The outline of a closed opening is its rim, without the slits (tags)
-/// that go off from it. Of one that is not closed it is the tear and the straight chord between its ends, about which
-/// the flap hinges; only the flap's area is taken from that. Area, diameter, centroid and least radius are those of 64
-/// points of the rim, evenly along it.
+/// The shape of the opening in a sheet that faces +z. start: the sheet before it was torn. The outline of a closed
+/// opening is its rim, without the slits (tags) that go off from it. Of one that is not closed it is the tear and the
+/// straight chord between its ends, about which the flap hinges; only the flap's area is taken from that. Area,
+/// diameter, centroid and least radius are those of 64 points of the rim, evenly along it.
 ///
 /// Circularity is that of the same points after each is averaged with those up to a sixteenth of the way round (1 mm of
 /// a usual rim) on either side, weighted by nearness. A perimeter grows with every detail that is let into it, and the
@@ -52,7 +51,7 @@ struct RhexisShape {
 /// a slit across the centre has not gone half way. `zonules`: radius beyond which a tear has run out [mm]. The leading
 /// tip is the one that went on last. Work: in proportion to the sheet's triangles; see RhexisGauge.
 RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
-                         double zonules = std::numeric_limits<double>::infinity(), const Vec2& axis = Vec2::Zero());
+                         double zonules = std::numeric_limits<double>::infinity());
 
 /// Distance from the axis of the outermost node of the uncut sheet at which a zonule inserts: a spring that has a
 /// length of its own [mm]. Infinite without zonules.
