@@ -3,36 +3,24 @@
 #include <doctest/doctest.h>
 
 #include "attempt.hpp"
+#include "support/sample.hpp"
 
 using namespace rhexis;
 using rhexis::test::Attempt;
+using rhexis::test::sample_at;
 
 namespace {
-
-DeviceSample sent_to(const Vec3& place) {
-    DeviceSample sample;
-    sample.instrument = 3;
-    sample.present = true;
-    sample.pose.position = place;
-    return sample;
-}
-
-DeviceSample cystotome_over_lens() {
-    DeviceSample sample;
-    sample.present = true;
-    sample.pose.position = Vec3(0.0, -1.0, 2.8);
-    return sample;
-}
 
 /// G2 of an attempt that stays for two seconds with a needle over the lens, the microscope sent there before.
 double score_at(const Vec3& from_pupil) {
     Attempt attempt("none", 1, {{"capsule.triangles", "300"}}, "capsulorhexis");
-    const DeviceSample foot = sent_to(Vec3(0.0, 0.0, attempt.session().eye().anatomy.iris_z) + from_pupil);
+    const DeviceSample foot = sample_at(3, Vec3(0.0, 0.0, attempt.session().eye().anatomy.iris_z) + from_pupil);
+    const DeviceSample cystotome = sample_at(0, Vec3(0.0, -1.0, 2.8));  // over the lens
     for (int i = 0; i < 300; ++i) {
         attempt.step({foot});
     }
     for (int i = 0; i < 200; ++i) {
-        attempt.step({cystotome_over_lens(), foot});
+        attempt.step({cystotome, foot});
     }
     const nlohmann::json result = attempt.result();
     for (const nlohmann::json& item : result.at("osacss").at("items")) {

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "input/device.hpp"
-#include "session/recording.hpp"
-#include "session/session.hpp"
+#include "kernel/session/sessions.hpp"
 
 namespace rhexis::test {
 
@@ -46,13 +45,7 @@ inline void operate(Session& session, int steps) {
     }
 }
 
-inline Session make_session(const SceneDescription& scene = small_scene(), std::uint64_t seed = 1) {
-    Result<Session> session = Session::create(scene, seed);
-    if (!session) {
-        throw std::runtime_error(session.error().text());
-    }
-    return std::move(session).value();
-}
+inline Session make_session() { return make_session(small_scene()); }
 
 inline std::vector<std::uint64_t> hashes_of(Session& session, int steps) {
     std::vector<std::uint64_t> hashes;

@@ -4,9 +4,11 @@
 
 #include <limits>
 
-#include "session/session.hpp"
+#include "kernel/session/sessions.hpp"
+#include "support/sample.hpp"
 
 using namespace rhexis;
+using namespace rhexis::test;
 
 namespace {
 
@@ -18,32 +20,17 @@ SceneDescription capsule_scene() {
     return scene;
 }
 
-Session session_of(const SceneDescription& scene) {
-    Result<Session> session = Session::create(scene, 1);
-    REQUIRE_MESSAGE(session.ok(), session.error().text());
-    return std::move(session).value();
-}
-
-std::string refusal(const std::string& setting, double value) {
+std::string refusal_of(const std::string& setting, double value) {
     SceneDescription scene = capsule_scene();
     scene.settings[setting] = value;
-    const Result<Session> session = Session::create(scene, 1);
-    return session ? "" : session.error().text();
-}
-
-DeviceSample hand(int instrument, const Vec3& place) {
-    DeviceSample sample;
-    sample.instrument = instrument;
-    sample.present = true;
-    sample.pose.position = place;
-    return sample;
+    return refusal(scene);
 }
 
 }  // namespace
 
 TEST_SUITE("capsule session") {
     TEST_CASE("one membrane is built, and nothing else") {
-        const Session session = session_of(capsule_scene());
+        const Session session = make_session(capsule_scene());
         const WorldModel& world = session.world();
         CHECK(world.membranes.size() == 1);
         CHECK(world.membranes[0].name == anterior_capsule_name);
@@ -75,46 +62,44 @@ TEST_SUITE("capsule session") {
             SceneDescription scene;
             scene.patient.tetrahedra = 500;
             scene.tissues = {tissue};
-            CHECK_FALSE(session_of(scene).eye().lens.coarse.tets.empty());
+            CHECK_FALSE(make_session(scene).eye().lens.coarse.tets.empty());
         }
     }
 
     TEST_CASE("settings out of their range are named with value and range") {
-        CHECK(refusal("capsule.triangles", 100.0) == "settings.capsule.triangles is 100 (200 to 20000)");
-        CHECK(refusal("capsule.triangles", 1e6) == "settings.capsule.triangles is 1000000 (200 to 20000)");
-        CHECK(refusal("capsule.toughness", 0.0) == "settings.capsule.toughness is 0 (0.2 to 5)");
-        CHECK(refusal("capsule.fibres", -1.0) == "settings.capsule.fibres is -1 (0 to 1)");
-        CHECK(refusal("capsule.strength", 3.0) == "settings.capsule.strength is 3 (0.1 to 2)");
-        CHECK(refusal("capsule.trypan_blue", 2.0) == "settings.capsule.trypan_blue is 2 (0 to 1)");
-        CHECK(refusal("viscoelastic.fill", 1.5) == "settings.viscoelastic.fill is 1.5 (0 to 1.2)");
-        CHECK(refusal("vitreous.pressure_mmhg", 80.0) == "settings.vitreous.pressure_mmhg is 80 (0 to 25)");
+        CHECK(refusal_of("capsule.triangles", 100.0) == "settings.capsule.triangles is 100 (200 to 20000)");
+        CHECK(refusal_of("capsule.triangles", 1e6) == "settings.capsule.triangles is 1000000 (200 to 20000)");
+        CHECK(refusal_of("capsule.toughness", 0.0) == "settings.capsule.toughness is 0 (0.2 to 5)");
+        CHECK(refusal_of("capsule.fibres", -1.0) == "settings.capsule.fibres is -1 (0 to 1)");
+        CHECK(refusal_of("capsule.strength", 3.0) == "settings.capsule.strength is 3 (0.1 to 2)");
+        CHECK(refusal_of("capsule.trypan_blue", 2.0) == "settings.capsule.trypan_blue is 2 (0 to 1)");
+        CHECK(refusal_of("viscoelastic.fill", 1.5) == "settings.viscoelastic.fill is 1.5 (0 to 1.2)");
+        CHECK(refusal_of("vitreous.pressure_mmhg", 80.0) == "settings.vitreous.pressure_mmhg is 80 (0 to 25)");
         const double nan = std::numeric_limits<double>::quiet_NaN();
         for (const char* setting :
              {"capsule.triangles", "capsule.toughness", "viscoelastic.fill", "vitreous.pressure_mmhg"}) {
-            CHECK(refusal(setting, nan).find(std::string("settings.") + setting + " is nan (") == 0);
+            CHECK(refusal_of(setting, nan).find(std::string("settings.") + setting + " is nan (") == 0);
         }
-        CHECK(refusal("capsule.thoughness", 1.0).find("did you mean capsule.toughness?") != std::string::npos);
-        CHECK(refusal("viscoelastic.fil", 1.0).find("did you mean viscoelastic.fill?") != std::string::npos);
+        CHECK(refusal_of("capsule.thoughness", 1.0).find("did you mean capsule.toughness?") != std::string::npos);
+        CHECK(refusal_of("viscoelastic.fil", 1.0).find("did you mean viscoelastic.fill?") != std::string::npos);
     }
 
     TEST_CASE("tissues that exclude each other are refused") {
         for (const char* other : {"lens", "bag", "chamber"}) {
             SceneDescription scene = capsule_scene();
             scene.tissues.emplace_back(other);
-            const Result<Session> session = Session::create(scene, 1);
-            REQUIRE_FALSE(session.ok());
-            CHECK(session.error().text().find(std::string("with ") + other) != std::string::npos);
+            CHECK(refusal(scene).find(std::string("with ") + other) != std::string::npos);
         }
     }
 
     TEST_CASE("a broken number from a device leaves instrument and capsule as without it") {
-        Session session = session_of(capsule_scene());
-        Session calm = session_of(capsule_scene());
-        const DeviceSample good = hand(0, Vec3(0.5, 0.5, 2.2));
+        Session session = make_session(capsule_scene());
+        Session calm = make_session(capsule_scene());
+        const DeviceSample good = sample_at(0, Vec3(0.5, 0.5, 2.2));
         session.step({&good, 1}, {});
         calm.step({&good, 1}, {});
         for (const int field : {0, 1, 2, 3}) {
-            DeviceSample broken = hand(0, Vec3(0.5, 0.5, 1.2));
+            DeviceSample broken = sample_at(0, Vec3(0.5, 0.5, 1.2));
             const double nan = std::numeric_limits<double>::quiet_NaN();
             (field == 0   ? broken.pose.position.z()
              : field == 1 ? broken.pose.orientation.x()

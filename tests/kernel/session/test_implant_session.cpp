@@ -2,13 +2,11 @@
 // A session with a foldable lens: built, unfolding, written, read and replayed to the same bits.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <limits>
 
-#include "kernel/session/folder.hpp"
+#include "kernel/session/sessions.hpp"
 #include "scenes/shells.hpp"
 #include "session/codec.hpp"
-#include "session/replay.hpp"
 #include "session/state_hash.hpp"
 
 using namespace rhexis;
@@ -21,12 +19,6 @@ SceneDescription implant_scene() {
     scene.tissues = {"implant", "cornea"};
     scene.instruments = {"probe"};
     return scene;
-}
-
-Session session_of(const SceneDescription& scene) {
-    Result<Session> session = Session::create(scene, 1);
-    REQUIRE_MESSAGE(session.ok(), session.error().text());
-    return std::move(session).value();
 }
 
 /// Folded for long, and a pull on one of its edges.
@@ -54,7 +46,7 @@ void step(Session& session) {
 
 TEST_SUITE("implant session") {
     TEST_CASE("one shell is built, which sags a little under its weight and stays") {
-        Session session = session_of(implant_scene());
+        Session session = make_session(implant_scene());
         REQUIRE(session.world().shells.size() == 1);
         CHECK(session.world().shells[0].relaxation.has_value());
         CHECK(session.world().membranes.empty());
@@ -72,11 +64,11 @@ TEST_SUITE("implant session") {
         CHECK(session.frame().shells[0].position == session.state().shells[0].position);
         SceneDescription both = implant_scene();
         both.tissues.emplace_back("lens");
-        CHECK(Session::create(both, 1).error().text().find("implant with lens") != std::string::npos);
+        CHECK(refusal(both).find("implant with lens") != std::string::npos);
     }
 
     TEST_CASE("written and read it is the same, and every part of it counts in the state hash") {
-        const Session session = session_of(implant_scene());
+        const Session session = make_session(implant_scene());
         const Snapshot whole = folded(session);
         const std::optional<Snapshot> back = decode_snapshot(encode(whole));
         REQUIRE(back);
@@ -102,7 +94,7 @@ TEST_SUITE("implant session") {
     }
 
     TEST_CASE("what is no state of the shell is not restored") {
-        Session session = session_of(implant_scene());
+        Session session = make_session(implant_scene());
         const Snapshot whole = folded(session);
         const auto refused = [&](const auto& change) {
             Snapshot other = whole;
@@ -121,48 +113,26 @@ TEST_SUITE("implant session") {
 
     TEST_CASE(
         "a recording of it unfolding simulates to the same hashes, from any checkpoint, on every instruction set") {
-        const Folder folder;
-        const std::string path = folder / "recording.rhx";
         SceneDescription scene = implant_scene();
         scene.step_s = 0.02;
-        const int interval = static_cast<int>(std::lround(checkpoint_interval_s / scene.step_s));
-        Session session = session_of(scene);
+        Session session = make_session(scene);
         REQUIRE(session.restore(folded(session)).ok());
-        RecordingHeader header = header_of(session);
-        header.seed = 1;
-        Result<RecordingWriter> created = RecordingWriter::create(path, header);
-        REQUIRE(created.ok());
-        RecordingWriter& writer = created.value();
-        REQUIRE(writer.add(RecordedStart{session.observation(), session.state_hash()}).ok());
-        REQUIRE(writer.add(session.snapshot()).ok());
-        const int steps = interval + 12;
-        for (int i = 1; i <= steps; ++i) {
-            step(session);
-            REQUIRE(writer
-                        .add(RecordedStep{
-                            session.step_count(), {DeviceSample{}}, {}, session.observation(), session.state_hash()})
-                        .ok());
-            if (i % interval == 0) {
-                REQUIRE(writer.add(session.snapshot()).ok());
-            }
+        SessionRecorder recorder(session);
+        recorder.add_checkpoint();
+        const std::uint64_t interval = recorder.interval();
+        const std::uint64_t steps = interval + 12;
+        while (session.step_count() < steps) {
+            recorder.step(DeviceSample{});
         }
-        REQUIRE(writer.finish().ok());
-        Recording recording = std::move(read_recording(path)).value();
-        for (const char* set : {"", "baseline"}) {
-            recording.header.scene.instruction_set = set;
-            const Result<Verification> verification = verify(recording, [](std::uint64_t, std::uint64_t) {});
-            REQUIRE(verification.ok());
-            CHECK(verification.value().steps == static_cast<std::uint64_t>(steps));
-            CHECK_FALSE(verification.value().divergence.has_value());
-        }
-        for (const int at : {4, interval, interval + 1, steps}) {
-            const std::uint64_t step = static_cast<std::uint64_t>(at);
-            CHECK(session_at(recording, step).value().state_hash() == recording.steps[step - 1].hash);
-        }
+        Recording recording = recorder.finish();
+        CHECK(recording.steps.size() == steps);
+        check_replays(recording, {4, interval, interval + 1, steps});
+        recording.header.scene.instruction_set = "baseline";
+        check_replays(recording, {});
     }
 
     TEST_CASE("let go it unfolds, and goes on from a snapshot as it would have") {
-        Session session = session_of(implant_scene());
+        Session session = make_session(implant_scene());
         REQUIRE(session.restore(folded(session)).ok());
         const scenes::FoldedOptic optic = scenes::folded_optic(743);
         const double start = scenes::fold_degrees(optic, session.state().shells[0]);
@@ -173,7 +143,7 @@ TEST_SUITE("implant session") {
         CHECK(now < 0.95 * start);
         CHECK(now > 0.5 * start);
         const Snapshot kept = session.snapshot();
-        Session other = session_of(implant_scene());
+        Session other = make_session(implant_scene());
         REQUIRE(other.restore(kept).ok());
         for (int i = 0; i < 5; ++i) {
             step(session);

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "folder.hpp"
+#include "kernel/session/sessions.hpp"
 #include "session/prepared_state.hpp"
-#include "session/recording.hpp"
-#include "session/replay.hpp"
-#include "session/session.hpp"
+#include "support/sample.hpp"
 
 using namespace rhexis;
-using rhexis::test::Folder;
+using namespace rhexis::test;
 
 namespace {
 
@@ -21,17 +19,6 @@ SceneDescription scene_with(std::vector<std::string> instruments) {
     scene.tissues = {"iris", "cornea"};
     scene.instruments = std::move(instruments);
     return scene;
-}
-
-Session session_of(const SceneDescription& scene) {
-    Result<Session> session = Session::create(scene, 1);
-    REQUIRE_MESSAGE(session.ok(), session.error().text());
-    return std::move(session).value();
-}
-
-std::string refusal(const SceneDescription& scene) {
-    const Result<Session> session = Session::create(scene, 1);
-    return session ? "" : session.error().text();
 }
 
 double measure(const Session& session, const std::string& name) {
@@ -44,13 +31,7 @@ double measure(const Session& session, const std::string& name) {
     return 0.0;
 }
 
-DeviceSample sent_to(const Vec3& place) {
-    DeviceSample sample;
-    sample.instrument = 1;
-    sample.present = true;
-    sample.pose.position = place;
-    return sample;
-}
+DeviceSample sent_to(const Vec3& place) { return sample_at(1, place); }
 
 const SceneDescription with_microscope = scene_with({"probe", "microscope"});
 
@@ -60,7 +41,7 @@ TEST_SUITE("microscope session") {
     TEST_CASE("it stands at first where its settings say, and is no tool") {
         SceneDescription scene = with_microscope;
         scene.settings = {{"microscope.x_mm", 3.0}, {"microscope.y_mm", -4.0}, {"microscope.focus_mm", -2.0}};
-        const Session session = session_of(scene);
+        const Session session = make_session(scene);
         CHECK(session.tools().size() == 1);
         CHECK(measure(session, "microscope.pupil_offset") == doctest::Approx(5.0 / 7.3));
         CHECK(measure(session, "microscope.pupil_in_view") == 0.0);
@@ -71,7 +52,7 @@ TEST_SUITE("microscope session") {
     }
 
     TEST_CASE("a scene that does not name it has none of it") {
-        const Session session = session_of(scene_with({"probe"}));
+        const Session session = make_session(scene_with({"probe"}));
         CHECK_FALSE(session.state().microscope.has_value());
         CHECK_FALSE(session.frame().microscope.has_value());
         CHECK_FALSE(session.percept().field.has_value());
@@ -93,7 +74,7 @@ TEST_SUITE("microscope session") {
     }
 
     TEST_CASE("it goes where it is sent; what makes no sense is refused once, in one line, and it stays") {
-        Session session = session_of(with_microscope);
+        Session session = make_session(with_microscope);
         const Vec3 before = session.state().microscope->position;
         for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e9, 40.0}) {
             const DeviceSample sample = sent_to(Vec3(bad, 0.0, 0.0));
@@ -101,11 +82,7 @@ TEST_SUITE("microscope session") {
             CHECK(session.state().microscope->position == before);
         }
         CHECK(session.log().size() == 1);
-        const DeviceSample unknown = [] {
-            DeviceSample sample = sent_to(Vec3::Zero());
-            sample.instrument = 2;
-            return sample;
-        }();
+        const DeviceSample unknown = sample_at(2, Vec3::Zero());
         session.step({&unknown, 1}, {});
         CHECK(session.log().back().text.find("instrument is 2 (0 to 1)") != std::string::npos);
         const DeviceSample good = sent_to(Vec3(0.0, 0.0, session.eye().anatomy.iris_z));
@@ -121,8 +98,8 @@ TEST_SUITE("microscope session") {
 
     TEST_CASE("where it stands is a part of the state's hash") {
         SceneDescription other = with_microscope;
-        Session a = session_of(with_microscope);
-        Session b = session_of(other);
+        Session a = make_session(with_microscope);
+        Session b = make_session(other);
         CHECK(a.state_hash() == b.state_hash());
         const DeviceSample sample = sent_to(Vec3::Zero());
         a.step({&sample, 1}, {});
@@ -131,43 +108,21 @@ TEST_SUITE("microscope session") {
     }
 
     TEST_CASE("a recording of it replays step by step, and can be entered in between") {
-        const Folder folder;
-        const std::string path = folder / "microscope.rhx";
-        Session session = session_of(with_microscope);
-        RecordingHeader header = header_of(session);
-        header.seed = 1;
-        Result<RecordingWriter> created = RecordingWriter::create(path, header);
-        REQUIRE(created.ok());
-        RecordingWriter& writer = created.value();
-        REQUIRE(writer.add(RecordedStart{session.observation(), session.state_hash()}).ok());
-        const int interval = 500;  // 5 s
-        const int steps = interval + 20;
-        for (int i = 1; i <= steps; ++i) {
-            const DeviceSample sample = sent_to(Vec3(i < 300 ? -3.0 : 3.0, 0.5, 2.0));
-            session.step({&sample, 1}, {});
-            REQUIRE(
-                writer
-                    .add(RecordedStep{session.step_count(), {sample}, {}, session.observation(), session.state_hash()})
-                    .ok());
-            if (i % interval == 0) {
-                REQUIRE(writer.add(session.snapshot()).ok());
-            }
+        Session session = make_session(with_microscope);
+        SessionRecorder recorder(session);
+        const std::uint64_t steps = recorder.interval() + 20;
+        while (session.step_count() < steps) {
+            recorder.step(sent_to(Vec3(session.step_count() < 300 ? -3.0 : 3.0, 0.5, 2.0)));
         }
-        REQUIRE(writer.finish().ok());
-        const Recording recording = std::move(read_recording(path)).value();
-        const Result<Verification> verification = verify(recording, [](std::uint64_t, std::uint64_t) {});
-        REQUIRE(verification.ok());
-        CHECK(verification.value().steps == static_cast<std::uint64_t>(steps));
-        CHECK_FALSE(verification.value().divergence.has_value());
-        for (const std::size_t step : {std::size_t{40}, std::size_t{510}}) {
-            CHECK(session_at(recording, step).value().state_hash() == recording.steps[step - 1].hash);
-        }
+        const Recording recording = recorder.finish();
+        CHECK(recording.steps.size() == steps);
+        check_replays(recording, {40, recorder.interval() + 10});
     }
 
     TEST_CASE("a run from a state has its microscope where its own settings say") {
         const Folder folder;
         const std::string path = folder / "moved.rhxs";
-        Session made = session_of(with_microscope);
+        Session made = make_session(with_microscope);
         const Vec3 start = made.state().microscope->position;
         const DeviceSample sample = sent_to(Vec3::Zero());
         made.step({&sample, 1}, {});
@@ -178,7 +133,7 @@ TEST_SUITE("microscope session") {
     }
 
     TEST_CASE("a snapshot without it, or with a position that is no number, does not fit") {
-        Session session = session_of(with_microscope);
+        Session session = make_session(with_microscope);
         Snapshot snapshot = session.snapshot();
         snapshot.world.microscope->position.x() = std::numeric_limits<double>::quiet_NaN();
         CHECK(session.restore(snapshot).error().text().find("the microscope does not fit the scene") !=

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-std::string refusal(const SceneDescription& scene) {
-    const Result<Session> session = Session::create(scene, 1);
-    return session ? "" : session.error().text();
-}
-
 }  // namespace
 
 TEST_SUITE("session") {

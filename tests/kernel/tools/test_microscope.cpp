@@ -3,20 +3,17 @@
 
 #include <limits>
 
+#include "support/sample.hpp"
 #include "tools/microscope.hpp"
 
 using namespace rhexis;
+using rhexis::test::sample_at;
 
 namespace {
 
 constexpr double dt = 0.01;
 
-DeviceSample sent_to(const Vec3& place) {
-    DeviceSample sample;
-    sample.present = true;
-    sample.pose.position = place;
-    return sample;
-}
+DeviceSample sent_to(const Vec3& place) { return sample_at(0, place); }
 
 }  // namespace
 
