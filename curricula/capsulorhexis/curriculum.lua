@@ -2,6 +2,7 @@
 -- A round opening torn into the front of the lens capsule: from filling the chamber to the closed circle.
 
 local rhexis_events = require "rhexis_events"
+local rhexis_exercise = require "rhexis_exercise"
 
 return exercise {
     title = "Capsulorhexis",
@@ -15,27 +16,20 @@ return exercise {
         "See a tear that runs outwards while it can still be put right",
     },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
-    tissues = { "anterior_capsule", "viscoelastic", "iris", "cornea" },
-    instruments = { "cystotome", "forceps", "cannula", "microscope" },
+    patient = rhexis_exercise.patient,
+    tissues = rhexis_exercise.tissues,
+    instruments = rhexis_exercise.instruments,
     settings = { ["viscoelastic.fill"] = 0.2 },
 
-    step_s = 0.02,  -- docs/tearing.md, "What it costs, and which mesh and step"
+    step_s = rhexis_exercise.step_s,
 
-    goals = {
-        radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that is planned" },
-        fill_percent = { 90, from = 50, to = 100,
-            meaning = "how full the chamber must be before one opens the capsule" },
-    },
+    goals = rhexis_exercise.goals,
     reference = { time_s = 75, path_mm = 120 },
 
     steps = {
-        step "fill" {
-            title = "Fill the chamber",
+        step "fill" (rhexis_exercise.fill {
             hint = "Bring the cannula over the lens and press, until the chamber is deep and the capsule lies flat.",
-            done = "100 * viscoelastic.fill >= goal.fill_percent",
-            time_limit_s = 60,
-        },
+        }),
         step "open" {
             title = "Pierce the capsule and begin the flap",
             hint = "With the cystotome: through the capsule a millimetre from its middle, outwards to the planned "
@@ -43,18 +37,12 @@ return exercise {
             done = "rhexis.torn_mm > 3",
             time_limit_s = 90,
         },
-        step "tear" {
+        step "tear" (rhexis_exercise.close {
             title = "Tear the flap round",
             hint = "With the forceps: fold the flap over, take hold of it near the end of the tear, lead it round in "
                 .. "the plane of the capsule, and take hold anew before the tear is far from the jaws.",
-            done = "rhexis.closed",
-            time_limit_s = 180,
-        },
-        step "withdraw" {
-            title = "Leave the eye",
-            hint = "Take the flap out with the forceps.",
-            done = "not forceps.present and not cystotome.present and not cannula.present",
-        },
+        }),
+        step "withdraw" (rhexis_exercise.withdraw {}),
     },
 
     errors = {

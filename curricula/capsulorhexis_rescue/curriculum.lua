@@ -3,6 +3,7 @@
 -- way it came, then to the middle [Little2006]. It begins in the state `begin` of starts.lua.
 
 local rhexis_events = require "rhexis_events"
+local rhexis_exercise = require "rhexis_exercise"
 
 return exercise {
     title = "Rescue of a capsulorhexis",
@@ -15,30 +16,24 @@ return exercise {
         "Close the opening in one piece",
     },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
-    tissues = { "anterior_capsule", "viscoelastic", "iris", "cornea" },
-    instruments = { "cystotome", "forceps", "cannula", "microscope" },
+    patient = rhexis_exercise.patient,
+    tissues = rhexis_exercise.tissues,
+    instruments = rhexis_exercise.instruments,
     settings = {
         ["viscoelastic.fill"] = 0.3,
         ["vitreous.pressure_mmhg"] = 20,
         ["capsule.toughness"] = 0.6,
     },
 
-    step_s = 0.02,  -- docs/tearing.md, "What it costs, and which mesh and step"
+    step_s = rhexis_exercise.step_s,
 
-    goals = {
-        radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that was planned" },
-        fill_percent = { 90, from = 50, to = 100, meaning = "how full the chamber must be before one pulls" },
-    },
+    goals = rhexis_exercise.goals,
     reference = { time_s = 60, path_mm = 100 },
 
     steps = {
-        step "fill" {
-            title = "Fill the chamber",
+        step "fill" (rhexis_exercise.fill {
             hint = "Do not pull. Bring the cannula over the lens and press, until the chamber is deep again.",
-            done = "100 * viscoelastic.fill >= goal.fill_percent",
-            time_limit_s = 60,
-        },
+        }),
         step "turn_back" {
             title = "Bring the tear back",
             hint = "Lay the flap flat, hold it close to the end of the tear, pull back along the way it came and then "
@@ -46,17 +41,11 @@ return exercise {
             done = "rhexis.closed or (rhexis.tip_radius_mm < goal.radius_mm + 0.3 and rhexis.tip_heading_deg < 10)",
             time_limit_s = 120,
         },
-        step "close" {
+        step "close" (rhexis_exercise.close {
             title = "Close the circle",
             hint = "Lead the flap round as in every capsulorhexis, and fill again before the chamber gets shallow.",
-            done = "rhexis.closed",
-            time_limit_s = 180,
-        },
-        step "withdraw" {
-            title = "Leave the eye",
-            hint = "Take the flap out with the forceps.",
-            done = "not forceps.present and not cystotome.present and not cannula.present",
-        },
+        }),
+        step "withdraw" (rhexis_exercise.withdraw {}),
     },
 
     errors = {
