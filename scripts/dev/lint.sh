@@ -6,6 +6,10 @@ cd "$(dirname "$0")/../.." || exit 2
 status=0
 
 mapfile -t cpp < <(git ls-files -co --exclude-standard '*.cpp' '*.hpp')
+if [ "${#cpp[@]}" -eq 0 ]; then
+    echo "rhexis: git lists no source files here, so there is nothing to check" >&2
+    exit 2
+fi
 if ! clang-format --dry-run -Werror "${cpp[@]}" 2>/tmp/rhexis-format.$$; then
     grep -m 20 'error:' /tmp/rhexis-format.$$
     status=1
@@ -13,13 +17,13 @@ fi
 rm -f /tmp/rhexis-format.$$
 
 mapfile -t lua < <(git ls-files -co --exclude-standard '*.lua')
-if [ "${#lua[@]}" -gt 0 ] && ! luacheck -q --no-color "${lua[@]}" | tail -n 30; then
+if ! luacheck -q --no-color "${lua[@]}" | tail -n 30; then
     status=1
 fi
 
 if [ "${1:-}" = tidy ]; then
-    # loops for instruction sets are written for gcc;
-    # without the loops for instruction sets, which only gcc reads; a folder of its own, never built: clang cannot read the precompiled headers of another compiler
+    # without the loops for instruction sets, which only gcc reads; a folder of its own, never built: clang cannot read
+    # the precompiled headers of another compiler
     cmake -S . -B build/tidy -G Ninja -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null || exit 2
     mapfile -t sources < <(git ls-files 'kernel/*.cpp' 'bindings/*.cpp' ':!*_kernel_*.cpp')
     printf '%s\n' "${sources[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy -p build/tidy --quiet 2>/dev/null || status=1
