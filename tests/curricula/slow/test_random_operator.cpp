@@ -6,6 +6,7 @@
 
 #include "../attempt.hpp"
 #include "kernel/session/operate.hpp"
+#include "scenes/sheet_accounts.hpp"
 
 using namespace rhexis;
 using rhexis::test::Attempt;
@@ -31,6 +32,33 @@ std::uint64_t survive(const std::string& exercise, const std::map<std::string, s
     return attempt.session().state_hash();
 }
 
+/// The capsule is looked at after every step.
+std::uint64_t survive_tearing(std::uint64_t seed, double seconds) {
+    Attempt attempt("random", seed, {{"time_limit_s", "7200"}}, "capsulorhexis");
+    const MembraneModel& model = attempt.session().world().membranes[0];
+    const scenes::SheetAccounts accounts(model);
+    scenes::RandomTears seen;
+    std::shared_ptr<const MembraneSheet> sheet = model.sheet;
+    while (attempt.session().time_s() < seconds && attempt.step()) {
+        const MembraneState& state = attempt.session().state().membranes[0];
+        const std::string fault = state.sheet == sheet ? accounts.motion_fault(state) : accounts.look(state, seen);
+        REQUIRE_MESSAGE(fault.empty(), fault);
+        sheet = state.sheet;
+    }
+    const MembraneState& end = attempt.session().state().membranes[0];
+    CHECK(accounts.descent_fault(end).empty());
+    CHECK(attempt.measure("rhexis.torn_mm") > 3.0);
+    CHECK(seen.most_cosine <= 0.0);
+    CHECK(seen.most_of_bound < 1.0);
+    CHECK(std::max({seen.area_off, seen.mass_off, seen.torn_off, seen.energy_off}) < 1e-9);
+    MESSAGE("capsulorhexis " << seed << ": " << attempt.session().time_s() << " s, " << attempt.rollbacks()
+                             << " steps redone, " << attempt.result().at("events").size() << " errors, torn "
+                             << attempt.measure("rhexis.torn_mm") << " mm, at most " << seen.most_triangles
+                             << " triangles of " << model.sheet->mesh.triangles.size() << ", smallest angle "
+                             << seen.least_angle << " degrees");
+    return attempt.session().state_hash();
+}
+
 }  // namespace
 
 TEST_CASE("a random operator: finite numbers, no mass lost, the same end twice") {
@@ -44,4 +72,10 @@ TEST_CASE("a random operator in a white cataract, a brunescent and a soft lens")
     survive("phaco_sculpt", {{"patient.cortical_opacity", "1"}});
     survive("phaco_sculpt", {{"patient.cataract", "NO6"}, {"patient.age", "82"}});
     survive("phaco_sculpt", {{"patient.cataract", "NO1"}, {"patient.age", "55"}});
+}
+
+TEST_CASE(
+    "a random operator on the anterior capsule: the sheet stays sound, nothing of it is lost, the same end twice") {
+    CHECK(survive_tearing(301, 40.0) == survive_tearing(301, 40.0));
+    survive_tearing(302, 40.0);
 }
