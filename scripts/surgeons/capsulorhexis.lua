@@ -12,7 +12,7 @@ local vector = require "surgeons.vector"
 
 local capsulorhexis = {}
 
-local free_speed = 8        -- where nothing is near [mm/s]
+local free_speed = 12       -- where nothing is near [mm/s]
 local clear = 0.6           -- height at which an instrument touches nothing
 local lift = 1.2            -- of an instrument that is taken away, at least, for what it hooks to slip off
 local lift_speed = 5
@@ -26,12 +26,15 @@ local first_angle = -10     -- where the needle goes in
 local first_radius = 0.9
 local spiral = 25           -- angle over which the cut comes out to the planned circle
 local cut_end = 200         -- angle at which it ends
+local least_cut = 90        -- angle short of which the flap is not begun
 local cut_look = 20         -- angle from one look to the next
 local beside = 0.15         -- how far inside of the needle's way it cuts [mm]
 local flare = 0.2           -- at its end the cut leads outwards by so much, for the forceps begin by leading in [mm]
 local left_behind = 1.4     -- the end of the tear, by the needle, when that is not in it [mm]
 
 local pull_speed = 4.4
+local first_speed = 3.0     -- while the tear leaves the end of the cut, whose way it keeps for a while [mm/s]
+local first_share = 0.5    -- of what is to be torn
 local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]
@@ -41,15 +44,18 @@ local steer_back = 140      -- more, per mm that the tear is too far out: it run
                             -- farther out it is the more the zonules draw it on
 local steer_out = 80        -- less, per mm that it is too far in
 local farthest_back = 140   -- a pull that is turned farther back tears nothing [degrees]
-local least_inwards = 22    -- one does not dare to pull less far inwards [degrees]
+local least_inwards = 10    -- one does not dare to pull less far inwards [degrees]
 local most_turn = 25        -- of the pull from one look to the next [degrees]
 local farthest_out = 3.1    -- of the jaws, clear of the iris [mm]
 local another_way = 30      -- more inwards than before, where a pull has torn nothing [degrees]
 local nothing = 0.3         -- the end of the tear went on by less than this [mm]
 local stretch = 4.2         -- from the tear to the jaws, at which one takes hold anew [mm]
+local patience = 1.8        -- how long one pulls at a tear that does not go on [s]
+local least_gone = 0.01     -- of what is to be torn, that one sees [share]
 local least_move = 0.15     -- of the jaws, short of which a pull has no room left [mm]
 local drawn = 0.75          -- towards the jaws, how far a pull draws the end of a tear before it goes on [mm]
 local drawn_round = 0.5     -- and more when it has gone all the way round
+local heads = 0.75          -- share of what it has come out since the torn edge behind it, that it comes out next
 local sprung = 0.15         -- outwards, how far the rest of the capsule draws the end of a fresh tear [mm]
 local sprung_round = 0.4    -- and more when it has gone all the way round
 local inside_tip = 0.4      -- where one takes hold, if no flap is seen [mm]
@@ -174,7 +180,9 @@ function capsulorhexis.begin_flap(me, eye, radius)
     me.go(vector.add(me.tip(), { 0, 0, back }), pierce_speed)
     local low = me.tip()[3] - start[3]  -- felt, where the front is only seen
     cut(me, eye, radius, low)
-    return true
+    local tip = mark(me, "tear_tip")
+    local _, angle = capsulorhexis.polar(eye, tip and tip.position or start)
+    return angle < first_angle or angle > least_cut  -- past a half turn it counts from below
 end
 
 -- Where the flap is to be held; where none is seen, inside of the end of the tear. Nothing where that is not seen.
@@ -228,12 +236,20 @@ local function unstrained_radius(eye, tip, grip, jaws)
     return capsulorhexis.polar(eye, place) - sprung - sprung_round * gone(angle)
 end
 
+-- How much farther out the end of the tear will come next, as its edge behind it heads.
+local function heading(me, eye, tip)
+    local margin = mark(me, "margin")
+    if not margin then return 0 end
+    local at, behind = capsulorhexis.polar(eye, tip), capsulorhexis.polar(eye, margin.position)
+    return heads * (at - behind)
+end
+
 -- Where the jaws go next, as seen from the end of the tear: along the circle and inwards, and the farther out the tear
 -- is the more back the way it came, for it runs at a right angle to the pull. The jaws are there a look later: one
 -- steers for where the tear will be then.
 local function aim(me, eye, tip, grip, radius)
     local now = unstrained_radius(eye, tip, grip, me.tip())
-    local soon = now + (grip.radius and now - grip.radius or 0)
+    local soon = now + (grip.radius and now - grip.radius or grip.heads)
     if grip.goes_on then grip.radius = now end
     local _, angle = capsulorhexis.polar(eye, tip)
     local off = soon - radius
@@ -250,6 +266,17 @@ local function aim(me, eye, tip, grip, radius)
     return capsulorhexis.place(eye, math.min(out, farthest_out), where, pull_height)
 end
 
+-- Whether the end of a tear that went on has not come farther round for longer than one waits.
+local function is_stuck(me, eye, tip, grip)
+    if not grip.goes_on then return false end
+    local _, angle = capsulorhexis.polar(eye, tip)
+    local share = gone(angle)
+    if not grip.farthest or share > grip.farthest + least_gone then
+        grip.farthest, grip.went_on_s = share, me.time_s()
+    end
+    return me.time_s() > grip.went_on_s + patience
+end
+
 -- Pulls until it is time to take hold anew. more: inwards than one would [degrees]. Returns what ended it.
 local function pull(me, eye, radius, more)
     -- lay: where the end of the tear lay at first; goes_on: the tear does; of the last look, inwards: the pull
@@ -261,10 +288,12 @@ local function pull(me, eye, radius, more)
         if not tip then return "lost" end
         if not mark(me, "held") then return "slipped" end
         if vector.distance(me.tip(), tip.position) > stretch then return "far" end
-        grip = grip or { lay = tip.position, more = more }
+        grip = grip or { lay = tip.position, more = more, heads = heading(me, eye, tip.position) }
+        if is_stuck(me, eye, tip.position, grip) then return "stuck" end
         local place = aim(me, eye, tip.position, grip, radius)
         if vector.distance(me.tip(), place) < least_move then return "far" end
-        me.go(place, pull_speed, nil, closed)
+        local _, angle = capsulorhexis.polar(eye, tip.position)
+        me.go(place, gone(angle) < first_share and first_speed or pull_speed, nil, closed)
     end
 end
 
