@@ -297,6 +297,31 @@ TEST_SUITE("rim") {
         CHECK(cut.shape().tip_heading / degree == doctest::Approx(-45.0).epsilon(0.2));
     }
 
+    TEST_CASE("the two edges of a tear: the flap's lies inside, the margin outside, and both begin at the tip") {
+        for (const double sweep : {0.5 * pi, pi}) {
+            Cut cut(round_sheet(5.0, 1500));
+            cut.cut_along(circle(2.5), sweep);
+            const RhexisShape shape = cut.shape();
+            REQUIRE(shape.lip.size() > 3);
+            REQUIRE(shape.margin.size() > 3);
+            CHECK(shape.lip[0] == cut.state.tips.back().node);
+            CHECK(shape.margin[0] == shape.lip[0]);
+            const TriNeighbours& around = cut.state.sheet->neighbours;
+            for (std::size_t i = 1; i < 3; ++i) {
+                CHECK(shape.lip[i] != shape.margin[i]);
+                CHECK(cut.node(shape.lip[i]) == cut.node(shape.margin[i]));
+                const auto middle = [&](int node) {
+                    double sum = 0.0;
+                    for (int k = around.offset[at(node)]; k < around.offset[at(node) + 1]; ++k) {
+                        sum += triangle_middle(cut.state.sheet->mesh, around.triangles[at(k)]).head<2>().norm();
+                    }
+                    return sum / (around.offset[at(node) + 1] - around.offset[at(node)]);
+                };
+                CHECK(middle(shape.lip[i]) < middle(shape.margin[i]));
+            }
+        }
+    }
+
     TEST_CASE("a tear that goes radially out to the edge has run out") {
         Cut cut(jittered_round(1500));
         cut.puncture_at(Vec2(2.6, 0.0), Vec2::UnitX());
