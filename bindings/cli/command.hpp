@@ -31,6 +31,7 @@ void add_lua(CLI::App& app, Context& context);
 void add_check(CLI::App& app, Context& context);
 void add_test(CLI::App& app, Context& context);
 void add_replay(CLI::App& app, Context& context);
+void add_fold(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);  // only in a program built with the tests
 void add_report(CLI::App& app, Context& context);
 

@@ -285,14 +285,28 @@ Result<Implant> make_implant(const ImplantShape& shape) {
     return best;
 }
 
-ShellModel acrylic_implant() {
+namespace {
+
+void put_in_water(const ImplantShape& shape, ShellModel& model) {
     constexpr double water_density = 1e-3;    // [g/mm^3]
     constexpr double water_viscosity = 1e-3;  // [Pa s]
-    Implant implant = std::move(make_implant({})).value();
-    ShellModel model = std::move(implant.model);
     model.relaxation = ShellRelaxation{};
     model.fluid_density = water_density;
-    model.drag = disc_drag(water_viscosity, 0.5 * ImplantShape{}.optic_diameter);
+    model.drag = disc_drag(water_viscosity, 0.5 * shape.optic_diameter);
+}
+
+}  // namespace
+
+ShellModel free_implant(const ImplantShape& shape) {
+    ShellModel model = std::move(make_implant(shape).value().model);
+    put_in_water(shape, model);
+    return model;
+}
+
+ShellModel acrylic_implant(const ImplantShape& shape) {
+    Implant implant = std::move(make_implant(shape)).value();
+    ShellModel model = std::move(implant.model);
+    put_in_water(shape, model);
     for (const int node : {std::min(implant.tip[0], implant.tip[1]), std::max(implant.tip[0], implant.tip[1])}) {
         model.holds.push_back({node, {true, true, true, true, true, true}});
     }

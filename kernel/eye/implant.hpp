@@ -44,9 +44,12 @@ Status check_implant(const ImplantShape& shape);
 /// Fails on what check_implant refuses.
 Result<Implant> make_implant(const ImplantShape& shape);
 
-/// The default lens as a scene has it: viscoelastic, at room temperature, in water, flat about the origin, held by the
-/// ends of its haptics as if they lay in the bag's fold.
-ShellModel acrylic_implant();
+/// A lens as a scene has it: viscoelastic, at room temperature, in water, flat about the origin, free. The shape must
+/// pass check_implant.
+ShellModel free_implant(const ImplantShape& shape);
+
+/// The same, held by the ends of its haptics as if they lay in the bag's fold.
+ShellModel acrylic_implant(const ImplantShape& shape = {});
 
 /// Optic at a distance from the axis [mm]: two spherical caps to their second order.
 double optic_thickness(const ImplantShape& shape, double distance);

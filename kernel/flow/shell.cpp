@@ -146,6 +146,24 @@ ShellState rest_state(const ShellModel& model) {
     return state;
 }
 
+ShellState moved(ShellState state, const Pose& by) {
+    for (std::size_t n = 0; n < state.position.size(); ++n) {
+        state.position[n] = by.to_world(state.position[n]);
+        state.rotation[n] = (by.orientation * state.rotation[n]).normalized();
+        state.velocity[n] = by.orientation * state.velocity[n];
+        state.spin[n] = by.orientation * state.spin[n];
+    }
+    for (ShellPull& load : state.loads) {
+        load.total = by.orientation * load.total;
+    }
+    for (ShellTouch& touch : state.touches) {
+        if (touch.partner != ContactPartner::tool && touch.partner != ContactPartner::tube) {
+            touch.stretch = by.orientation * touch.stretch;
+        }
+    }
+    return state;
+}
+
 double relaxation_time(const ShellRelaxation& relaxation, double temperature) {
     constexpr double zero_celsius = 273.15;   // [K]
     constexpr double gas_constant = 8.31446;  // [J/(mol K)]

@@ -64,7 +64,7 @@ struct ShellTouch {
     int index = 0;                ///< of the partner
     int sample = 0;               ///< of the surface
     bool front = true;            ///< of another layer: it lies before the sample, else behind it
-    Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is [mm]; tools: in their frame
+    Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is [mm]; tools, tubes: in their frame
 };
 
 /// Changes from step to step; by nodes unless said.
@@ -78,6 +78,9 @@ struct ShellState {
     std::vector<double> branch;
     std::vector<ShellPull> loads;
     std::vector<ShellTouch> touches;  ///< ascending by partner, index, sample, front
+    /// It lies in the cartridge of an injector that has not come into the eye: places are in the injector's frame, and
+    /// it stays as it is.
+    bool loaded = false;
 };
 
 /// Forces and moments that keep their direction in space; either list by nodes, or empty. Such moments have no
@@ -98,6 +101,9 @@ Status check_shell(const ShellModel& model);
 Status check_shell_state(const ShellModel& model, const ShellState& state);
 
 ShellState rest_state(const ShellModel& model);
+
+/// As a rigid body, with all that it remembers of planes, tubes and bags.
+ShellState moved(ShellState state, const Pose& by);
 
 /// At the model's temperature [s]; time exp(activation_energy / R (1 / T - 1 / T_reference)) [Arrhenius1889].
 double relaxation_time(const ShellRelaxation& relaxation, double temperature);

@@ -2,16 +2,19 @@
 // tools -> physics, observe, render: instruments as kinematic rigid bodies.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "flow/tube.hpp"
 #include "math/types.hpp"
 
 namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
-/// one; cannula: what the hand presses out of its syringe comes out of its end.
-enum class ToolKind { probe, phaco, cystotome, forceps, cannula };
+/// one; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger pushes an implant
+/// out of a cartridge.
+enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector };
 
 /// A cone with round ends, in the tool's frame; equal ends make a ball.
 struct RoundedCone {
@@ -19,6 +22,16 @@ struct RoundedCone {
     Vec3 b = Vec3::Zero();
     double radius_a = 0.1;  ///< [mm]
     double radius_b = 0.1;  ///< [mm]
+};
+
+/// Of an injector.
+struct Cartridge {
+    TubeModel bore;               ///< in the tool's frame; its last station is the tip
+    double loaded_at = 0.0;       ///< along the bore: where the middle of the implant is laid [mm]
+    double room = 0.0;            ///< length that it may take there [mm]
+    double plunger_radius = 0.0;  ///< a rod with a round end on the bore's axis [mm]
+    double plunger_from = 0.0;    ///< along the bore: the tip of the plunger before it is pushed [mm]
+    double stroke = 0.0;          ///< how far it can be pushed [mm]
 };
 
 /// Constant while a scene runs.
@@ -34,6 +47,7 @@ struct ToolModel {
     double reach = 0.0;              ///< forceps: radius of the ball about the tip that its jaws close on [mm]
     double hold = 0.0;               ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
     double max_power = 0.0;          ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
+    std::optional<Cartridge> cartridge;
 };
 
 /// What stands before the open mouth of an aspirating tip, and what it does to it.
@@ -55,7 +69,8 @@ struct ToolState {
     Pose previous_pose;            ///< at the end of the previous step; equal to pose on the step in which it appears
     Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
-    double jaw = 0.0;                      ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1
+    double jaw = 0.0;                      ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1;
+                                           ///< injector: share of the plunger's stroke
     double previous_jaw = 0.0;             ///< at the end of the previous step
     double pedal = 0.0;                    ///< 0 to 3
     bool irrigation = false;               ///< pedal at 1 or more

@@ -15,6 +15,7 @@
 #include "physics/puncture.hpp"
 #include "physics/sculpt.hpp"
 #include "physics/shell_motion.hpp"
+#include "physics/shell_tools.hpp"
 #include "physics/solid_stepper.hpp"
 #include "physics/tear_tip.hpp"
 #include "physics/viscoelastic_fill.hpp"
@@ -69,6 +70,7 @@ struct Physics::Solvers {
     std::vector<MembraneStepper> membranes;
     std::vector<ShellStepper> shells;
     std::vector<ShellContacts> shell_contacts;
+    ShellTools shell_tools;
     std::vector<CrackFinder> cracks;  ///< per solid
     std::vector<SculptZone> zones;    ///< per tool
     std::vector<MouthProbe> probes;   ///< per tool
@@ -77,13 +79,14 @@ struct Physics::Solvers {
     StepTry better;
 
     Solvers(std::shared_ptr<const WorldModel> world, const PhysicsSettings& wanted)
-        : model(std::move(world)), settings(wanted), pool(wanted.threads) {}
+        : model(std::move(world)), settings(wanted), pool(wanted.threads), shell_tools(model->tools) {}
 
     [[nodiscard]] bool has_fluid() const { return model->chamber || model->capsule || model->iris; }
     void step_solid(const StepTask& task, int solid, StepOutcome& outcome);
     void keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const;
     void step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,
                        StepOutcome& outcome);
+    [[nodiscard]] ShellState taken_out(const StepTask& task, std::size_t shell) const;
     void step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome);
 };
 
@@ -158,14 +161,33 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
     report.cuts = propose_cuts(*model, membrane, next.membranes[index], task.tools, contacts);
 }
 
+/// One that lies in an injector comes into the eye with it.
+ShellState Physics::Solvers::taken_out(const StepTask& task, std::size_t shell) const {
+    const ShellState& state = task.state.shells[shell];
+    for (std::size_t i = 0; state.loaded && i < task.tools.size(); ++i) {
+        if (model->tools[i].kind == ToolKind::injector && task.tools[i].present) {
+            ShellState out = moved(state, task.tools[i].previous_pose);
+            out.loaded = false;
+            return out;
+        }
+    }
+    return state;
+}
+
 void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome) {
     ShellStepReport& report = outcome.shells.emplace_back();
     const int before = outcome.rollbacks;
+    const ShellState state = taken_out(task, shell);
+    if (state.loaded) {
+        return;
+    }
     ShellPartners partners;
     partners.planes = model->planes;
-    partners.tools = model->tools;
-    partners.tool_states = task.tools;
-    const ShellTask own{task.state.shells[shell], partners, model->gravity, task.dt};
+    partners.tools = shell_tools.tools();
+    partners.tool_states = shell_tools.states();
+    partners.tubes = shell_tools.tubes();
+    partners.tube_states = shell_tools.tube_states();
+    const ShellTask own{state, partners, model->gravity, task.dt};
     const ShellMotion motion =
         move_shell(shells[shell], shell_contacts[shell], own, next.shells[shell], report, outcome.rollbacks);
     if (motion == ShellMotion::failed) {
@@ -252,6 +274,9 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     for (int membrane = 0; membrane < static_cast<int>(s.membranes.size()); ++membrane) {
         const ProfileScope scope(profile, s.model->membranes[membrane].name.c_str());
         s.step_membrane(task, membrane, next, contacts, outcome);
+    }
+    if (!s.shells.empty()) {
+        s.shell_tools.place(tools);
     }
     for (std::size_t shell = 0; shell < s.shells.size(); ++shell) {
         const ProfileScope scope(profile, s.model->shells[shell].name.c_str());

@@ -76,12 +76,21 @@ const ShellPlace& ShellContacts::place(const Contact& contact) const {
     return contact.on->samples[at(contact.touch.sample)].place;
 }
 
-Pose ShellContacts::partner_pose(const Contact& contact, double share) const {
-    if (contact.touch.partner != ContactPartner::tool) {
-        return {};
+/// Frame in which friction remembers a partner; share: of the step, 0 or 1.
+Pose ShellContacts::pose_of(ContactPartner partner, int index, double share) const {
+    const double when = partners_.from + share * (partners_.to - partners_.from);
+    if (partner == ContactPartner::tool) {
+        return pose_within(partners_.tool_states[at(index)], when);
     }
-    return pose_within(partners_.tool_states[at(contact.touch.index)],
-                       partners_.from + share * (partners_.to - partners_.from));
+    if (partner == ContactPartner::tube) {
+        const Pose& own = partners_.tubes[at(index)].pose;
+        if (partners_.tube_states.empty()) {
+            return own;
+        }
+        const Pose carried = pose_within(partners_.tube_states[at(index)], when);
+        return {carried.to_world(own.position), carried.orientation * own.orientation};
+    }
+    return {};
 }
 
 /// share: of the step, 0 or 1.
@@ -92,7 +101,7 @@ ShellContacts::Distance ShellContacts::distance(ContactPartner partner, int inde
         case ContactPartner::plane:
             return {partners_.planes[i].normal.dot(point - partners_.planes[i].point), partners_.planes[i].normal};
         case ContactPartner::tube: {
-            const Pose& pose = partners_.tubes[i].pose;
+            const Pose pose = pose_of(partner, index, share);
             const SurfaceDistance found = tube_distance(partners_.tubes[i], pose.to_body(point));
             return {found.distance, pose.orientation * found.normal};
         }
@@ -102,8 +111,7 @@ ShellContacts::Distance ShellContacts::distance(ContactPartner partner, int inde
             return {found.gap, pose.orientation * found.normal};
         }
         default: {
-            const Pose pose =
-                pose_within(partners_.tool_states[i], partners_.from + share * (partners_.to - partners_.from));
+            const Pose pose = pose_of(partner, index, share);
             const ShapeDistance found = tool_distance(partners_.tools[i], pose.to_body(point));
             return {found.distance, pose.orientation * found.normal};
         }

@@ -32,6 +32,7 @@ namespace rhexis {
 struct ShellPartners {
     std::span<const PlaneModel> planes;
     std::span<const TubeModel> tubes;
+    std::span<const ToolState> tube_states;  ///< of what carries each; none: they stand still
     std::span<const BagModel> bags;
     std::span<const Pose> bag_poses;
     std::span<const ToolModel> tools;
@@ -124,7 +125,10 @@ private:
     void meet_layers();
     void add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near);
     void add(Contact contact);
-    [[nodiscard]] Pose partner_pose(const Contact& contact, double share) const;
+    [[nodiscard]] Pose pose_of(ContactPartner partner, int index, double share) const;
+    [[nodiscard]] Pose partner_pose(const Contact& contact, double share) const {
+        return pose_of(contact.touch.partner, contact.touch.index, share);
+    }
     [[nodiscard]] Distance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
     [[nodiscard]] Meeting meeting(const Contact& contact) const;
     [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, std::span<const int> triangles) const;

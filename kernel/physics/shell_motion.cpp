@@ -41,6 +41,17 @@ double farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
     return std::sqrt(square);
 }
 
+/// How far what carries a tube takes the corners of a box.
+double way_of(const Box& box, const ToolState& carrier) {
+    double way = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 place((corner & 1) != 0 ? box.high.x() : box.low.x(), (corner & 2) != 0 ? box.high.y() : box.low.y(),
+                         (corner & 4) != 0 ? box.high.z() : box.low.z());
+        way = std::max(way, (carrier.pose.to_world(carrier.previous_pose.to_body(place)) - place).norm());
+    }
+    return way;
+}
+
 /// Steps in which the instruments go no farther near the shell than contact allows.
 int steps_for(const ShellContacts& contacts, const ShellTask& task) {
     Box box;
@@ -52,6 +63,9 @@ int steps_for(const ShellContacts& contacts, const ShellTask& task) {
         if (task.partners.tool_states[i].present) {
             way = std::max(way, travel_near(task.partners.tools[i], task.partners.tool_states[i], box));
         }
+    }
+    for (const ToolState& tube : task.partners.tube_states) {
+        way = std::max(way, way_of(box, tube));
     }
     return std::clamp(static_cast<int>(std::ceil(way / contacts.most_travel())), 1, most_steps);
 }

@@ -11,6 +11,7 @@
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "session/settings.hpp"
+#include "tools/injector.hpp"
 #include "tools/instruments.hpp"
 
 namespace rhexis {
@@ -118,7 +119,29 @@ bool has_instrument(const SceneDescription& scene, const std::string& name) {
     return std::find(scene.instruments.begin(), scene.instruments.end(), name) != scene.instruments.end();
 }
 
+/// Free where an injector brings it in.
+ShellModel make_shell(const SceneDescription& scene) {
+    const std::map<std::string, double> settings = all_settings(scene);
+    const ImplantShape shape = implant_shape(settings);
+    ShellModel model = has_instrument(scene, injector_name) ? free_implant(shape) : acrylic_implant(shape);
+    model.material.young_modulus = 1e6 * settings.at("implant.modulus_mpa");
+    return model;
+}
+
 }  // namespace
+
+ImplantShape implant_shape(const std::map<std::string, double>& settings) {
+    ImplantShape shape;
+    shape.centre_thickness = settings.at("implant.centre_mm");
+    shape.edge_thickness = settings.at("implant.edge_mm");
+    shape.haptic_thickness = settings.at("implant.haptic_mm");
+    shape.triangles = static_cast<int>(settings.at("implant.triangles"));
+    return shape;
+}
+
+InjectorShape injector_shape(const std::map<std::string, double>& settings) {
+    return {settings.at("cartridge.bore_mm"), settings.at("cartridge.nozzle_mm"), settings.at("cartridge.friction")};
+}
 
 std::map<std::string, double> all_settings(const SceneDescription& scene) {
     std::map<std::string, double> settings;
@@ -176,7 +199,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
                                                          capsule_settings(all_settings(scene))));
     }
     if (has_tissue(scene, "implant")) {
-        world->shells.push_back(acrylic_implant());
+        world->shells.push_back(make_shell(scene));
     }
     if (has_tissue(scene, "viscoelastic")) {
         world->viscoelastic = make_viscoelastic(all_settings(scene), eye.value());
@@ -189,7 +212,8 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
             world->microscope = make_microscope(all_settings(scene), eye.value().anatomy);
             continue;
         }
-        Result<ToolModel> tool = make_tool(name);
+        Result<ToolModel> tool =
+            name == injector_name ? injector(injector_shape(all_settings(scene))) : make_tool(name);
         if (!tool) {
             return tool.error();
         }

@@ -8,8 +8,10 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "eye/implant.hpp"
 #include "flow/scene.hpp"
 #include "flow/world.hpp"
+#include "tools/injector.hpp"
 
 namespace rhexis {
 
@@ -20,6 +22,10 @@ struct BuiltWorld {
 
 /// All settings with their values: the standard ones, and over them those of the scene.
 std::map<std::string, double> all_settings(const SceneDescription& scene);
+
+/// What the settings say of implant and injector.
+ImplantShape implant_shape(const std::map<std::string, double>& settings);
+InjectorShape injector_shape(const std::map<std::string, double>& settings);
 
 /// True when the scene names a tissue.
 bool has_tissue(const SceneDescription& scene, const std::string& name);

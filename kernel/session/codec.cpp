@@ -274,6 +274,7 @@ void shell_fields(auto& io, auto& shell) {
         inner(touch.front);
         inner(touch.stretch);
     });
+    io(shell.loaded);
 }
 
 void world_fields(auto& io, auto& world) {
@@ -292,7 +293,7 @@ void world_fields(auto& io, auto& world) {
         });
     });
     io.list(world.membranes, 88, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
-    io.list(world.shells, 56, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
+    io.list(world.shells, 57, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
     io.list(world.bags, 168, [](auto& inner, auto& bag) {
         inner(bag.pose);
         inner(bag.velocity);

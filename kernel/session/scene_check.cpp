@@ -8,6 +8,7 @@
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
 #include "flow/microscope.hpp"
+#include "session/build_world.hpp"
 #include "session/settings.hpp"
 #include "tools/instruments.hpp"
 
@@ -113,6 +114,15 @@ Status check_combination(const SceneDescription& scene) {
         (segments == scene.settings.end() || segments->second == 0.0)) {
         return Error{"settings.nucleus.trench_mm is " + short_number(trench->second) + " without cuts to follow", "",
                      "nucleus.segments of 2, 4, 6 or 8 with it"};
+    }
+    if (named("implant")) {
+        const std::map<std::string, double> settings = all_settings(scene);
+        if (Status status = check_implant(implant_shape(settings)); !status) {
+            return status;
+        }
+        if (Status status = check_injector(injector_shape(settings)); !status) {
+            return status;
+        }
     }
     if (named("chamber") && scene.advance == Advance::implicit) {
         return Error{"advance is implicit with a chamber", "",

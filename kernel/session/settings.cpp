@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 27> table{{
+constexpr std::array<SettingInfo, 35> table{{
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
@@ -21,7 +21,16 @@ constexpr std::array<SettingInfo, 27> table{{
     {"capsule.trypan_blue", "1", 0.0, 1.0, 0.0, false,
      "Stain of the anterior capsule with trypan blue, in the picture: 0 none, 1 full."},
     {"capsulorhexis.diameter_mm", "mm", 3.0, 8.0, 5.25, false, "Diameter of the opening in the anterior capsule."},
+    {"cartridge.bore_mm", "mm", 1.0, 4.0, 2.8, false, "Inner diameter of the cartridge where the implant is laid."},
+    {"cartridge.friction", "1", 0.0, 2.0, 0.1, false, "Of the cartridge's wall, Coulomb coefficient."},
+    {"cartridge.nozzle_mm", "mm", 1.0, 4.0, 2.8, false,
+     "Inner diameter of the cartridge at its tip; at most that where the implant is laid."},
     {"hydrodissection.freed", "1", 0.0, 1.0, 1.0, false, "Share of the cortex that no longer adheres to the capsule."},
+    {"implant.centre_mm", "mm", 0.1, 2.0, 0.7, false, "Thickness of the implant's optic in its middle."},
+    {"implant.edge_mm", "mm", 0.05, 2.0, 0.25, false, "Thickness of the implant's optic at its edge."},
+    {"implant.haptic_mm", "mm", 0.05, 1.0, 0.4, false, "Thickness of the implant's haptics."},
+    {"implant.modulus_mpa", "MPa", 0.1, 10.0, 1.0, false, "Young's modulus of the implant in the long run."},
+    {"implant.triangles", "1", 400.0, 8000.0, 743.0, false, "Of the implant, about so many."},
     {"machine.bottle_cm", "cm", 0.0, 150.0, 75.0, true, "Height of the infusion bottle above the eye."},
     {"machine.flow_ml_min", "ml/min", 0.0, 60.0, 25.0, true, "Flow of the aspiration pump at full pedal."},
     {"machine.infusion", "1", 0.0, 1.0, 1.0, true,

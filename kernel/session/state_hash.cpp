@@ -115,6 +115,7 @@ void add(StateHash& hash, const ShellState& shell) {
         hash.add(static_cast<std::uint64_t>(touch.front ? 1 : 0));
         add(hash, touch.stretch);
     }
+    hash.add(static_cast<std::uint64_t>(shell.loaded ? 1 : 0));
 }
 
 void add(StateHash& hash, const NodeLoad& load) {

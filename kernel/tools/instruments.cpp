@@ -3,6 +3,7 @@
 
 #include "base/near_names.hpp"
 #include "flow/microscope.hpp"
+#include "tools/injector.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -10,7 +11,9 @@
 
 namespace rhexis {
 
-std::vector<std::string> tool_names() { return {"cannula", "cystotome", "forceps", "phaco", "probe", "spatula"}; }
+std::vector<std::string> tool_names() {
+    return {"cannula", "cystotome", "forceps", "injector", "phaco", "probe", "spatula"};
+}
 
 std::vector<std::string> instrument_names() {
     std::vector<std::string> names = tool_names();
@@ -34,11 +37,14 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "forceps") {
         return capsulorhexis_forceps();
     }
+    if (name == "injector") {
+        return injector({});
+    }
     if (name == "cannula") {
         return viscoelastic_cannula();
     }
     return Error{"there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-                 "cannula, cystotome, forceps, phaco, probe, spatula"};
+                 "cannula, cystotome, forceps, injector, phaco, probe, spatula"};
 }
 
 }  // namespace rhexis

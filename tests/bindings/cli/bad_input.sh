@@ -150,8 +150,8 @@ head -c 5000 /dev/urandom >"$work/foreign.rhx"
 expect 2 "this is not a recording" "$rhexis" replay "$work/foreign.rhx"
 : >"$work/empty.rhx"
 expect 2 "empty.rhx: the file is empty" "$rhexis" replay "$work/empty.rhx" --verify
-printf 'rhexis recording 9\n....' >"$work/other.rhx"
-expect 2 "format version 9" "$rhexis" replay "$work/other.rhx" --verify
+printf 'rhexis recording 99\n....' >"$work/other.rhx"
+expect 2 "format version 99" "$rhexis" replay "$work/other.rhx" --verify
 expect 2 "there is no" "$rhexis" bench no_such_benchmark
 expect 2 "report.json" "$rhexis" report "$work"
 echo '{' >"$work/report.json"
