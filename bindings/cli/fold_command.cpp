@@ -67,7 +67,7 @@ Camera camera() {
     camera.eye = Vec3(14.0, -42.0, 36.0);
     camera.target = Vec3(0.0, 0.0, 0.8);
     camera.up = Vec3::UnitZ();
-    camera.field_mm = 14.0;
+    camera.field_mm = 11.5;
     return camera;
 }
 

@@ -82,6 +82,8 @@ std::unique_ptr<MeasureGroup> reflex_measures();
 std::unique_ptr<MeasureGroup> viscoelastic_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
 std::unique_ptr<MeasureGroup> microscope_measures();
+/// injector: index of the instrument that holds shell 0.
+std::unique_ptr<MeasureGroup> implant_measures(int injector);
 /// membrane: number of the anterior capsule.
 std::unique_ptr<MeasureGroup> rhexis_measures(int membrane);
 std::unique_ptr<MeasureGroup> capsule_tool_measures(const ToolModel& model, int tool, int membrane);

@@ -30,6 +30,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         if (anterior_capsule(world) >= 0) {
             groups.push_back(capsule_tool_measures(world.tools[i], i, anterior_capsule(world)));
         }
+        if (world.tools[i].kind == ToolKind::injector && !world.shells.empty()) {
+            groups.push_back(implant_measures(i));
+        }
     }
     if (tissues.lens) {
         groups.push_back(lens_measures());

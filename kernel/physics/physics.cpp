@@ -86,8 +86,10 @@ struct Physics::Solvers {
     void keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const;
     void step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,
                        StepOutcome& outcome);
+    void report_shell(const StepTask& task, const ShellContacts& own, ContactSet& contacts) const;
     [[nodiscard]] ShellState taken_out(const StepTask& task, std::size_t shell) const;
-    void step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome);
+    void step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
+                    StepOutcome& outcome);
 };
 
 /// Leaves in `result` the first try that is good, or the last that only inverted something, or the state as it was.
@@ -174,7 +176,23 @@ ShellState Physics::Solvers::taken_out(const StepTask& task, std::size_t shell) 
     return state;
 }
 
-void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, StepOutcome& outcome) {
+/// One per instrument, with the force that it bears in all.
+void Physics::Solvers::report_shell(const StepTask& task, const ShellContacts& own, ContactSet& contacts) const {
+    for (int i = 0; i < static_cast<int>(task.tools.size()); ++i) {
+        Contact contact;
+        contact.solid = -1;
+        contact.nodes = {-1, -1, -1};
+        contact.partner_index = i;
+        contact.point = task.tools[i].pose.position;
+        contact.force = own.force_of(ContactPartner::tool, i);
+        if (task.tools[i].present && !contact.force.isZero()) {
+            contacts.push_back(contact);
+        }
+    }
+}
+
+void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
+                                  StepOutcome& outcome) {
     ShellStepReport& report = outcome.shells.emplace_back();
     const int before = outcome.rollbacks;
     const ShellState state = taken_out(task, shell);
@@ -190,6 +208,7 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
     const ShellTask own{state, partners, model->gravity, task.dt};
     const ShellMotion motion =
         move_shell(shells[shell], shell_contacts[shell], own, next.shells[shell], report, outcome.rollbacks);
+    report_shell(task, shell_contacts[shell], contacts);
     if (motion == ShellMotion::failed) {
         outcome.failure = StepFailure::not_finite;
     } else if (outcome.rollbacks > before) {
@@ -280,7 +299,7 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     }
     for (std::size_t shell = 0; shell < s.shells.size(); ++shell) {
         const ProfileScope scope(profile, s.model->shells[shell].name.c_str());
-        s.step_shell(task, shell, next, outcome);
+        s.step_shell(task, shell, next, contacts, outcome);
     }
     if (s.steppers.empty()) {
         PartnerPoses poses;

@@ -12,6 +12,7 @@ constexpr double nozzle_length = 5.0;   // [mm]
 constexpr double funnel_length = 6.0;   // [mm]
 constexpr double chamber_length = 9.0;  // that an implant may take [mm]
 constexpr double plunger_gap = 0.5;     // before an implant of that length [mm]
+constexpr double plunger_out = 1.0;     // of the tip at the end of its stroke [mm]
 constexpr double plunger_play = 0.8;    // radius of the plunger, share of the nozzle's
 constexpr double plunger_friction = 0.2;
 constexpr double shaft_radius = 3.0;   // of the hand piece [mm]
@@ -48,7 +49,7 @@ ToolModel injector(const InjectorShape& shape) {
     cartridge.room = chamber_length;
     cartridge.plunger_radius = plunger_play * nozzle;
     cartridge.plunger_from = cartridge.loaded_at - 0.5 * chamber_length - plunger_gap;
-    cartridge.stroke = -cartridge.plunger_from;
+    cartridge.stroke = plunger_out - cartridge.plunger_from;
     return tool;
 }
 

@@ -11,5 +11,6 @@ std::vector<BenchCase> shell_element_cases();
 std::vector<BenchCase> implant_cases();
 std::vector<BenchCase> implant_unfold_cases();
 std::vector<BenchCase> shell_contact_cases();
+std::vector<BenchCase> implant_inject_cases();
 
 }  // namespace rhexis::bench

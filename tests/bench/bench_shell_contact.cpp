@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
 #include "bench/bench_shell.hpp"
 #include "eye/implant.hpp"
 #include "physics/shell_energy.hpp"
@@ -64,17 +65,41 @@ nlohmann::json pressed_row(double stiffer, int level, bool turns) {
             {"error_kind", "force of the plane against a cantilever's"}};
 }
 
-/// The tube's wall comes in by 0.5 mm/s; a row wherever its radius has passed one of some.
-nlohmann::json rolled_rows(const BenchOptions& options) {
+/// How the lens is pressed.
+struct Roll {
+    double stiffer = 5.0;   ///< as of ShellContactSettings
+    double friction = 0.1;  ///< of layers and wall
+    double speed = 0.5;     ///< of the wall [mm/s]
+};
+
+/// Share of a bore's section that the lens takes where it is thickest.
+double filled(const ShellModel& model, double radius) {
+    constexpr double half = 0.25;  // of the slice [mm]
+    double volume = 0.0;
+    for (int t = 0; t < static_cast<int>(model.mesh.triangles.size()); ++t) {
+        const std::array<int, 3>& n = model.mesh.triangles[at(t)];
+        if (std::abs(triangle_middle(model.mesh, t).y()) < half) {
+            volume += model.thickness[at(t)] *
+                      triangle_area(model.mesh.nodes[at(n[0])], model.mesh.nodes[at(n[1])], model.mesh.nodes[at(n[2])]);
+        }
+    }
+    return volume / (2.0 * half) / (M_PI * radius * radius);
+}
+
+/// The tube's wall comes in; a row wherever its radius has passed one of some.
+nlohmann::json rolled_rows(const BenchOptions& options, const Roll& roll) {
     ShellModel model = std::move(make_implant({})).value().model;
     model.relaxation = ShellRelaxation{};
     model.drag = disc_drag(1.0, 3.0);  // some viscoelastic [Pa s]
-    model.friction = 0.1;
+    model.friction = roll.friction;
     ShellStepper stepper = std::move(ShellStepper::create(model)).value();
-    ShellContacts contacts(model);
+    ShellContactSettings contact;
+    contact.stiffer = roll.stiffer;
+    ShellContacts contacts(model, contact);
     const ShellLedger ledger(model);
     ShellState state = rest_state(model);
     TubeModel tube;
+    tube.friction = roll.friction;
     tube.pose.orientation = Quat(Eigen::AngleAxisd(-M_PI / 2.0, Vec3::UnitX()));  // its axis along the haptics
     tube.pose.position = Vec3(0.0, 0.0, 0.6);
     ShellPartners partners;
@@ -89,7 +114,7 @@ nlohmann::json rolled_rows(const BenchOptions& options) {
     int rough = 0;
     double iterations = 0.0;
     for (double radius = 3.7; radius > 1.1 && !marks.empty() && seconds < (options.quick ? 5.0 : 400.0);) {
-        radius -= 0.5 * dt;
+        radius -= roll.speed * dt;
         tube.stations = {{100.0, radius, radius}};
         ShellStepReport report;
         ShellState next;
@@ -110,7 +135,12 @@ nlohmann::json rolled_rows(const BenchOptions& options) {
             const ShellEnergy energy = ledger.energy(state);
             rows.push_back({{"name", "shell_contact/rolled"},
                             {"elements", model.mesh.triangles.size()},
+                            {"stiffer", roll.stiffer},
+                            {"friction", roll.friction},
+                            {"wall_mm_s", roll.speed},
                             {"radius_mm", radius},
+                            {"filled", filled(model, radius)},
+                            {"now", contacts.deepest()},
                             {"touching", contacts.touching()},
                             {"stored_nJ", energy.all()},
                             {"steps", steps},
@@ -128,19 +158,30 @@ nlohmann::json rolled_rows(const BenchOptions& options) {
 }  // namespace
 
 std::vector<BenchCase> shell_contact_cases() {
-    return {
-        {"shell_contact", "a strip pressed by a plane: stiffness and sampling of contact against beam theory",
-         [](const BenchOptions& /*options*/) {
-             nlohmann::json rows = nlohmann::json::array();
-             for (const double stiffer : {0.1, 1.0, 10.0}) {
-                 for (const int level : {0, 1, 2, 3}) {
-                     rows.push_back(pressed_row(stiffer, level, true));
+    return {{"shell_contact", "a strip pressed by a plane: stiffness and sampling of contact against beam theory",
+             [](const BenchOptions& /*options*/) {
+                 nlohmann::json rows = nlohmann::json::array();
+                 for (const double stiffer : {0.1, 1.0, 10.0}) {
+                     for (const int level : {0, 1, 2, 3}) {
+                         rows.push_back(pressed_row(stiffer, level, true));
+                     }
                  }
-             }
-             rows.push_back(pressed_row(1.0, 1, false));
-             return rows;
-         }},
-        {"implant_roll", "the foldable lens in a tube that narrows to a bore of 2.2 mm, with its layers", rolled_rows}};
+                 rows.push_back(pressed_row(1.0, 1, false));
+                 return rows;
+             }},
+            {"implant_roll", "the foldable lens in a tube that narrows to a bore of 2.2 mm, with its layers",
+             [](const BenchOptions& options) { return rolled_rows(options, {}); }},
+            {"implant_roll_chart", "the same by stiffness of contact, friction and speed of the wall",
+             [](const BenchOptions& options) {
+                 nlohmann::json rows = nlohmann::json::array();
+                 for (const Roll& roll : {Roll{}, Roll{20.0, 0.1, 0.5}, Roll{80.0, 0.1, 0.5}, Roll{5.0, 0.1, 0.1},
+                                          Roll{5.0, 0.0, 0.5}, Roll{5.0, 0.3, 0.5}}) {
+                     for (nlohmann::json& row : rolled_rows(options, roll)) {
+                         rows.push_back(std::move(row));
+                     }
+                 }
+                 return rows;
+             }}};
 }
 
 }  // namespace rhexis::bench

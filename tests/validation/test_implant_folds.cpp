@@ -15,10 +15,20 @@ namespace {
 
 const std::map<std::string, double> coarse{{"implant.triangles", 400.0}};
 
+double value_of(const Session& session, const char* name) {
+    const ObservationSchema& schema = session.schema();
+    const auto found =
+        std::find_if(schema.begin(), schema.end(), [&](const auto& entry) { return entry.name == name; });
+    REQUIRE(found != schema.end());
+    return session.observation().values[static_cast<std::size_t>(found - schema.begin())];
+}
+
 }  // namespace
 
 TEST_SUITE("implant folds") {
-    TEST_CASE("the lens ends in the bore, at rest, and a session begins with it and with no other lens") {
+    TEST_CASE(
+        "the lens ends in the bore, at rest, a session begins with it and with no other lens, and its plunger pushes "
+        "it out") {
         Result<ImplantFold> made = ImplantFold::create(folding_scene(coarse));
         REQUIRE_MESSAGE(made.ok(), made.error().text());
         ImplantFold& fold = made.value();
@@ -55,5 +65,14 @@ TEST_SUITE("implant folds") {
         const ShellState& brought = session.value().state().shells[0];
         CHECK_FALSE(brought.loaded);
         CHECK((brought.position[0] - before - sample.pose.position).norm() < 0.02);
+        const double stroke = cartridge.stroke;
+        constexpr double speed = 5.0;  // of the plunger [mm/s]
+        while (sample.jaw < 1.0) {
+            sample.jaw = std::min(1.0, sample.jaw + speed * session.value().scene().step_s / stroke);
+            session.value().step({&sample, 1}, {});
+        }
+        CHECK(value_of(session.value(), "implant.delivered") == 1.0);
+        CHECK(value_of(session.value(), "injector.jammed") == 0.0);
+        CHECK(value_of(session.value(), "injector.plunger_mm") == doctest::Approx(stroke));
     }
 }

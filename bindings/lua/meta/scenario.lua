@@ -132,7 +132,8 @@ function Instrument:path(places, options) end
 ---@param position number
 function Instrument:pedal(position) end
 
----The jaws of the forceps: 0 closed to 1 open. Of a cannula: how hard the hand presses its syringe, 0 to 1. At once.
+---The jaws of the forceps: 0 closed to 1 open. Of a cannula: how hard the hand presses its syringe, 0 to 1.
+---Of an injector: how far its plunger is pushed, share of its stroke. At once.
 ---@param opening number
 function Instrument:jaw(opening) end
 
