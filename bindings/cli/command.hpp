@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 
 #include "base/result.hpp"
 
@@ -22,6 +23,10 @@ struct Context {
 
 /// Prints "rhexis: <error>" on stderr, in one line, and returns `status`.
 int complain(const Error& error, int status = bad_input);
+
+/// The two sides of what was given as --set KEY=VALUE. example: of a pair, for who gave something else.
+Result<std::pair<std::string, std::string>> key_and_value(const std::string& pair, const std::string& command,
+                                                          const std::string& example);
 
 /// The option --instruction-set of commands that simulate. Stays empty when it is not given.
 void add_instruction_set(CLI::App& command, std::string& instruction_set);

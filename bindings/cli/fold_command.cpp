@@ -45,10 +45,12 @@ std::optional<double> number_in(const std::string& text) {
 Result<std::map<std::string, double>> settings_of(const std::vector<std::string>& pairs) {
     std::map<std::string, double> settings;
     for (const std::string& pair : pairs) {
-        const std::size_t equals = pair.find('=');
-        const std::string name = pair.substr(0, equals);
-        const std::optional<double> value =
-            equals == std::string::npos ? std::nullopt : number_in(pair.substr(equals + 1));
+        const Result<std::pair<std::string, std::string>> one = key_and_value(pair, "fold", "cartridge.bore_mm=2.6");
+        if (!one) {
+            return one.error();
+        }
+        const auto& [name, text] = one.value();
+        const std::optional<double> value = number_in(text);
         if (!value || !(name.starts_with("implant.") || name.starts_with("cartridge."))) {
             return Error{std::string("--set ").append(pair).append(" is no setting of implant or cartridge"), "fold",
                          "--set key=number, as in --set cartridge.bore_mm=2.6"};

@@ -95,6 +95,15 @@ int complain(const Error& error, int status) {
     return status;
 }
 
+Result<std::pair<std::string, std::string>> key_and_value(const std::string& pair, const std::string& command,
+                                                          const std::string& example) {
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        return Error{"--set " + pair + " has no value", command, "--set key=value, as in --set " + example};
+    }
+    return std::pair(pair.substr(0, equals), pair.substr(equals + 1));
+}
+
 void add_instruction_set(CLI::App& command, std::string& instruction_set) {
     command
         .add_option("--instruction-set", instruction_set,

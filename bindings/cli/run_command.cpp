@@ -61,11 +61,11 @@ Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) 
         set["patient.tetrahedra"] = std::to_string(patient.value().tetrahedra);
     }
     for (const std::string& pair : given.set) {
-        const std::size_t equals = pair.find('=');
-        if (equals == std::string::npos || equals == 0) {
-            return Error{"--set " + pair + " has no value", "run", "--set key=value, as in --set patient.age=80"};
+        Result<std::pair<std::string, std::string>> given_one = key_and_value(pair, "run", "patient.age=80");
+        if (!given_one) {
+            return given_one.error();
         }
-        set[pair.substr(0, equals)] = pair.substr(equals + 1);
+        set.insert_or_assign(given_one.value().first, given_one.value().second);
     }
     return set;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of nodes, triangles and tips are int, for -1 says that there is none; containers count in std::size_t. This
+// is the step from one to the other.
 #pragma once
-
-// Numbers of nodes, triangles and tips are int, for -1 says none; containers count in std::size_t.
 
 #include <cstddef>
 

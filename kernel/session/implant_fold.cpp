@@ -184,7 +184,6 @@ FoldProgress ImplantFold::progress() const {
     progress.branch = energy.branch;
     progress.kinetic = energy.kinetic;
     progress.contact = parts_->contacts.work().stored;
-    progress.touching = parts_->contacts.touching();
     return progress;
 }
 

@@ -25,7 +25,6 @@ struct FoldProgress {
     double branch = 0.0;   ///< in that of the relaxing branch
     double kinetic = 0.0;
     double contact = 0.0;  ///< in the springs of contact
-    int touching = 0;      ///< samples of the surface
     double deepest = 0.0;  ///< deepest penetration since the stage began, over thickness
     int rough = 0;         ///< steps since the stage began that did not balance
     int steps = 0;

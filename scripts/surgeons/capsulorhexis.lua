@@ -34,7 +34,7 @@ local left_behind = 1.4     -- the end of the tear, by the needle, when that is 
 
 local pull_speed = 4.4
 local first_speed = 3.0     -- while the tear leaves the end of the cut, whose way it keeps for a while [mm/s]
-local first_share = 0.5    -- of what is to be torn
+local first_share = 0.5     -- of what is to be torn
 local pull_step = 0.8       -- of one look to the next [mm]
 local pull_height = 0.2
 local ahead = 0.4           -- along the circle, how far the tear goes on until the jaws are where one sends them [mm]

@@ -353,7 +353,6 @@ FacingSlits facing_slits(int triangles, double gap) {
     const double apart = outer * outer - inner * inner;
     const auto squared = [](double v) { return v * v; };
     const double unit = plate_stress * plate_stress * M_PI / young_modulus;
-    result.gap = 2.0 * inner;
     result.expected_inner = unit * squared(outer * outer * share - inner * inner) / (inner * apart);
     result.expected_outer = unit * outer * outer * outer * squared(1.0 - share) / apart;
     return result;

@@ -34,7 +34,6 @@ MiddleCrack middle_crack(int triangles);
 
 struct FacingSlits {
     int tips = 0;
-    double gap = 0.0;    ///< between the slits, as they were cut [mm]
     double inner = 0.0;  ///< energy release by the domain integral, mean of the two tips that face each other [uN/mm]
     double blind = 0.0;  ///< the same by an integral that takes no notice of other tips
     double outer = 0.0;  ///< of the other two
@@ -42,6 +41,7 @@ struct FacingSlits {
     double expected_outer = 0.0;
 };
 /// The same square with two slits in one line across the pull, their far ends 1.3 mm from the middle.
+/// gap: between them, as the cuts end within 0.05 mm [mm].
 FacingSlits facing_slits(int triangles, double gap);
 
 /// One step of a tear that may go on: proposals carried out at the tip with the most energy. True if one was.
