@@ -38,6 +38,9 @@ Section section_at(const TubeModel& tube, double z) {
 Vec2 foot_on_ellipse(const Vec2& half, const Vec2& p) {
     const double a = half.x();
     const double b = half.y();
+    if (a == b && p.squaredNorm() > 0.0) {
+        return a * p.normalized();
+    }
     Vec2 t = Vec2::Constant(std::sqrt(0.5));
     for (int i = 0; i < refinements; ++i) {
         const Vec2 on = half.cwiseProduct(t);

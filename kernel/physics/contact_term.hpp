@@ -9,8 +9,7 @@
 
 namespace rhexis {
 
-/// What a node's displacement, or a shell's turn, adds to the relative displacement of a contact: share du(node). Every
-/// two nodes of a contact must be in the body's pattern.
+/// What a node's displacement, or a shell's turn, adds to the relative displacement of a contact: share du(node).
 struct ContactShare {
     int node = 0;
     Mat3 share = Mat3::Identity();

@@ -91,9 +91,7 @@ void CoupledMatrix::add_shares(const ContactTerm& contact, const Mat3& stiffness
         }
         for (const ContactShare& with : contact.more) {
             if (moves[at(with.node)] != 0) {
-                const int slot = pattern_->slot(own.node, with.node);
-                RHEXIS_ASSERT(slot >= 0);
-                add_block(solid_, slot, pulled * with.share);
+                add_pair(own.node, with.node, pulled * with.share);
             }
         }
     }

@@ -71,6 +71,7 @@ struct ImplicitStep::Parts {
     bool solve(const Task& task, ImplicitReport& report);
     [[nodiscard]] double largest_step(const Task& task) const;
     void search(const Task& task);
+    void judge(const Task& task, ImplicitReport& report) const;
     void iterate(const Task& task, ImplicitReport& report);
     void newton(const Task& task, ImplicitReport& report);
     void finish(NodeMotion& next) const;
@@ -271,7 +272,6 @@ void ImplicitStep::Parts::linearised_residual(const Task& task) {
 
 /// r and A at where the velocities at the start lead. Reference 0: that is where the step ends.
 void ImplicitStep::Parts::predicted_residual(const Task& task) {
-    RHEXIS_ASSERT(elastic.damping_stiffness() == 0.0);
     set_velocity(task, velocity0);
     full_residual(task);
     if (norm(residual) <= task.dt * task.settings.rest_tolerance) {
@@ -376,10 +376,28 @@ void ImplicitStep::Parts::search(const Task& task) {
     }
 }
 
+/// How far from balance the step is.
+void ImplicitStep::Parts::judge(const Task& task, ImplicitReport& report) const {
+    const double left = norm(residual);
+    report.newton_residual = left / reference;
+    report.force = left / task.dt;
+    report.converged = left <= std::max(task.settings.newton_tolerance * reference, 4.0 * rounding) ||
+                       report.force <= task.settings.force_tolerance;
+    if (task.settings.contact_tolerance > 0.0 && !contacts.empty()) {
+        double square = 0.0;
+        for (const ContactTerm& contact : contacts) {
+            square += contact.force.squaredNorm();
+        }
+        report.over_contact = report.force / std::sqrt(square);
+        report.converged = report.converged || report.over_contact <= task.settings.contact_tolerance;
+    }
+}
+
 void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
     for (int iteration = 0; iteration < task.settings.max_newton; ++iteration) {
         bool solved = false;
-        if (iteration > 0 && (report.newton_residual < near || task.settings.predict_stress)) {
+        if (iteration > 0 &&
+            (std::min(report.newton_residual, report.over_contact) < near || task.settings.predict_stress)) {
             build_tangent(task, Mode::consistent);
             solved = solve(task, report);
         }
@@ -391,10 +409,7 @@ void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
         }
         ++report.newton_iterations;
         search(task);
-        report.newton_residual = norm(residual) / reference;
-        report.force = norm(residual) / task.dt;
-        report.converged = norm(residual) <= std::max(task.settings.newton_tolerance * reference, 4.0 * rounding) ||
-                           report.force <= task.settings.force_tolerance;
+        judge(task, report);
         if (report.converged || !std::isfinite(report.newton_residual)) {
             return;
         }
@@ -402,7 +417,7 @@ void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
 }
 
 void ImplicitStep::Parts::iterate(const Task& task, ImplicitReport& report) {
-    if (task.settings.predict) {
+    if (task.settings.predict && elastic.damping_stiffness() == 0.0) {
         predicted_residual(task);
     } else {
         linearised_residual(task);

@@ -2,6 +2,7 @@
 // Backward Euler of one elastic body, together with the rigid bodies that it touches.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
@@ -37,7 +38,10 @@ struct ImplicitSettings {
     int max_newton = 4;              ///< 1: one linearised step, as in the paper
     double newton_tolerance = 1e-4;  ///< relative residual of the step at which Newton stops
     double force_tolerance = 0.0;    ///< residual force at which it stops, whatever the relative residual [uN]
-    double rest_tolerance = 0.0;     ///< residual force at which what was predicted is taken as it is [uN]
+    /// Residual force at which it stops as a share of those of contact: root of the sums of squares over nodes and over
+    /// contacts. Of what goes on as it did, what did not balance at the start is little, and says less.
+    double contact_tolerance = 0.0;
+    double rest_tolerance = 0.0;  ///< residual force at which what was predicted is taken as it is [uN]
     int max_linear_iterations = 1000;
     bool predict = false;      ///< linearised first where the velocities lead; more than one iteration, no K0 damping
     bool new_factors = false;  ///< one per linear solve: pays where the matrix changes much from each to the next
@@ -50,9 +54,10 @@ struct ImplicitSettings {
 struct ImplicitReport {
     int newton_iterations = 0;
     int linear_iterations = 0;
-    double residual = 0.0;         ///< relative, of the last linear solve
-    double newton_residual = 0.0;  ///< relative, of the step
-    double force = 0.0;            ///< norm of the forces that do not balance at the end of the step [uN]
+    double residual = 0.0;           ///< relative, of the last linear solve
+    double newton_residual = 0.0;    ///< relative, of the step
+    double force = 0.0;              ///< norm of the forces that do not balance at the end of the step [uN]
+    double over_contact = HUGE_VAL;  ///< that over the norm of the forces of contact, if those decide
     bool converged = false;
     bool factored = false;  ///< a new factor was made in this step
 };

@@ -130,6 +130,24 @@ void ShellContacts::add(Contact contact) {
     list_.push_back(std::move(contact));
 }
 
+/// Normal of the surface at a sample [mm^2, not of unit length].
+Vec3 ShellContacts::front(const ShellSamples& on, std::size_t sample) const {
+    const std::array<int, 3>& n = on.facets[at(on.samples[sample].triangle * on.facets_each)];
+    return (points_[at(n[1])] - points_[at(n[0])]).cross(points_[at(n[2])] - points_[at(n[0])]);
+}
+
+/// Of the spring on a sample: what comes sideways to the edge meets its face.
+double ShellContacts::stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const {
+    const ShellSamples::Sample& own = on.samples[sample];
+    double area = own.area;
+    if (own.edge > 0.0) {
+        const Vec3 flat = front(on, sample);
+        const double square = flat.squaredNorm() > 0.0 ? normal.dot(flat) * normal.dot(flat) / flat.squaredNorm() : 1.0;
+        area = square * own.area + (1.0 - square) * own.edge;
+    }
+    return settings_.stiffer * modulus_ / own.place.thickness * area;
+}
+
 void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
                                const std::optional<Box>& box) {
     const ShellSamples& on = samples_at(level_for(radius));
@@ -148,7 +166,7 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
         contact.touch.partner = partner;
         contact.touch.index = index;
         contact.touch.sample = static_cast<int>(i);
-        contact.stiffness = settings_.stiffer * modulus_ / own.thickness * on.samples[i].area;
+        contact.stiffness = stiffness(on, i, start.normal);
         contact.friction = friction;
         contact.lever = -0.5 * own.thickness * start.normal;
         contact.anchor = partner_pose(contact, 0.0).to_body(points_[i] + contact.lever);
@@ -179,53 +197,52 @@ void ShellContacts::meet_tools() {
 void ShellContacts::meet_layers() {
     const ShellSamples& on = samples_at(level_of_layers);
     find_points(on);
-    std::vector<Box> boxes(model_->mesh.triangles.size());
-    for (std::size_t f = 0; f < on.facets.size(); ++f) {
-        for (const int sample : on.facets[f]) {
-            boxes[f / at(on.facets_each)].add(points_[at(sample)], 0.0);
+    layers_.look(on, points_, 2.0 * most_travel_);
+    facets_.resize(on.facets.size());
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+        const std::array<int, 3>& n = on.facets[f];
+        Ball& ball = facets_[f];
+        ball.middle = (points_[at(n[0])] + points_[at(n[1])] + points_[at(n[2])]) / 3.0;
+        ball.radius = 0.0;
+        for (const int one : n) {
+            ball.radius = std::max(ball.radius, (points_[at(one)] - ball.middle).norm());
         }
     }
-    layers_.take(std::move(boxes));
-    const double thickest = *std::max_element(model_->thickness.begin(), model_->thickness.end());
-    const double reach = thickest + 2.0 * most_travel_;
-    std::vector<int> found;
-    std::array<std::vector<int>, 2> side;
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
-        const ShellSamples::Sample& sample = on.samples[i];
-        layers_.find(points_[i], reach, sample.place.nodes, found);
-        if (found.empty()) {
+        const std::span<const ShellLayers::Candidate> near = layers_.near(i);
+        if (near.empty()) {
             continue;
         }
-        const std::array<int, 3>& facet = on.facets[at(sample.triangle * on.facets_each)];
-        const Vec3 front =
-            (points_[at(facet[1])] - points_[at(facet[0])]).cross(points_[at(facet[2])] - points_[at(facet[0])]);
-        side[0].clear();
-        side[1].clear();
-        for (const int t : found) {
-            const Layer near = nearest_layer(on, i, {&t, 1});
-            if (near.gap < 2.0 * most_travel_) {
-                side[front.dot(near.normal) < 0.0 ? 1 : 0].push_back(t);
+        const Vec3 forward = front(on, i);
+        std::array<Layer, 2> nearest;  // behind, before
+        for (const ShellLayers::Candidate& candidate : near) {
+            if (candidate.spare > layers_.closed()) {
+                continue;
+            }
+            const Layer layer = nearest_layer(on, i, candidate.triangle);
+            const std::size_t side = forward.dot(layer.normal) < 0.0 ? 1 : 0;
+            if (layer.gap < std::min(2.0 * most_travel_, nearest[side].gap)) {
+                nearest[side] = layer;
             }
         }
         for (const bool before : {false, true}) {
-            if (!side[before ? 1 : 0].empty()) {
-                add_layer(on, i, before, nearest_layer(on, i, side[before ? 1 : 0]));
+            if (nearest[before ? 1 : 0].gap < HUGE_VAL) {
+                add_layer(on, i, before, nearest[before ? 1 : 0]);
             }
         }
     }
 }
 
 void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near) {
-    const ShellPlace& own = on.samples[sample].place;
     Contact contact;
     contact.on = &on;
     contact.touch.partner = ContactPartner::layer;
     contact.touch.sample = static_cast<int>(sample);
     contact.touch.front = front;
-    contact.stiffness = settings_.stiffer * modulus_ / own.thickness * on.samples[sample].area;
+    contact.stiffness = stiffness(on, sample, near.normal);
     contact.friction = model_->friction;
     contact.lever = near.own_share * near.way;
-    contact.foot = near.foot;
+    contact.foot = place_between(on.corners[at(near.facet)], near.share);
     contact.foot_lever = (near.own_share - 1.0) * near.way;
     contact.normal = near.normal;
     contact.gap = near.gap;
@@ -257,9 +274,12 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     }
 }
 
-std::vector<std::array<int, 2>> ShellContacts::links() const {
+std::vector<std::array<int, 2>> ShellContacts::links(double gap) const {
     std::vector<std::array<int, 2>> pairs;
     for (const Contact& contact : list_) {
+        if (!(contact.gap < gap)) {
+            continue;
+        }
         for (const int other : contact.foot.nodes) {
             for (const int own : place(contact).nodes) {
                 if (own >= 0 && other >= 0) {
@@ -273,24 +293,32 @@ std::vector<std::array<int, 2>> ShellContacts::links() const {
     return pairs;
 }
 
-ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample,
-                                                  std::span<const int> triangles) const {
+ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const {
     Layer nearest;
     const Vec3& point = points_[sample];
     const double own = 0.5 * on.samples[sample].place.thickness;
-    for (const int t : triangles) {
-        for (int f = t * on.facets_each; f < (t + 1) * on.facets_each; ++f) {
-            const std::array<int, 3>& n = on.facets[at(f)];
-            const std::array<Vec3, 3> x{points_[at(n[0])], points_[at(n[1])], points_[at(n[2])]};
-            const std::array<double, 3> weights = nearest_to_point(x, point);
-            const Vec3 way = place_in(x, weights) - point;
-            const ShellPlace foot = place_between(on.corners[at(f)], weights);
-            const double far = way.norm();
-            const double gap = far - own - 0.5 * foot.thickness;
-            if (gap < nearest.gap) {
-                const Vec3 flat = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-                nearest = {gap, far > 0.0 ? Vec3(-way / far) : flat, foot, way, own / (own + 0.5 * foot.thickness)};
-            }
+    const double reach = own + layers_.half(triangle) + 2.0 * most_travel_;
+    for (int f = triangle * on.facets_each; f < (triangle + 1) * on.facets_each; ++f) {
+        const Ball& ball = facets_[at(f)];
+        if ((point - ball.middle).squaredNorm() > (reach + ball.radius) * (reach + ball.radius)) {
+            continue;
+        }
+        const std::array<int, 3>& n = on.facets[at(f)];
+        const std::array<ShellPlace, 3>& corner = on.corners[at(f)];
+        const std::array<Vec3, 3> x{points_[at(n[0])], points_[at(n[1])], points_[at(n[2])]};
+        const std::array<double, 3> weights = nearest_to_point(x, point);
+        const Vec3 way = place_in(x, weights) - point;
+        const double other = 0.5 * (weights[0] * corner[0].thickness + weights[1] * corner[1].thickness +
+                                    weights[2] * corner[2].thickness);
+        const double far = way.norm();
+        const double gap = far - own - other;
+        if (gap < nearest.gap) {
+            nearest.gap = gap;
+            nearest.normal = far > 0.0 ? Vec3(-way / far) : Vec3((x[1] - x[0]).cross(x[2] - x[0]).normalized());
+            nearest.way = way;
+            nearest.own_share = own / (own + other);
+            nearest.facet = f;
+            nearest.share = weights;
         }
     }
     return nearest;
@@ -349,6 +377,7 @@ void ShellContacts::fill(const Contact& contact, const Meeting& now, const Sprin
     term.force = pushed.force;
     term.stiffness = pushed.stiffness;
     term.nodes = {-1, -1, -1};
+    term.more.reserve(12);
     const ShellPlace& own = place(contact);
     if (contact.touch.partner == ContactPartner::layer) {
         pose_.add_shares(own, contact.lever, true, 1.0, free_, term.more);

@@ -67,8 +67,8 @@ public:
     /// No node may go farther in a step, or something may have been missed [mm].
     [[nodiscard]] double most_travel() const { return most_travel_; }
 
-    /// Pairs of nodes that layers may tie in the step, ascending.
-    [[nodiscard]] std::vector<std::array<int, 2>> links() const;
+    /// Pairs of nodes that layers may tie in the step, ascending: all, or of those nearer than a gap [mm].
+    [[nodiscard]] std::vector<std::array<int, 2>> links(double gap = HUGE_VAL) const;
 
     /// Forces and stiffness at an iterate. points: as of ShellBody, turns since the state's rotations.
     void terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms);
@@ -105,13 +105,18 @@ private:
         Vec3 normal = Vec3::UnitZ();  ///< into the sample
         Vec3 point = Vec3::Zero();    ///< of the middle surface
     };
-    /// The nearest place of some triangles.
+    /// The nearest place of a triangle.
     struct Layer {
         double gap = HUGE_VAL;
         Vec3 normal = Vec3::UnitZ();
-        ShellPlace foot;
-        Vec3 way = Vec3::Zero();  ///< from the sample to it
-        double own_share = 0.5;   ///< of that way, to where the surfaces touch
+        int facet = 0;                  ///< of the samples
+        std::array<double, 3> share{};  ///< of its corners
+        Vec3 way = Vec3::Zero();        ///< from the sample to it
+        double own_share = 0.5;         ///< of that way, to where the surfaces touch
+    };
+    struct Ball {
+        Vec3 middle = Vec3::Zero();
+        double radius = 0.0;
     };
     /// Distance of the middle surface from a partner and the normal away from it.
     using Distance = SurfaceDistance;
@@ -121,6 +126,8 @@ private:
     void find_points(const ShellSamples& on);
     void meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
                     const std::optional<Box>& box);
+    [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;
+    [[nodiscard]] double stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const;
     void meet_tools();
     void meet_layers();
     void add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near);
@@ -131,7 +138,7 @@ private:
     }
     [[nodiscard]] Distance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
     [[nodiscard]] Meeting meeting(const Contact& contact) const;
-    [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, std::span<const int> triangles) const;
+    [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const;
     [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point) const;
     [[nodiscard]] const ShellPlace& place(const Contact& contact) const;
     [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;
@@ -157,6 +164,7 @@ private:
     const ShellState* state_ = nullptr;
     std::vector<Vec3> points_;  ///< of samples at the start
     std::vector<Vec3> start_;
+    std::vector<Ball> facets_;  ///< about those of the samples of layers
 };
 
 }  // namespace rhexis

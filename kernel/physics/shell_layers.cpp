@@ -12,6 +12,7 @@ namespace {
 
 constexpr double near_in_thicknesses = 1.5;  // half a turn at the tightest takes pi / 2 along the middle
 constexpr int most_cells = 64;               // each way
+constexpr double skin = 0.2;                 // how far beyond its reach a search looks [mm]
 
 using Edges = std::vector<std::vector<std::pair<int, double>>>;
 
@@ -73,8 +74,53 @@ std::array<int, 3> ShellLayers::cell_of(const Vec3& point) const {
     return cell;
 }
 
-void ShellLayers::take(std::vector<Box> boxes) {
-    boxes_ = std::move(boxes);
+/// By how much two places may have come nearer to each other since the last search: what all share does not count.
+double ShellLayers::closed_since(const std::vector<Vec3>& points) const {
+    if (points_.size() != points.size()) {
+        return HUGE_VAL;
+    }
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        mean += points[i] - points_[i];
+    }
+    mean /= static_cast<double>(points.size());
+    double square = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        square = std::max(square, (points[i] - points_[i] - mean).squaredNorm());
+    }
+    return 2.0 * std::sqrt(square);
+}
+
+void ShellLayers::look(const ShellSamples& on, const std::vector<Vec3>& points, double gap) {
+    closed_ = closed_since(points);
+    if (closed_ < skin && gap == gap_) {
+        return;
+    }
+    closed_ = 0.0;
+    boxes_.assign(model_->mesh.triangles.size(), Box{});
+    halves_.assign(boxes_.size(), 0.0);
+    for (std::size_t f = 0; f < on.facets.size(); ++f) {
+        const std::size_t t = f / at(on.facets_each);
+        for (std::size_t k = 0; k < 3; ++k) {
+            boxes_[t].add(points[at(on.facets[f][k])], 0.0);
+            halves_[t] = std::max(halves_[t], 0.5 * on.corners[f][k].thickness);
+        }
+    }
+    thickest_ = *std::max_element(halves_.begin(), halves_.end());
+    points_ = points;
+    gap_ = gap;
+    fill_cells();
+    asked_.assign(boxes_.size(), -1);
+    candidates_.clear();
+    first_.assign(1, 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        asking_ = static_cast<int>(i);
+        find(points[i], on.samples[i].place);
+        first_.push_back(static_cast<int>(candidates_.size()));
+    }
+}
+
+void ShellLayers::fill_cells() {
     Box all;
     double size = 0.0;
     for (const Box& box : boxes_) {
@@ -112,29 +158,37 @@ void ShellLayers::take(std::vector<Box> boxes) {
     }
 }
 
-void ShellLayers::find(const Vec3& point, double reach, const std::array<int, 3>& nodes,
-                       std::vector<int>& triangles) const {
-    triangles.clear();
+/// Adds what comes near a place to the candidates.
+void ShellLayers::find(const Vec3& point, const ShellPlace& place) {
+    const double around = 0.5 * place.thickness + gap_ + skin;
+    const double reach = around + thickest_;
     const std::array<int, 3> first = cell_of(point - Vec3::Constant(reach));
     const std::array<int, 3> last = cell_of(point + Vec3::Constant(reach));
+    const auto take = [&](int t) {
+        if (asked_[at(t)] == asking_) {
+            return;
+        }
+        asked_[at(t)] = asking_;
+        const std::vector<int>& near = near_[at(t)];
+        const double own = around + halves_[at(t)];
+        const double square = square_to(boxes_[at(t)], point);
+        if (square <= own * own && std::none_of(place.nodes.begin(), place.nodes.end(), [&](int n) {
+                return n >= 0 && std::binary_search(near.begin(), near.end(), n);
+            })) {
+            candidates_.push_back({t, std::sqrt(square) - own + skin});
+        }
+    };
+    const std::size_t start = candidates_.size();
     for (int z = first[2]; z <= last[2]; ++z) {
         for (int y = first[1]; y <= last[1]; ++y) {
             for (int x = first[0]; x <= last[0]; ++x) {
                 const std::size_t cell = at((z * cells_[1] + y) * cells_[0] + x);
-                triangles.insert(triangles.end(), triangles_.begin() + offset_[cell],
-                                 triangles_.begin() + offset_[cell + 1]);
+                std::for_each(triangles_.begin() + offset_[cell], triangles_.begin() + offset_[cell + 1], take);
             }
         }
     }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    std::erase_if(triangles, [&](int t) {
-        const Vec3 nearest = point.cwiseMax(boxes_[at(t)].low).cwiseMin(boxes_[at(t)].high);
-        const std::vector<int>& near = near_[at(t)];
-        return (nearest - point).squaredNorm() > reach * reach || std::any_of(nodes.begin(), nodes.end(), [&](int n) {
-                   return n >= 0 && std::binary_search(near.begin(), near.end(), n);
-               });
-    });
+    std::sort(candidates_.begin() + static_cast<std::ptrdiff_t>(start), candidates_.end(),
+              [](const Candidate& a, const Candidate& b) { return a.triangle < b.triangle; });
 }
 
 }  // namespace rhexis

@@ -9,10 +9,18 @@
 namespace rhexis {
 namespace {
 
-constexpr int most_steps = 128;  // before any is redone
+constexpr int most_steps = 128;       // before any is redone
+constexpr double pushed_share = 0.8;  // of what contact allows: what an instrument pushes may go faster than it
+constexpr int pieces = 4;             // of one that is redone
+constexpr int most_cuts = 2;          // of one into pieces, and of those
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};
+
+/// What is pushed goes on as it went. Whole iterations would jump over what touches. Newton's method takes no more of
+/// them with solves to a tenth than to a thousandth.
+constexpr ImplicitSettings in_contact{
+    .tolerance = 0.1, .max_newton = 30, .newton_tolerance = 1e-4, .contact_tolerance = 1e-3, .predict = true};
 
 ShellLoad load_of(const ShellState& state) {
     ShellLoad load;
@@ -67,62 +75,84 @@ int steps_for(const ShellContacts& contacts, const ShellTask& task) {
     for (const ToolState& tube : task.partners.tube_states) {
         way = std::max(way, way_of(box, tube));
     }
-    return std::clamp(static_cast<int>(std::ceil(way / contacts.most_travel())), 1, most_steps);
+    return std::clamp(static_cast<int>(std::ceil(way / (pushed_share * contacts.most_travel()))), 1, most_steps);
 }
 
-/// Whether every one of the steps balances and none goes too far.
-bool run(ShellStepper& stepper, ShellContacts& contacts, const ShellTask& task, int steps, ShellState& state,
-         ShellStepReport& report) {
-    const ShellLoad load = load_of(task.state);
-    report = ShellStepReport{};
-    report.substeps = steps;
-    bool balanced = true;
-    std::vector<Vec3> before;
-    for (int i = 0; i < steps; ++i) {
-        ShellPartners partners = task.partners;
-        partners.from = static_cast<double>(i) / steps;
-        partners.to = static_cast<double>(i + 1) / steps;
-        contacts.look(state, partners);
-        before = state.position;
-        ImplicitSettings own = settings;
-        if (!contacts.empty()) {
-            own.predict_stress = false;  // whole iterations jump over what touches
-            own.most_travel = contacts.most_travel();
-        }
-        const ImplicitReport one = stepper.step(state, load, task.gravity, task.dt / steps, own, state, &contacts);
-        report.newton_iterations += one.newton_iterations;
-        report.linear_iterations += one.linear_iterations;
-        report.residual = std::max(report.residual, one.newton_residual);
-        if (!std::isfinite(one.newton_residual)) {
-            report.residual = one.newton_residual;
-            return false;
-        }
-        balanced = balanced && one.converged &&
-                   (contacts.empty() || farthest(before, state.position) <= contacts.most_travel());
+/// A step on its way.
+struct Run {
+    ShellStepper& stepper;
+    ShellContacts& contacts;
+    const ShellTask& task;
+    ShellLoad load;
+    ShellStepReport& report;
+    int& rollbacks;
+};
+
+/// From share `from` of the step to share `to` in one; `state` goes there. Whether it balances and goes no farther than
+/// contact allows.
+bool step_once(Run& run, double from, double to, ShellState& state, double& residual) {
+    ShellPartners partners = run.task.partners;
+    partners.from = from;
+    partners.to = to;
+    run.contacts.look(state, partners);
+    ImplicitSettings own = settings;
+    if (!run.contacts.empty()) {
+        own = in_contact;
+        own.most_travel = run.contacts.most_travel();
     }
-    return balanced;
+    const std::vector<Vec3> before = state.position;
+    const ImplicitReport one =
+        run.stepper.step(state, run.load, run.task.gravity, (to - from) * run.task.dt, own, state, &run.contacts);
+    run.report.newton_iterations += one.newton_iterations;
+    run.report.linear_iterations += one.linear_iterations;
+    residual = std::min(one.newton_residual, one.over_contact);
+    return one.converged && (run.contacts.empty() || farthest(before, state.position) <= run.contacts.most_travel());
+}
+
+/// The same in as many steps as it takes, where it takes them.
+ShellMotion go(Run& run, double from, double to, int cuts, ShellState& state) {
+    const ShellState start = state;
+    double residual = 0.0;
+    const bool good = step_once(run, from, to, state, residual);
+    const bool finite = std::isfinite(residual);
+    if (good || (cuts == 0 && finite)) {
+        ++run.report.substeps;
+        run.report.residual = std::max(run.report.residual, residual);
+        return good ? ShellMotion::balanced : ShellMotion::rough;
+    }
+    ++run.rollbacks;
+    run.stepper.drop_factor();
+    if (cuts == 0) {
+        return ShellMotion::failed;
+    }
+    state = start;
+    ShellMotion worst = ShellMotion::balanced;
+    for (int i = 0; i < pieces && worst != ShellMotion::failed; ++i) {
+        const double share = (to - from) / pieces;
+        worst = std::max(worst, go(run, from + i * share, from + (i + 1) * share, cuts - 1, state));
+    }
+    return worst;
 }
 
 }  // namespace
 
 ShellMotion move_shell(ShellStepper& stepper, ShellContacts& contacts, const ShellTask& task, ShellState& next,
                        ShellStepReport& report, int& rollbacks) {
-    const int coarsest = steps_for(contacts, task);
-    constexpr int finest = 16;
-    for (const int finer : {1, 4, finest}) {
-        next = task.state;
-        if (run(stepper, contacts, task, coarsest * finer, next, report)) {
-            return ShellMotion::balanced;
-        }
-        if (finer == finest && std::isfinite(report.residual)) {
-            return ShellMotion::rough;
-        }
-        ++rollbacks;
-        stepper.drop_caches();
-    }
+    report = ShellStepReport{};
+    report.substeps = 0;
+    Run run{stepper, contacts, task, load_of(task.state), report, rollbacks};
     next = task.state;
-    stop(next);
-    return ShellMotion::failed;
+    const int steps = steps_for(contacts, task);
+    ShellMotion worst = ShellMotion::balanced;
+    for (int i = 0; i < steps && worst != ShellMotion::failed; ++i) {
+        worst = std::max(worst,
+                         go(run, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps, most_cuts, next));
+    }
+    if (worst == ShellMotion::failed) {
+        next = task.state;
+        stop(next);
+    }
+    return worst;
 }
 
 }  // namespace rhexis

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "base/index.hpp"
@@ -115,7 +116,7 @@ private:
         const auto [found, added] = known_.try_emplace(key_of(model_->mesh.triangles[triangle], share),
                                                        static_cast<int>(result_->samples.size()));
         if (added) {
-            result_->samples.push_back({trimmed(place(triangle, share)), 0.0, static_cast<int>(triangle)});
+            result_->samples.push_back({trimmed(place(triangle, share)), 0.0, 0.0, static_cast<int>(triangle)});
         }
         return found->second;
     }
@@ -126,6 +127,36 @@ private:
     ShellSamples* result_;
     std::map<Key, int> known_;
 };
+
+Vec3 at_rest(const ShellModel& model, const ShellPlace& place) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (place.nodes[k] >= 0) {
+            sum += place.weights[k] * model.mesh.nodes[at(place.nodes[k])] + place.arms[k];
+        }
+    }
+    return sum;
+}
+
+/// Half of every side that belongs to one facet goes to each of its ends.
+void find_edge(const ShellModel& model, ShellSamples& on) {
+    std::map<std::pair<int, int>, int> facets;
+    for (const std::array<int, 3>& n : on.facets) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            ++facets[std::minmax(n[k], n[(k + 1) % 3])];
+        }
+    }
+    for (const auto& [ends, count] : facets) {
+        if (count > 1) {
+            continue;
+        }
+        ShellSamples::Sample& a = on.samples[at(ends.first)];
+        ShellSamples::Sample& b = on.samples[at(ends.second)];
+        const double half = 0.5 * (at_rest(model, a.place) - at_rest(model, b.place)).norm();
+        a.edge += half * a.place.thickness;
+        b.edge += half * b.place.thickness;
+    }
+}
 
 }  // namespace
 
@@ -160,6 +191,7 @@ ShellSamples shell_samples(const ShellModel& model, int level) {
             }
         }
     }
+    find_edge(model, result);
     return result;
 }
 

@@ -33,6 +33,7 @@ struct ShellSamples {
     struct Sample {
         ShellPlace place;
         double area = 0.0;  ///< that it stands for, at rest [mm^2]
+        double edge = 0.0;  ///< likewise of the edge's face: its length times thickness; 0: not on the edge [mm^2]
         int triangle = 0;   ///< one that it belongs to
     };
     std::vector<Sample> samples;             ///< nodes first, then others, each once

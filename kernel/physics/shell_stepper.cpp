@@ -2,6 +2,7 @@
 #include "physics/shell_stepper.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,6 +11,12 @@
 #include "math/rotation.hpp"
 
 namespace rhexis {
+namespace {
+
+constexpr double tied_share = 0.5;      // of a step's way: layers nearer than that are about to touch
+constexpr double missing_share = 0.02;  // of what is about to touch
+
+}  // namespace
 
 Result<ShellStepper> ShellStepper::create(const ShellModel& model, std::string_view instruction_set) {
     if (Status status = check_shell(model); !status) {
@@ -36,10 +43,15 @@ void ShellStepper::build() {
     step_.emplace(std::move(body), *linear_);
 }
 
-/// A pattern with room for these links. One that has them and more will do.
-void ShellStepper::tie(std::vector<std::array<int, 2>> links) {
-    if (!std::includes(links_.begin(), links_.end(), links.begin(), links.end())) {
-        links_ = std::move(links);
+/// A pattern with room for all that is near, made anew when what is about to touch is not in it. The few that touch in
+/// a step without having been near before stay beside the pattern, which costs iterations of the solver.
+void ShellStepper::tie(const ShellContacts& contacts) {
+    const std::vector<std::array<int, 2>> soon = contacts.links(tied_share * contacts.most_travel());
+    std::vector<std::array<int, 2>> missing;
+    std::set_difference(soon.begin(), soon.end(), links_.begin(), links_.end(), std::back_inserter(missing));
+
+    if (static_cast<double>(missing.size()) > missing_share * static_cast<double>(soon.size())) {
+        links_ = contacts.links();
         build();
     }
 }
@@ -94,7 +106,7 @@ ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load
     RHEXIS_ASSERT((load.force.empty() || load.force.size() == nodes) &&
                   (load.moment.empty() || load.moment.size() == nodes));
     if (contacts != nullptr) {
-        tie(contacts->links());
+        tie(*contacts);
     }
     body_->set_reference(state.rotation);
     lay_out(state, load, gravity);

@@ -35,11 +35,13 @@ public:
 
     /// Forgets the kept factor and what touched.
     void drop_caches();
+    /// Forgets the kept factor only.
+    void drop_factor() { step_->drop_caches(); }
 
 private:
     ShellStepper(const ShellModel& model, const linear_kernel::Kernel& linear, const shell_kernel::Kernel& shell);
     void build();
-    void tie(std::vector<std::array<int, 2>> links);
+    void tie(const ShellContacts& contacts);
     const std::vector<double>& rows_of(const std::vector<Vec3>& points);
     void lay_out(const ShellState& state, const ShellLoad& load, const Vec3& gravity);
 

@@ -34,6 +34,11 @@ struct Box {
     }
 };
 
+/// Square of a point's distance from a box, 0 inside [mm^2].
+inline double square_to(const Box& box, const Vec3& point) {
+    return (point.cwiseMax(box.low).cwiseMin(box.high) - point).squaredNorm();
+}
+
 /// Box around everything that a tool passes through in a step.
 Box swept_box(const ToolModel& model, const ToolState& tool);
 
