@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/coupled_matrix.hpp"
 
+#include <cmath>
+
 #include <algorithm>
 
 #include "base/assert.hpp"
@@ -31,12 +33,12 @@ void CoupledMatrix::clear_coupling(int bodies) {
     ties_.clear();
 }
 
-void CoupledMatrix::add_pair(int a, int b, const Mat3& block) {
+void CoupledMatrix::add_pair(int a, int b, const Mat3& block, const Mat3& bound) {
     const int slot = pattern_->slot(a, b);
     if (slot >= 0) {
         add_block(solid_, slot, block);
     } else {
-        links_.push_back({a, b, block});
+        links_.push_back({a, b, block, bound});
     }
 }
 
@@ -64,7 +66,8 @@ void CoupledMatrix::add(const ContactTerm& contact, double scale, std::span<cons
         for (std::size_t b = 0; b < 3; ++b) {
             const int other = contact.nodes[b];
             if (other >= 0 && moves[at(other)] != 0) {
-                add_pair(node, other, contact.weights[a] * contact.weights[b] * stiffness);
+                const double weight = contact.weights[a] * contact.weights[b];
+                add_pair(node, other, weight * stiffness, std::abs(weight) * stiffness);
             }
         }
         if (contact.body >= 0) {
@@ -82,16 +85,18 @@ void CoupledMatrix::add_shares(const ContactTerm& contact, const Mat3& stiffness
             continue;
         }
         const Mat3 pulled = own.share.transpose() * stiffness;
+        const Mat3 alone = pulled * own.share;
         for (std::size_t k = 0; k < 3; ++k) {
             const int node = contact.nodes[k];
             if (node >= 0 && moves[at(node)] != 0) {
-                add_pair(own.node, node, contact.weights[k] * pulled);
-                add_pair(node, own.node, contact.weights[k] * pulled.transpose());
+                const double weight = std::abs(contact.weights[k]);
+                add_pair(own.node, node, contact.weights[k] * pulled, weight * alone);
+                add_pair(node, own.node, contact.weights[k] * pulled.transpose(), weight * stiffness);
             }
         }
         for (const ContactShare& with : contact.more) {
             if (moves[at(with.node)] != 0) {
-                add_pair(own.node, with.node, pulled * with.share);
+                add_pair(own.node, with.node, pulled * with.share, alone);
             }
         }
     }
@@ -117,8 +122,7 @@ void CoupledMatrix::multiply(std::span<const double> x, std::span<double> y) con
 BlockValues CoupledMatrix::solid_within_pattern() const {
     BlockValues result = solid_;
     for (const Link& link : links_) {
-        // weights may differ in sign: the trace tells
-        add_block(result, pattern_->diagonal[at(link.a)], link.block.trace() < 0.0 ? -link.block : link.block);
+        add_block(result, pattern_->diagonal[at(link.a)], link.bound);
     }
     return result;
 }

@@ -57,9 +57,10 @@ private:
         int a;
         int b;
         Mat3 block;
+        Mat3 bound;  ///< of a: with that of b, on their diagonals, no less than the blocks of both
     };
     void add_shares(const ContactTerm& contact, const Mat3& stiffness, std::span<const std::uint8_t> moves);
-    void add_pair(int a, int b, const Mat3& block);
+    void add_pair(int a, int b, const Mat3& block, const Mat3& bound);
     void add_tie(int node, int body, const Mat36& block);
 
     const BlockPattern* pattern_;

@@ -16,10 +16,13 @@ double FactorPreconditioner::cost_in_iterations() const {
     return precision_ == Precision::single ? single : 5.0 * single;
 }
 
-bool FactorPreconditioner::factor_solid(const BlockValues& values, Precision precision) {
+bool FactorPreconditioner::factor_solid(const BlockValues& values, Precision precision, bool single_only) {
     precision_ = precision;
     if (precision == Precision::single && packed_.factor(values)) {
         return true;
+    }
+    if (single_only) {
+        return false;
     }
     precision_ = Precision::twofold;
     if (!exact_) {
@@ -28,8 +31,8 @@ bool FactorPreconditioner::factor_solid(const BlockValues& values, Precision pre
     return exact_->factor(values);
 }
 
-bool FactorPreconditioner::factor(const CoupledMatrix& matrix, Precision precision) {
-    kept_ = factor_solid(matrix.has_links() ? matrix.solid_within_pattern() : matrix.solid(), precision);
+bool FactorPreconditioner::factor(const CoupledMatrix& matrix, Precision precision, bool single_only) {
+    kept_ = factor_solid(matrix.has_links() ? matrix.solid_within_pattern() : matrix.solid(), precision, single_only);
     if (!kept_) {
         return false;
     }
@@ -42,7 +45,7 @@ bool FactorPreconditioner::factor(const CoupledMatrix& matrix, Precision precisi
         const MatX schur = matrix.rigid() - coupling_.transpose() * carried_;
         schur_.compute(0.5 * (schur + schur.transpose()));
         kept_ = schur_.info() == Eigen::Success;
-        if (!kept_ && precision_ == Precision::single) {
+        if (!kept_ && precision_ == Precision::single && !single_only) {
             return factor(matrix, Precision::twofold);
         }
     }

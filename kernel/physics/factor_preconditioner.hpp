@@ -25,8 +25,8 @@ public:
     enum class Precision { single, twofold };
 
     /// False if the matrix is not positive definite or not finite: then nothing is kept. Single precision turns to
-    /// double by itself where it must.
-    bool factor(const CoupledMatrix& matrix, Precision precision);
+    /// double by itself where it must, unless single_only.
+    bool factor(const CoupledMatrix& matrix, Precision precision, bool single_only = false);
     void drop() { kept_ = false; }
     [[nodiscard]] bool kept() const { return kept_; }
     [[nodiscard]] Precision precision() const { return precision_; }
@@ -38,7 +38,7 @@ public:
 
 private:
     void solve_solid(const double* r, double* z);
-    bool factor_solid(const BlockValues& values, Precision precision);
+    bool factor_solid(const BlockValues& values, Precision precision, bool single_only);
 
     const BlockPattern* pattern_;
     PackedFactor packed_;

@@ -68,7 +68,7 @@ struct ImplicitStep::Parts {
     void full_residual(const Task& task);
     void balance(const Task& task);
     void build_tangent(const Task& task, Mode mode);
-    bool solve(const Task& task, ImplicitReport& report);
+    bool solve(const Task& task, Mode mode, ImplicitReport& report);
     [[nodiscard]] double largest_step(const Task& task) const;
     void search(const Task& task);
     void judge(const Task& task, ImplicitReport& report) const;
@@ -323,14 +323,15 @@ void ImplicitStep::Parts::build_tangent(const Task& task, Mode mode) {
 }
 
 /// change = A^-1 residual. False if that was not reached.
-bool ImplicitStep::Parts::solve(const Task& task, ImplicitReport& report) {
+bool ImplicitStep::Parts::solve(const Task& task, Mode mode, ImplicitReport& report) {
     const double size = norm(residual);
     const double target = std::max(task.settings.tolerance * size, 0.1 * rounding);
     if (task.settings.new_factors) {
         solver.expect_change();
     }
     const KeptSolver::Outcome outcome =
-        solver.solve(matrix, residual, target, task.settings.max_linear_iterations, change);
+        solver.solve(matrix, residual, target, task.settings.max_linear_iterations, change,
+                     mode == Mode::consistent && task.settings.quick_to_project);
     report.linear_iterations += outcome.iterations;
     report.factored = report.factored || outcome.factored;
     report.residual = outcome.residual / std::max(size, rounding);
@@ -399,13 +400,13 @@ void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
         if (iteration > 0 &&
             (std::min(report.newton_residual, report.over_contact) < near || task.settings.predict_stress)) {
             build_tangent(task, Mode::consistent);
-            solved = solve(task, report);
+            solved = solve(task, Mode::consistent, report);
         }
         if (!solved) {
             if (iteration > 0) {
                 build_tangent(task, Mode::projected);
             }
-            solve(task, report);
+            solve(task, Mode::projected, report);
         }
         ++report.newton_iterations;
         search(task);
@@ -433,7 +434,7 @@ void ImplicitStep::Parts::iterate(const Task& task, ImplicitReport& report) {
         newton(task, report);
         return;
     }
-    const bool solved = solve(task, report);
+    const bool solved = solve(task, Mode::warped, report);
     for (std::size_t i = 0; i < velocity.size(); ++i) {
         velocity[i] += change[i];
     }

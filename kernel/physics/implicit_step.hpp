@@ -48,6 +48,9 @@ struct ImplicitSettings {
     /// Tangents with the stress that the last iteration predicted, whole iterations whatever the residual does between:
     /// for shells, which turn far while they strain little.
     bool predict_stress = false;
+    /// A consistent tangent that has no factor in single precision is taken as indefinite, without trying double: where
+    /// many are, as of a shell that buckles.
+    bool quick_to_project = false;
     double most_travel = 0.0;  ///< of any node in one iteration, so that nothing is jumped over [mm]; 0: no limit
 };
 

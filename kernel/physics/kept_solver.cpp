@@ -26,11 +26,11 @@ bool KeptSolver::due(const CoupledMatrix& matrix) const {
     return solves_ > 0 && last_ * solves_ > factor_.cost_in_iterations() + iterations_;
 }
 
-bool KeptSolver::renew(const CoupledMatrix& matrix, Precision precision, Outcome& outcome) {
+bool KeptSolver::renew(const CoupledMatrix& matrix, Precision precision, bool single_only, Outcome& outcome) {
     solves_ = iterations_ = last_ = first_ = 0;
     due_ = true;
     outcome.factored = true;
-    if (!factor_.factor(matrix, precision)) {
+    if (!factor_.factor(matrix, precision, single_only)) {
         return false;
     }
     due_ = false;
@@ -45,7 +45,7 @@ PcgResult KeptSolver::run(const CoupledMatrix& matrix, std::span<const double> b
 }
 
 KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance,
-                                      int max_iterations, std::span<double> x) {
+                                      int max_iterations, std::span<double> x, bool single_only) {
     Outcome outcome;
     PcgResult result;
     bool started = false;
@@ -59,10 +59,10 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
         attempt(first_ + std::max(4, static_cast<int>(factor_.cost_in_iterations())));
     }
     if (!started || (!result.converged && result.finite)) {
-        if (renew(matrix, Precision::single, outcome)) {
+        if (renew(matrix, Precision::single, single_only, outcome)) {
             attempt(factor_.precision() == Precision::single ? patience : max_iterations);
-            if (!result.converged && result.finite && factor_.precision() == Precision::single &&
-                renew(matrix, Precision::twofold, outcome)) {
+            if (!single_only && !result.converged && result.finite && factor_.precision() == Precision::single &&
+                renew(matrix, Precision::twofold, single_only, outcome)) {
                 attempt(max_iterations);
             }
         } else if (!started) {

@@ -21,9 +21,9 @@ public:
         bool factored = false;
     };
 
-    /// x = A^-1 b until |b - A x| <= tolerance (absolute).
+    /// x = A^-1 b until |b - A x| <= tolerance (absolute). single_only: else not converged.
     Outcome solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
-                  std::span<double> x);
+                  std::span<double> x, bool single_only = false);
 
     /// Forgets the factor and what was learned of its use: the next solve is as that of a new solver.
     void drop();
@@ -32,7 +32,8 @@ public:
 
 private:
     [[nodiscard]] bool due(const CoupledMatrix& matrix) const;
-    bool renew(const CoupledMatrix& matrix, FactorPreconditioner::Precision precision, Outcome& outcome);
+    bool renew(const CoupledMatrix& matrix, FactorPreconditioner::Precision precision, bool single_only,
+               Outcome& outcome);
     PcgResult run(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
                   std::span<double> x, bool started);
 

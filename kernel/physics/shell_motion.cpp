@@ -19,8 +19,12 @@ constexpr ImplicitSettings settings{
 
 /// What is pushed goes on as it went. Whole iterations would jump over what touches. Newton's method takes no more of
 /// them with solves to a tenth than to a thousandth.
-constexpr ImplicitSettings in_contact{
-    .tolerance = 0.1, .max_newton = 30, .newton_tolerance = 1e-4, .contact_tolerance = 1e-3, .predict = true};
+constexpr ImplicitSettings in_contact{.tolerance = 0.1,
+                                      .max_newton = 30,
+                                      .newton_tolerance = 1e-4,
+                                      .contact_tolerance = 1e-3,
+                                      .predict = true,
+                                      .quick_to_project = true};
 
 ShellLoad load_of(const ShellState& state) {
     ShellLoad load;
