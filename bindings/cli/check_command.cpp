@@ -56,7 +56,7 @@ Status check_scenarios(const std::string& path, const Context& context) {
         return file.error();
     }
     for (const nlohmann::json& scenario : file.value().scenarios) {
-        const Status good = check_scenario(file.value(), scenario, context.root);
+        Status good = check_scenario(file.value(), scenario, context.root);
         if (!good) {
             return good;
         }
@@ -82,7 +82,7 @@ Status check_exercise(const std::string& path, const Context& context) {
         }
     }
     for (const std::string& file : scenarios_below(files.value().folder)) {
-        const Status good = check_scenarios(file, context);
+        Status good = check_scenarios(file, context);
         if (!good) {
             return good;
         }

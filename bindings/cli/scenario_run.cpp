@@ -89,7 +89,7 @@ public:
             if (wanted.value().done) {
                 return success();
             }
-            const Status stepped = step(wanted.value(), std::move(commands).value());
+            Status stepped = step(wanted.value(), std::move(commands).value());
             if (!stepped) {
                 return stepped;
             }
@@ -141,7 +141,7 @@ private:
         for (; logged_ < session_.log().size(); ++logged_) {
             const std::string& text = session_.log()[logged_].text;
             if (text.starts_with("sample refused") || text.starts_with("command refused")) {
-                const Status said = script_.refused(text);
+                Status said = script_.refused(text);
                 if (!said) {
                     return said;
                 }

@@ -79,7 +79,7 @@ public:
                 return file.error();
             }
             files_.push_back(std::move(file).value());
-            const Status added = add(files_.back(), given.filter, root);
+            Status added = add(files_.back(), given.filter, root);
             if (!added) {
                 return added;
             }
@@ -110,7 +110,7 @@ private:
     Status add(const ScenarioFile& file, const std::string& filter, const std::string& root) {
         for (std::size_t i = 0; i < file.scenarios.size(); ++i) {
             if (wanted(file.scenarios.at(i), filter)) {
-                const Status good = check_scenario(file, file.scenarios.at(i), root);
+                Status good = check_scenario(file, file.scenarios.at(i), root);
                 if (!good) {
                     return good;
                 }
