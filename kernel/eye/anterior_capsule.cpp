@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/assert.hpp"
 #include "base/index.hpp"
 #include "eye/anatomy.hpp"
 #include "eye/posterior_capsule.hpp"
@@ -95,7 +96,8 @@ void hang(const BagModel& bag, double age, double tension, MembraneModel& model)
     const std::vector<std::uint8_t> edge = on_boundary(mesh, model.sheet->neighbours);
     double anterior = 0.0;
     double posterior = 0.0;
-    const ZonuleSpring* inserted = nullptr;
+    RHEXIS_ASSERT(!bag.zonules.empty());
+    const ZonuleSpring* inserted = bag.zonules.data();
     for (const ZonuleSpring& zonule : bag.zonules) {
         const bool front = zonule.on_bag.z() > 0.0;
         (front ? anterior : posterior) += zonule.stiffness;

@@ -104,7 +104,7 @@ SurfaceDistance tube_distance(const TubeModel& tube, const Vec3& point) {
     const Section section = section_at(tube, std::min(point.z(), lip_z));
     const Across found = across(section, point.head<2>());
     const double from_lip = found.distance + tube.lip;
-    const SurfaceDistance apart{HUGE_VAL, Vec3::UnitZ()};
+    SurfaceDistance apart{HUGE_VAL, Vec3::UnitZ()};
     if (point.z() > lip_z) {
         const double beyond = point.z() - lip_z;
         if (from_lip < -tube.lip) {

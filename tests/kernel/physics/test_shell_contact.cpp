@@ -137,6 +137,53 @@ TEST_SUITE("shell contact forces") {
         CHECK(force.norm() < 1e-12 * size);
         CHECK(moment.norm() < 1e-12 * size);
     }
+
+    TEST_CASE("layers that were looked for before are those of a new search, however the shell has moved since") {
+        const ShellModel model = scenes::flat_strip(12.0, 1.0, 0.2, 40, 2);
+        const ShellState rolled = scenes::rolled_strip(model, 0.8, 0.19);
+        ShellState state = rolled;
+        ShellContacts kept(model);
+        for (int i = 0; i < 40; ++i) {
+            // pressed flat, step by step, while it goes away as a whole
+            for (std::size_t n = 0; n < state.position.size(); ++n) {
+                const Vec3& from = rolled.position[n];
+                state.position[n] = Vec3(from.x() * (1.0 + 0.005 * i) + 0.3 * i, from.y(), from.z() * (1.0 - 0.01 * i));
+            }
+            ShellContacts anew(model);
+            kept.look(state, ShellPartners{});
+            anew.look(state, ShellPartners{});
+            std::vector<ContactTerm> of_kept;
+            std::vector<ContactTerm> of_new;
+            kept.terms(points_of(flat(state)), of_kept);
+            anew.terms(points_of(flat(state)), of_new);
+            REQUIRE(of_new.size() > 50);
+            CHECK(kept.links() == anew.links());
+            CHECK(forces_of(of_kept, 2 * state.position.size()) == forces_of(of_new, 2 * state.position.size()));
+        }
+    }
+
+    TEST_CASE("an edge that comes sideways meets a plane with its face, whatever the mesh") {
+        const auto stiffness = [](int along, int across) {
+            const ShellModel model = scenes::flat_strip(2.0, 1.0, 0.2, along, across);
+            const PlaneModel plane{Vec3(-0.099, 0.0, 0.0), Vec3::UnitX(), 0.0};  // the end has sunk in by a thousandth
+            ShellPartners partners;
+            partners.planes = {&plane, 1};
+            const ShellState state = rest_state(model);
+            ShellContacts contacts(model);
+            contacts.look(state, partners);
+            std::vector<ContactTerm> terms;
+            contacts.terms(points_of(flat(state)), terms);
+            double sum = 0.0;
+            for (const ContactTerm& term : terms) {
+                sum += term.stiffness(0, 0);
+            }
+            return sum;
+        };
+        const double face = ShellContactSettings{}.stiffer * 1e6 / 0.2 * (1.0 * 0.2);
+        CHECK(stiffness(8, 4) > face);  // a corner counts both its sides
+        CHECK(stiffness(8, 4) < 1.2 * face);
+        CHECK(stiffness(32, 16) == doctest::Approx(face).epsilon(0.05));
+    }
 }
 
 TEST_SUITE("shell pressed") {
