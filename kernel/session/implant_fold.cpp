@@ -2,6 +2,7 @@
 #include "session/implant_fold.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/clock.hpp"
@@ -77,7 +78,7 @@ struct ImplantFold::Parts {
           tools(device.tools().size()) {}
 
     [[nodiscard]] int steps_of_stage() const {
-        return static_cast<int>(folding_stages()[at(now.stage)].duration / step_s + 0.5);
+        return static_cast<int>(std::lround(folding_stages()[at(now.stage)].duration / step_s));
     }
     void move_tools(const FoldingPose& pose);
     Status solve(const FoldingPose& pose);
@@ -160,7 +161,7 @@ Status ImplantFold::step() {
         p.now.rough = 0;
     }
     ++p.step_in_stage;
-    const Status status =
+    Status status =
         p.solve(p.device.pose(p.now.stage, static_cast<double>(p.step_in_stage) / p.steps_of_stage()));
     p.now.cpu_s += thread_cpu_seconds() - start;
     ++p.now.steps;
