@@ -2,6 +2,7 @@
 #include "physics/debris_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/fluid_step.hpp"
 
@@ -65,7 +66,7 @@ void drift(const WorldModel& model, std::span<const ToolState> tools, std::span<
            const WorldState& state, Debris& crumb) {
     const double fluid = model.solids.empty() ? 1.0e-3 : model.solids[0].buoyancy_density;
     const Vec3 weight = (1.0 - fluid / crumb.density) * model.gravity;
-    const int count = std::max(1, static_cast<int>(dt / substep + 0.5));
+    const int count = std::max(1, static_cast<int>(std::lround(dt / substep)));
     const double h = dt / count;
     for (int i = 0; i < count; ++i) {
         const Vec3 flow = fluid_velocity(model, state, tools, probes, crumb.position);

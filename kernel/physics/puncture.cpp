@@ -67,7 +67,7 @@ Vec3 way_of_cut(const ToolModel& needle, const Pose& pose, const MembraneState& 
     constexpr double too_near = 0.02;  // to tell a direction [mm]
     const std::optional<SheetPlace> through = where_through(state, pose.position, pose.to_world(needle.parts[0].b));
     if (through) {
-        const Vec3 way = through->rest - state.sheet->mesh.nodes[at(node)];
+        Vec3 way = through->rest - state.sheet->mesh.nodes[at(node)];
         if (way.norm() > too_near) {
             return way;
         }
