@@ -37,8 +37,8 @@ struct ShellStepReport {
     int substeps = 1;
     int newton_iterations = 0;
     int linear_iterations = 0;
-    double residual =
-        0.0;  ///< what does not balance at the end, as a share of what did not at the start, or of contact
+    /// What does not balance at the end, as a share of what did not at the start or of the forces of contact.
+    double residual = 0.0;
 };
 
 /// What made a step unacceptable.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/coupled_matrix.hpp"
 
-#include <cmath>
-
 #include <algorithm>
+#include <cmath>
 
 #include "base/assert.hpp"
 #include "base/index.hpp"

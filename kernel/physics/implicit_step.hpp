@@ -43,7 +43,8 @@ struct ImplicitSettings {
     double contact_tolerance = 0.0;
     double rest_tolerance = 0.0;  ///< residual force at which what was predicted is taken as it is [uN]
     int max_linear_iterations = 1000;
-    bool predict = false;      ///< linearised first where the velocities lead; more than one iteration, no K0 damping
+    bool predict =
+        false;  ///< linearised first where the velocities lead; more than one iteration; not of bodies with K0 damping
     bool new_factors = false;  ///< one per linear solve: pays where the matrix changes much from each to the next
     /// Tangents with the stress that the last iteration predicted, whole iterations whatever the residual does between:
     /// for shells, which turn far while they strain little.

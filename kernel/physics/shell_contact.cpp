@@ -193,11 +193,7 @@ void ShellContacts::meet_tools() {
     }
 }
 
-/// Every sample with what is nearest before it and behind it.
-void ShellContacts::meet_layers() {
-    const ShellSamples& on = samples_at(level_of_layers);
-    find_points(on);
-    layers_.look(on, points_, 2.0 * most_travel_);
+void ShellContacts::bound_facets(const ShellSamples& on) {
     facets_.resize(on.facets.size());
     for (std::size_t f = 0; f < facets_.size(); ++f) {
         const std::array<int, 3>& n = on.facets[f];
@@ -208,6 +204,14 @@ void ShellContacts::meet_layers() {
             ball.radius = std::max(ball.radius, (points_[at(one)] - ball.middle).norm());
         }
     }
+}
+
+/// Every sample with what is nearest before it and behind it.
+void ShellContacts::meet_layers() {
+    const ShellSamples& on = samples_at(level_of_layers);
+    find_points(on);
+    layers_.look(on, points_, 2.0 * most_travel_);
+    bound_facets(on);
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
         const std::span<const ShellLayers::Candidate> near = layers_.near(i);
         if (near.empty()) {

@@ -129,6 +129,7 @@ private:
     [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;
     [[nodiscard]] double stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const;
     void meet_tools();
+    void bound_facets(const ShellSamples& on);
     void meet_layers();
     void add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near);
     void add(Contact contact);

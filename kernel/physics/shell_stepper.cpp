@@ -49,7 +49,6 @@ void ShellStepper::tie(const ShellContacts& contacts) {
     const std::vector<std::array<int, 2>> soon = contacts.links(tied_share * contacts.most_travel());
     std::vector<std::array<int, 2>> missing;
     std::set_difference(soon.begin(), soon.end(), links_.begin(), links_.end(), std::back_inserter(missing));
-
     if (static_cast<double>(missing.size()) > missing_share * static_cast<double>(soon.size())) {
         links_ = contacts.links();
         build();
