@@ -161,8 +161,7 @@ Status ImplantFold::step() {
         p.now.rough = 0;
     }
     ++p.step_in_stage;
-    Status status =
-        p.solve(p.device.pose(p.now.stage, static_cast<double>(p.step_in_stage) / p.steps_of_stage()));
+    Status status = p.solve(p.device.pose(p.now.stage, static_cast<double>(p.step_in_stage) / p.steps_of_stage()));
     p.now.cpu_s += thread_cpu_seconds() - start;
     ++p.now.steps;
     p.now.time += step_s;
