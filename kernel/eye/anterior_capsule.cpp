@@ -7,6 +7,7 @@
 #include "base/assert.hpp"
 #include "base/index.hpp"
 #include "eye/anatomy.hpp"
+#include "eye/capsule_material.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "eye/table.hpp"
 #include "mesh/shapes.hpp"
@@ -16,14 +17,8 @@ namespace {
 
 constexpr double extent = 0.9;           ///< of the sheet, share of the equator's radius: beyond, it bends back
 constexpr double jitter = 0.2;           ///< of the nodes, share of an edge
-constexpr double poisson_ratio = 0.47;   ///< [Krag1997]
 constexpr double across_share = 0.5;     ///< of the modulus along fibres, where there are any. Proposal
 constexpr double fibre_toughness = 4.0;  ///< across them, over that along: as strong as [Dequidt2013] shows. Proposal
-/// With it the first pull of forceps comes to the published 11.7 mN in the mean [CapsulorhexisFe]: calibrated by
-/// `rhexis bench capsule_pulls` at 68 years. Tear forces of 5 to 19 mN, [Han2021] too, allow 0.7 to 2.7 kJ/m^2 [uN/mm].
-constexpr double standard_toughness = 1.2e6;
-constexpr double piercing_force = 22000.0;    ///< needles went through at 15 to 35 mN [Jmbbm2016] [uN]
-constexpr double piercing_thickness = 0.015;  ///< of what they went through [mm]
 /// Of the anterior zonules at rest [mm]: 37 mN in all at 68 years, for the muscle that slackens them is paralysed when
 /// the pupil is widened. Models of the lens take 0.75 to 300 mN for all zonules [Schachar2023]. Proposal.
 constexpr double zonule_stretch = 1.2;
@@ -31,7 +26,6 @@ constexpr double zonule_stretch = 1.2;
 /// mmHg 1.5.
 constexpr double vitreous_stiffness = 6e4;
 constexpr double settling = 0.02;        ///< time in which lens and capsule come to rest [s]
-constexpr double drag = 3e6;             ///< of the viscoelastic, share of the mass [1/s]. Proposal
 constexpr double layer_distance = 0.02;  ///< about its thickness, and less than its nodes sink in under a tool [mm]
 /// Of the capsule that goes on beyond the sheet until lens and cortex hold it [mm]. Proposal: it is 1.0 mm to the
 /// equator, where it bends round and the zonules insert; and a pull over a third of the rim dies away within 1.4 mm.
@@ -41,7 +35,6 @@ constexpr double insertion_width = 0.25;  ///< of the ring in which the zonules 
 constexpr std::array<TableRow, 2> pole{{{0.0, 0.011}, {98.0, 0.015}}};
 constexpr std::array<TableRow, 2> mid_periphery{{{0.0, 0.0135}, {98.0, 0.016}}};
 constexpr double mid_share = 0.55;  ///< of the way to the equator, where it is thickest
-constexpr double at_equator = 0.007;
 
 double across(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
 
@@ -55,7 +48,7 @@ TriMesh cap(const HalfEllipsoids& lens, const AnteriorCapsuleSettings& settings)
 }
 
 MembraneSheet sheet_of(const HalfEllipsoids& lens, double age, const AnteriorCapsuleSettings& settings) {
-    MembraneSheet sheet = uniform_sheet(cap(lens, settings), Vec3::UnitX(), at_equator);
+    MembraneSheet sheet = uniform_sheet(cap(lens, settings), Vec3::UnitX(), capsule_at_equator);
     for (int t = 0; t < static_cast<int>(sheet.fibre.size()); ++t) {
         const Vec3 middle = triangle_middle(sheet.mesh, t);
         sheet.thickness[at(t)] = anterior_thickness(age, across(middle), lens.radius);
@@ -135,7 +128,7 @@ void hang(const BagModel& bag, double age, double tension, MembraneModel& model)
 double anterior_thickness(double age, double rho, double equator) {
     const std::array<TableRow, 3> rows{{{0.0, linear_between(pole, age)},
                                         {mid_share * equator, linear_between(mid_periphery, age)},
-                                        {equator, at_equator}}};
+                                        {equator, capsule_at_equator}}};
     return linear_between(rows, rho);
 }
 
@@ -145,12 +138,12 @@ MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& 
     MembraneModel model;
     model.name = anterior_capsule_name;
     model.sheet = std::make_shared<const MembraneSheet>(sheet_of(lens, age, settings));
-    model.material = settings.circles ? Orthotropic{modulus, across_share * modulus, poisson_ratio, 0.0}
-                                      : isotropic(modulus, poisson_ratio);
-    const double toughness = settings.toughness * standard_toughness;
+    model.material = settings.circles ? Orthotropic{modulus, across_share * modulus, capsule_poisson_ratio, 0.0}
+                                      : isotropic(modulus, capsule_poisson_ratio);
+    const double toughness = settings.toughness * capsule_toughness;
     model.toughness = {toughness, settings.circles ? fibre_toughness * toughness : toughness};
-    model.piercing = piercing_force / piercing_thickness;
-    model.damping_mass = drag;
+    model.piercing = capsule_piercing_force / capsule_piercing_thickness;
+    model.damping_mass = viscoelastic_drag;
     model.support = SupportModel{{lens.radius, lens.anterior, lens.posterior}, 0.05, 0.0, 0.0, 0.0};
     model.layer_distance = layer_distance;
     hang(bag, age, settings.zonule_tension, model);

@@ -9,8 +9,8 @@
 
 namespace rhexis {
 
-/// The other side of a contact: rigid, or another layer of the same shell.
-enum class ContactPartner { tool, bag, plane, dome, support, tube, layer };
+/// The other side of a contact: rigid, another layer of the same shell, or a membrane.
+enum class ContactPartner { tool, bag, plane, dome, support, tube, layer, sheet };
 
 /// A surface point of a solid or a membrane against a rigid partner. The point is a weighted mean of up to three nodes.
 struct Contact {

@@ -57,6 +57,8 @@ struct EyeAnatomy {
 
 /// Of the membrane that is the anterior capsule.
 inline constexpr const char* anterior_capsule_name = "anterior_capsule";
+/// Of the membrane that is the bag without its lens.
+inline constexpr const char* empty_bag_name = "bag";
 
 struct EyeModel {
     Patient patient;

@@ -56,7 +56,8 @@ Status check_numbers(const MembraneModel& model) {
                          {"damping_stiffness", model.damping_stiffness, 0.0, 10.0, " s"},
                          {"slack_share", model.slack_share, 1e-9, 1.0, ""},
                          // only on a support is it known which layer lies on which
-                         {"layer_distance", model.layer_distance, 0.0, model.support ? 0.1 : 0.0, " mm"}},
+                         {"layer_distance", model.layer_distance, 0.0, model.support ? 0.1 : 0.0, " mm"},
+                         {"shell_friction", model.shell_friction, 0.0, 10.0, ""}},
                         model.name);
 }
 

@@ -76,6 +76,7 @@ struct MembraneModel {
     /// What is folded over keeps it from what is below [mm], 0 to 0.1; 0: they pass through each other, as they must
     /// where there is no support.
     double layer_distance = 0.0;
+    double shell_friction = 0.1;  ///< Coulomb coefficient, on a shell that lies in it, 0 to 10
 };
 
 /// The end of a tear, which may go on.

@@ -191,6 +191,7 @@ Pose PartnerPoses::of(ContactPartner partner, int index) const {
         case ContactPartner::dome:
         case ContactPartner::tube:
         case ContactPartner::layer:
+        case ContactPartner::sheet:
             break;
     }
     return Pose{};

@@ -30,7 +30,6 @@ ImplicitSettings scene_settings(const MembraneSolve& solve, bool predict) {
 constexpr double farthest = 0.1;            // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.5;  // and that of the radius of its thinnest end
 constexpr int most_substeps = 20;
-constexpr double beside_nodes = 0.8;  // more than from any place of the sheet to its nearest node [mm]
 
 Box box_of(const std::vector<Vec3>& nodes) {
     Box box;
@@ -38,23 +37,6 @@ Box box_of(const std::vector<Vec3>& nodes) {
         box.add(node, 0.0);
     }
     return box;
-}
-
-/// Whether anything of an instrument comes to the sheet in a step.
-bool comes_near(const ToolModel& model, const ToolState& tool, double travel, const std::vector<Vec3>& nodes) {
-    for (const RoundedCone& part : model.parts) {
-        const double reach = std::max(part.radius_a, part.radius_b) + travel + beside_nodes;
-        const Vec3 a = tool.pose.to_world(part.a);
-        const Vec3 along = tool.pose.to_world(part.b) - a;
-        const double square = along.squaredNorm();
-        for (const Vec3& node : nodes) {
-            const double share = square > 0.0 ? std::clamp(along.dot(node - a) / square, 0.0, 1.0) : 0.0;
-            if ((a + share * along - node).squaredNorm() < reach * reach) {
-                return true;
-            }
-        }
-    }
-    return false;
 }
 
 /// As many as the fastest of what instruments have near the sheet needs: not their handles, which go far when they

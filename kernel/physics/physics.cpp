@@ -88,6 +88,7 @@ struct Physics::Solvers {
                        StepOutcome& outcome);
     void report_shell(const StepTask& task, const ShellContacts& own, ContactSet& contacts) const;
     [[nodiscard]] ShellState taken_out(const StepTask& task, std::size_t shell) const;
+    [[nodiscard]] bool goes_with_shell(const StepTask& task, std::size_t membrane) const;
     void step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
                     StepOutcome& outcome);
 };
@@ -191,6 +192,11 @@ void Physics::Solvers::report_shell(const StepTask& task, const ShellContacts& o
     }
 }
 
+/// Whether the step of a membrane is that of the shell that may touch it.
+bool Physics::Solvers::goes_with_shell(const StepTask& task, std::size_t membrane) const {
+    return membrane == 0 && !shells.empty() && !taken_out(task, 0).loaded;
+}
+
 void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
                                   StepOutcome& outcome) {
     ShellStepReport& report = outcome.shells.emplace_back();
@@ -205,10 +211,17 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
     partners.tool_states = shell_tools.states();
     partners.tubes = shell_tools.tubes();
     partners.tube_states = shell_tools.tube_states();
-    const ShellTask own{state, partners, model->gravity, task.dt};
+    ShellTask own{state, partners, model->gravity, task.dt, {}};
+    if (!membranes.empty() && goes_with_shell(task, 0)) {
+        own.wall.emplace(WallTask{*model, 0, task.state.membranes[0], task.tools, next.membranes[0], contacts});
+    }
     const ShellMotion motion =
         move_shell(shells[shell], shell_contacts[shell], own, next.shells[shell], report, outcome.rollbacks);
     report_shell(task, shell_contacts[shell], contacts);
+    if (own.wall) {
+        outcome.membranes[0].substeps = report.substeps;
+        outcome.membranes[0].tears = propose_tears(model->membranes[0], next.membranes[0]);
+    }
     if (motion == ShellMotion::failed) {
         outcome.failure = StepFailure::not_finite;
     } else if (outcome.rollbacks > before) {
@@ -291,6 +304,10 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
                              outcome.solids.back().broken);
     }
     for (int membrane = 0; membrane < static_cast<int>(s.membranes.size()); ++membrane) {
+        if (s.goes_with_shell(task, static_cast<std::size_t>(membrane))) {
+            outcome.membranes.emplace_back();
+            continue;
+        }
         const ProfileScope scope(profile, s.model->membranes[membrane].name.c_str());
         s.step_membrane(task, membrane, next, contacts, outcome);
     }

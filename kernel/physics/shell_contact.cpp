@@ -34,6 +34,12 @@ std::vector<std::uint8_t> free_of(const ShellModel& model) {
     return free;
 }
 
+std::vector<std::array<int, 2>> each_once(std::vector<std::array<int, 2>> pairs) {
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
 Vec3 across(const Vec3& v, const Vec3& normal) { return v - normal.dot(v) * normal; }
 
 }  // namespace
@@ -253,6 +259,36 @@ void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool f
     add(std::move(contact));
 }
 
+/// Every sample with what of the membrane is nearest before it and behind it.
+void ShellContacts::meet_sheet() {
+    sheet_.look(*partners_.sheet);
+    const ShellSamples& on = samples_at(level_of_layers);
+    find_points(on);
+    for (std::size_t i = 0; i < on.samples.size(); ++i) {
+        const double own = 0.5 * on.samples[i].place.thickness;
+        const std::array<ShellSheet::Foot, 2> feet = sheet_.nearest(points_[i], front(on, i), own + 2.0 * most_travel_);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const ShellSheet::Foot& foot = feet[side];
+            if (!(foot.distance < HUGE_VAL) || !(foot.distance > 0.0)) {
+                continue;
+            }
+            Contact contact;
+            contact.on = &on;
+            contact.touch.partner = ContactPartner::sheet;
+            contact.touch.sample = static_cast<int>(i);
+            contact.touch.front = side == 1;
+            contact.normal = -foot.way / foot.distance;
+            contact.stiffness = stiffness(on, i, contact.normal);
+            contact.friction = partners_.sheet_friction;
+            contact.lever = foot.way;
+            contact.foot.nodes = foot.nodes;
+            contact.foot.weights = foot.weights;
+            contact.gap = foot.distance - own;
+            add(std::move(contact));
+        }
+    }
+}
+
 void ShellContacts::look(const ShellState& state, const ShellPartners& partners) {
     partners_ = partners;
     state_ = &state;
@@ -262,7 +298,7 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
         start_[2 * n] = state.position[n];
         start_[2 * n + 1].setZero();
     }
-    pose_.set(state.rotation, start_);
+    set_iterate(start_);
     for (int i = 0; i < static_cast<int>(partners.planes.size()); ++i) {
         meet_rigid(ContactPartner::plane, i, smooth, partners.planes[at(i)].friction, most_travel_, {});
     }
@@ -276,25 +312,43 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     if (partners.layers) {
         meet_layers();
     }
+    if (partners.sheet != nullptr) {
+        meet_sheet();
+    }
 }
 
-std::vector<std::array<int, 2>> ShellContacts::links(double gap) const {
+void ShellContacts::set_iterate(const std::vector<Vec3>& points) {
+    now_ = &points;
+    pose_.set(state_->rotation, points);
+}
+
+std::vector<std::array<int, 2>> ShellContacts::pairs(ContactPartner partner, double gap) const {
     std::vector<std::array<int, 2>> pairs;
     for (const Contact& contact : list_) {
-        if (!(contact.gap < gap)) {
+        if (contact.touch.partner != partner || !(contact.gap < gap)) {
             continue;
         }
         for (const int other : contact.foot.nodes) {
             for (const int own : place(contact).nodes) {
                 if (own >= 0 && other >= 0) {
-                    pairs.push_back({std::min(own, other), std::max(own, other)});
+                    pairs.push_back({own, other});
                 }
             }
         }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
+}
+
+std::vector<std::array<int, 2>> ShellContacts::links(double gap) const {
+    std::vector<std::array<int, 2>> pairs = this->pairs(ContactPartner::layer, gap);
+    for (std::array<int, 2>& pair : pairs) {
+        std::sort(pair.begin(), pair.end());
+    }
+    return each_once(std::move(pairs));
+}
+
+std::vector<std::array<int, 2>> ShellContacts::ties(double gap) const {
+    return each_once(pairs(ContactPartner::sheet, gap));
 }
 
 ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const {
@@ -328,12 +382,12 @@ ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::s
     return nearest;
 }
 
-/// Of layers: both sides are planes at right angles to the normal where they would touch.
+/// Of layers and membranes: both sides are planes at right angles to the normal where they would touch.
 ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
     Meeting now;
     const ShellPlace& own = place(contact);
     now.point = pose_.at(own);
-    if (contact.touch.partner == ContactPartner::layer) {
+    if (is_flat(contact)) {
         now.normal = contact.normal;
         now.gap = contact.gap + contact.normal.dot(offset(contact, now.point) + contact.anchor);
         return now;
@@ -344,12 +398,24 @@ ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
     return now;
 }
 
+/// What a layer or a membrane is met at.
+Vec3 ShellContacts::foot_of(const Contact& contact) const {
+    if (contact.touch.partner == ContactPartner::layer) {
+        return pose_.at(contact.foot) + pose_.turned(contact.foot, contact.foot_lever);
+    }
+    const std::size_t first = 2 * state_->position.size();
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        sum += contact.foot.weights[k] * (*now_)[first + at(contact.foot.nodes[k])];
+    }
+    return sum;
+}
+
 /// From where friction holds it to where it is.
 Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point) const {
     const Vec3 own = point + pose_.turned(place(contact), contact.lever);
-    if (contact.touch.partner == ContactPartner::layer) {
-        const Vec3 other = pose_.at(contact.foot) + pose_.turned(contact.foot, contact.foot_lever);
-        return own - other - contact.anchor;
+    if (is_flat(contact)) {
+        return own - foot_of(contact) - contact.anchor;
     }
     return own - partner_pose(contact, 1.0).to_world(contact.anchor);
 }
@@ -386,11 +452,19 @@ void ShellContacts::fill(const Contact& contact, const Meeting& now, const Sprin
     if (contact.touch.partner == ContactPartner::layer) {
         pose_.add_shares(own, contact.lever, true, 1.0, free_, term.more);
         pose_.add_shares(contact.foot, contact.foot_lever, true, -1.0, free_, term.more);
+    } else if (contact.touch.partner == ContactPartner::sheet) {
+        pose_.add_shares(own, contact.lever, true, 1.0, free_, term.more);
+        const int first = 2 * static_cast<int>(state_->position.size());
+        for (std::size_t k = 0; k < 3; ++k) {
+            term.more.push_back({first + contact.foot.nodes[k], -contact.foot.weights[k] * Mat3::Identity()});
+        }
     } else {
         pose_.add_shares(own, -0.5 * own.thickness * now.normal, false, 1.0, free_, term.more);
     }
     if (!settings_.turns) {
-        std::erase_if(term.more, [](const ContactShare& share) { return share.node % 2 == 1; });
+        const int first = 2 * static_cast<int>(state_->position.size());
+        std::erase_if(term.more,
+                      [first](const ContactShare& share) { return share.node < first && share.node % 2 == 1; });
     }
 }
 
@@ -398,7 +472,7 @@ void ShellContacts::terms(const std::vector<Vec3>& points, std::vector<ContactTe
     if (list_.empty()) {
         return;
     }
-    pose_.set(state_->rotation, points);
+    set_iterate(points);
     for (const Contact& contact : list_) {
         const Meeting now = meeting(contact);
         if (now.gap < 0.0) {
@@ -408,7 +482,7 @@ void ShellContacts::terms(const std::vector<Vec3>& points, std::vector<ContactTe
 }
 
 double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
-    pose_.set(state_->rotation, points);
+    set_iterate(points);
     double sum = 0.0;
     for (const Contact& contact : list_) {
         sum += normal_energy(contact, meeting(contact).gap);
@@ -417,7 +491,7 @@ double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
 }
 
 void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTouch>& touches) {
-    pose_.set(state_->rotation, points);
+    set_iterate(points);
     work_ = {};
     deepest_ = 0.0;
     touching_ = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside physics: a shell of its thickness against half-spaces, tubes, bags and instruments, and against itself.
+// Inside physics: a shell of its thickness against half-spaces, tubes, bags and instruments, a membrane, and itself.
 // Sampled places of its curved middle surface meet a partner where its distance is less than half the thickness there,
-// and another layer where it is less than half of both. The place and the normal of that layer stay for a step, so that
+// another layer where it is less than half of both, and a membrane, which has no thickness here, on either side. The
+// place and the normal of that layer or membrane stay for a step, so that
 // Newton's method finds no kinks; at its start both sides' forces and moments sum to nothing, later the moments by what
 // the layers have slid in the step. The force of a sample is the pressure of a spring on the area that
 // it stands for (friction.hpp), so that it is the same however finely the surface is sampled; it goes to the nodes by
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "flow/bag.hpp"
+#include "flow/membrane.hpp"
 #include "flow/shell.hpp"
 #include "flow/tool.hpp"
 #include "flow/tube.hpp"
@@ -25,6 +27,7 @@
 #include "physics/shell_layers.hpp"
 #include "physics/shell_pose.hpp"
 #include "physics/shell_samples.hpp"
+#include "physics/shell_sheet.hpp"
 
 namespace rhexis {
 
@@ -38,6 +41,9 @@ struct ShellPartners {
     std::span<const ToolModel> tools;
     std::span<const ToolState> tool_states;
     bool layers = true;  ///< of itself
+    /// A membrane that is solved for with the shell: its node n is point 2 x (nodes of the shell) + n. Or null.
+    const MembraneState* sheet = nullptr;
+    double sheet_friction = 0.0;
     double from = 0.0;
     double to = 1.0;
 };
@@ -69,6 +75,8 @@ public:
 
     /// Pairs of nodes that layers may tie in the step, ascending: all, or of those nearer than a gap [mm].
     [[nodiscard]] std::vector<std::array<int, 2>> links(double gap = HUGE_VAL) const;
+    /// The same of nodes of the shell and of the membrane, in that order.
+    [[nodiscard]] std::vector<std::array<int, 2>> ties(double gap = HUGE_VAL) const;
 
     /// Forces and stiffness at an iterate. points: as of ShellBody, turns since the state's rotations.
     void terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms);
@@ -92,8 +100,8 @@ private:
         double friction = 0.0;
         Vec3 lever = Vec3::Zero();   ///< from the middle to the surface that touches, at the start [mm]
         Vec3 anchor = Vec3::Zero();  ///< where friction holds it, in the partner's frame; of layers: the difference
-        // of layers, at the start: nothing goes far in a step
-        ShellPlace foot;                 ///< what it is above
+        // of layers and membranes, at the start: nothing goes far in a step
+        ShellPlace foot;                 ///< what it is above; of a membrane: nodes and weights
         Vec3 foot_lever = Vec3::Zero();  ///< likewise
         Vec3 normal = Vec3::Zero();
         double gap = 0.0;           ///< [mm]
@@ -121,6 +129,7 @@ private:
     /// Distance of the middle surface from a partner and the normal away from it.
     using Distance = SurfaceDistance;
 
+    [[nodiscard]] std::vector<std::array<int, 2>> pairs(ContactPartner partner, double gap) const;
     [[nodiscard]] int level_for(double radius) const;
     [[nodiscard]] const ShellSamples& samples_at(int level);
     void find_points(const ShellSamples& on);
@@ -131,6 +140,7 @@ private:
     void meet_tools();
     void bound_facets(const ShellSamples& on);
     void meet_layers();
+    void meet_sheet();
     void add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near);
     void add(Contact contact);
     [[nodiscard]] Pose pose_of(ContactPartner partner, int index, double share) const;
@@ -141,6 +151,12 @@ private:
     [[nodiscard]] Meeting meeting(const Contact& contact) const;
     [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const;
     [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point) const;
+    [[nodiscard]] Vec3 foot_of(const Contact& contact) const;
+    void set_iterate(const std::vector<Vec3>& points);
+    /// Whether where it touches stays as it was at the start of the step.
+    static bool is_flat(const Contact& contact) {
+        return contact.touch.partner == ContactPartner::layer || contact.touch.partner == ContactPartner::sheet;
+    }
     [[nodiscard]] const ShellPlace& place(const Contact& contact) const;
     [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] double normal_energy(const Contact& contact, double gap) const;
@@ -153,6 +169,7 @@ private:
     double modulus_ = 0.0;            ///< at once [Pa]
     std::vector<std::uint8_t> free_;  ///< six per node
     ShellLayers layers_;
+    ShellSheet sheet_;
     std::map<int, ShellSamples> samples_;  ///< by level
     ShellPartners partners_;
     double most_travel_ = 0.0;
@@ -163,7 +180,8 @@ private:
     int touching_ = 0;
     // scratch
     const ShellState* state_ = nullptr;
-    std::vector<Vec3> points_;  ///< of samples at the start
+    const std::vector<Vec3>* now_ = nullptr;  ///< the iterate
+    std::vector<Vec3> points_;                ///< of samples at the start
     std::vector<Vec3> start_;
     std::vector<Ball> facets_;  ///< about those of the samples of layers
 };

@@ -11,7 +11,6 @@ namespace rhexis {
 namespace {
 
 constexpr double near_in_thicknesses = 1.5;  // half a turn at the tightest takes pi / 2 along the middle
-constexpr int most_cells = 64;               // each way
 constexpr double skin = 0.2;                 // how far beyond its reach a search looks [mm]
 
 using Edges = std::vector<std::vector<std::pair<int, double>>>;
@@ -65,15 +64,6 @@ void ShellLayers::find_near(const Edges& edges) {
     }
 }
 
-std::array<int, 3> ShellLayers::cell_of(const Vec3& point) const {
-    std::array<int, 3> cell{};
-    for (int k = 0; k < 3; ++k) {
-        const double along = std::clamp((point[k] - low_[k]) / cell_, 0.0, static_cast<double>(cells_[at(k)] - 1));
-        cell[at(k)] = static_cast<int>(along);
-    }
-    return cell;
-}
-
 /// By how much two places may have come nearer to each other since the last search: what all share does not count.
 double ShellLayers::closed_since(const std::vector<Vec3>& points) const {
     if (points_.size() != points.size()) {
@@ -109,66 +99,20 @@ void ShellLayers::look(const ShellSamples& on, const std::vector<Vec3>& points, 
     thickest_ = *std::max_element(halves_.begin(), halves_.end());
     points_ = points;
     gap_ = gap;
-    fill_cells();
-    asked_.assign(boxes_.size(), -1);
+    grid_.fill(boxes_);
     candidates_.clear();
     first_.assign(1, 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        asking_ = static_cast<int>(i);
         find(points[i], on.samples[i].place);
         first_.push_back(static_cast<int>(candidates_.size()));
-    }
-}
-
-void ShellLayers::fill_cells() {
-    Box all;
-    double size = 0.0;
-    for (const Box& box : boxes_) {
-        all.low = all.low.cwiseMin(box.low);
-        all.high = all.high.cwiseMax(box.high);
-        size += (box.high - box.low).maxCoeff();
-    }
-    low_ = all.low;
-    cell_ = std::max(size / static_cast<double>(boxes_.size()), (all.high - all.low).maxCoeff() / most_cells);
-    for (int k = 0; k < 3; ++k) {
-        cells_[at(k)] = std::max(1, static_cast<int>((all.high[k] - all.low[k]) / cell_) + 1);
-    }
-    offset_.assign(at(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
-    const auto each_cell = [this](const Box& box, const auto& take) {
-        const std::array<int, 3> first = cell_of(box.low);
-        const std::array<int, 3> last = cell_of(box.high);
-        for (int z = first[2]; z <= last[2]; ++z) {
-            for (int y = first[1]; y <= last[1]; ++y) {
-                for (int x = first[0]; x <= last[0]; ++x) {
-                    take(at((z * cells_[1] + y) * cells_[0] + x));
-                }
-            }
-        }
-    };
-    for (const Box& box : boxes_) {
-        each_cell(box, [this](std::size_t cell) { ++offset_[cell + 1]; });
-    }
-    for (std::size_t i = 1; i < offset_.size(); ++i) {
-        offset_[i] += offset_[i - 1];
-    }
-    triangles_.resize(at(offset_.back()));
-    std::vector<int> next(offset_.begin(), offset_.end() - 1);
-    for (std::size_t t = 0; t < boxes_.size(); ++t) {
-        each_cell(boxes_[t], [&](std::size_t cell) { triangles_[at(next[cell]++)] = static_cast<int>(t); });
     }
 }
 
 /// Adds what comes near a place to the candidates.
 void ShellLayers::find(const Vec3& point, const ShellPlace& place) {
     const double around = 0.5 * place.thickness + gap_ + skin;
-    const double reach = around + thickest_;
-    const std::array<int, 3> first = cell_of(point - Vec3::Constant(reach));
-    const std::array<int, 3> last = cell_of(point + Vec3::Constant(reach));
-    const auto take = [&](int t) {
-        if (asked_[at(t)] == asking_) {
-            return;
-        }
-        asked_[at(t)] = asking_;
+    const std::size_t start = candidates_.size();
+    grid_.near(point, around + thickest_, [&](int t) {
         const std::vector<int>& near = near_[at(t)];
         const double own = around + halves_[at(t)];
         const double square = square_to(boxes_[at(t)], point);
@@ -177,16 +121,7 @@ void ShellLayers::find(const Vec3& point, const ShellPlace& place) {
             })) {
             candidates_.push_back({t, std::sqrt(square) - own + skin});
         }
-    };
-    const std::size_t start = candidates_.size();
-    for (int z = first[2]; z <= last[2]; ++z) {
-        for (int y = first[1]; y <= last[1]; ++y) {
-            for (int x = first[0]; x <= last[0]; ++x) {
-                const std::size_t cell = at((z * cells_[1] + y) * cells_[0] + x);
-                std::for_each(triangles_.begin() + offset_[cell], triangles_.begin() + offset_[cell + 1], take);
-            }
-        }
-    }
+    });
     std::sort(candidates_.begin() + static_cast<std::ptrdiff_t>(start), candidates_.end(),
               [](const Candidate& a, const Candidate& b) { return a.triangle < b.triangle; });
 }

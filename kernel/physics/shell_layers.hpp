@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "flow/shell.hpp"
+#include "physics/box_grid.hpp"
 #include "physics/shell_samples.hpp"
-#include "physics/tool_shape.hpp"
 
 namespace rhexis {
 
@@ -39,8 +39,6 @@ public:
 private:
     void find_near(const std::vector<std::vector<std::pair<int, double>>>& edges);
     [[nodiscard]] double closed_since(const std::vector<Vec3>& points) const;
-    void fill_cells();
-    [[nodiscard]] std::array<int, 3> cell_of(const Vec3& point) const;
     void find(const Vec3& point, const ShellPlace& place);
 
     const ShellModel* model_;
@@ -54,14 +52,7 @@ private:
     std::vector<int> first_;  ///< per sample and one more: into candidates_
     std::vector<Candidate> candidates_;
     double closed_ = 0.0;
-    // scratch of a search
-    Vec3 low_ = Vec3::Zero();
-    double cell_ = 1.0;           ///< [mm]
-    std::array<int, 3> cells_{};  ///< each way
-    std::vector<int> offset_;     ///< per cell, into triangles_
-    std::vector<int> triangles_;
-    std::vector<int> asked_;  ///< per triangle: the last sample that met it
-    int asking_ = 0;
+    BoxGrid grid_;
 };
 
 }  // namespace rhexis

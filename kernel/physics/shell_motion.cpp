@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/sheet_contact.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -25,6 +26,9 @@ constexpr ImplicitSettings in_contact{.tolerance = 0.1,
                                       .contact_tolerance = 1e-3,
                                       .predict = true,
                                       .quick_to_project = true};
+
+/// With a membrane, whose folds never balance to the last: a hundredth of what holds the implant in its bag.
+constexpr double wall_tolerance = 2.0;  // [uN]
 
 ShellLoad load_of(const ShellState& state) {
     ShellLoad load;
@@ -64,16 +68,24 @@ double way_of(const Box& box, const ToolState& carrier) {
     return way;
 }
 
-/// Steps in which the instruments go no farther near the shell than contact allows.
+/// Steps in which the instruments go no farther near the shell than contact allows, and near its wall.
 int steps_for(const ShellContacts& contacts, const ShellTask& task) {
+    std::vector<Vec3> places = task.state.position;
+    if (task.wall) {
+        places.insert(places.end(), task.wall->state.position.begin(), task.wall->state.position.end());
+    }
     Box box;
-    for (const Vec3& place : task.state.position) {
+    for (const Vec3& place : places) {
         box.add(place, contacts.most_travel());
     }
     double way = 0.0;
     for (std::size_t i = 0; i < task.partners.tools.size(); ++i) {
         if (task.partners.tool_states[i].present) {
-            way = std::max(way, travel_near(task.partners.tools[i], task.partners.tool_states[i], box));
+            const double own = travel_near(task.partners.tools[i], task.partners.tool_states[i], box);
+            if (own > way &&
+                (!task.wall || comes_near(task.partners.tools[i], task.partners.tool_states[i], own, places))) {
+                way = own;
+            }
         }
     }
     for (const ToolState& tube : task.partners.tube_states) {
@@ -81,6 +93,12 @@ int steps_for(const ShellContacts& contacts, const ShellTask& task) {
     }
     return std::clamp(static_cast<int>(std::ceil(way / (pushed_share * contacts.most_travel()))), 1, most_steps);
 }
+
+/// What moves.
+struct Bodies {
+    ShellState shell;
+    MembraneState wall;
+};
 
 /// A step on its way.
 struct Run {
@@ -90,34 +108,88 @@ struct Run {
     ShellLoad load;
     ShellStepReport& report;
     int& rollbacks;
+    ContactSet found;  ///< of the wall with instruments
+    SheetContacts touching;
+    std::vector<ToolState> tools;  ///< where they are in a piece of the step
+    PartnerPoses poses;
 };
 
-/// From share `from` of the step to share `to` in one; `state` goes there. Whether it balances and goes no farther than
+/// What touches the wall in a piece of the step, besides the shell.
+void look_at_wall(Run& run, double from, double to, const MembraneState& wall) {
+    const WallTask& own = *run.task.wall;
+    run.tools.assign(own.tools.begin(), own.tools.end());
+    for (std::size_t i = 0; i < run.tools.size(); ++i) {
+        run.tools[i].previous_pose = pose_within(own.tools[i], from);
+        run.tools[i].pose = pose_within(own.tools[i], to);
+    }
+    run.touching.look(own.world, own.membrane, wall, run.tools, (to - from) * run.task.dt);
+    place_tools(run.tools, 1.0, run.poses);
+    run.touching.place(run.poses);
+}
+
+ImplicitSettings settings_of(const Run& run) {
+    if (run.contacts.empty() && !run.task.wall) {
+        return settings;
+    }
+    ImplicitSettings own = in_contact;
+    own.most_travel = run.contacts.most_travel();
+    if (run.task.wall) {
+        own.force_tolerance = wall_tolerance;
+        own.rest_tolerance = 0.1 * wall_tolerance;
+    }
+    return own;
+}
+
+/// One solve from share `from` of the step to share `to`; `now` goes there.
+ImplicitReport solve(Run& run, double from, double to, Bodies& now) {
+    const double dt = (to - from) * run.task.dt;
+    if (!run.task.wall) {
+        return run.stepper.step(now.shell, run.load, run.task.gravity, dt, settings_of(run), now.shell, &run.contacts);
+    }
+    look_at_wall(run, from, to, now.wall);
+    const WallTask& own = *run.task.wall;
+    ShellWall wall{own.world.membranes[static_cast<std::size_t>(own.membrane)], now.wall, now.wall, {}};
+    if (!run.touching.empty()) {
+        wall.touching = [&run](const std::vector<Vec3>& position, std::vector<ContactTerm>& terms) {
+            run.touching.terms(position, terms);
+        };
+    }
+    const ImplicitReport one =
+        run.stepper.step(now.shell, run.load, run.task.gravity, dt, settings_of(run), now.shell, &run.contacts, &wall);
+    run.touching.settle(now.wall.position, run.poses, dt);
+    run.touching.report(run.task.dt, run.found);
+    now.wall.touches = run.touching.touches();
+    return one;
+}
+
+/// From share `from` of the step to share `to` in one; `now` goes there. Whether it balances and goes no farther than
 /// contact allows.
-bool step_once(Run& run, double from, double to, ShellState& state, double& residual) {
+bool step_once(Run& run, double from, double to, Bodies& now, double& residual) {
     ShellPartners partners = run.task.partners;
     partners.from = from;
     partners.to = to;
-    run.contacts.look(state, partners);
-    ImplicitSettings own = settings;
-    if (!run.contacts.empty()) {
-        own = in_contact;
-        own.most_travel = run.contacts.most_travel();
+    if (run.task.wall) {
+        partners.sheet = &now.wall;
+        partners.sheet_friction =
+            run.task.wall->world.membranes[static_cast<std::size_t>(run.task.wall->membrane)].shell_friction;
     }
-    const std::vector<Vec3> before = state.position;
-    const ImplicitReport one =
-        run.stepper.step(state, run.load, run.task.gravity, (to - from) * run.task.dt, own, state, &run.contacts);
+    run.contacts.look(now.shell, partners);
+    const Bodies before = now;
+    const ImplicitReport one = solve(run, from, to, now);
     run.report.newton_iterations += one.newton_iterations;
     run.report.linear_iterations += one.linear_iterations;
     residual = std::min(one.newton_residual, one.over_contact);
-    return one.converged && (run.contacts.empty() || farthest(before, state.position) <= run.contacts.most_travel());
+    return one.converged && (run.contacts.empty() ||
+                             std::max(farthest(before.shell.position, now.shell.position),
+                                      farthest(before.wall.position, now.wall.position)) <= run.contacts.most_travel());
 }
 
 /// The same in as many steps as it takes, where it takes them.
-ShellMotion go(Run& run, double from, double to, int cuts, ShellState& state) {
-    const ShellState start = state;
+ShellMotion go(Run& run, double from, double to, int cuts, Bodies& now) {
+    const Bodies start = now;
+    const std::size_t found = run.found.size();
     double residual = 0.0;
-    const bool good = step_once(run, from, to, state, residual);
+    const bool good = step_once(run, from, to, now, residual);
     const bool finite = std::isfinite(residual);
     if (good || (cuts == 0 && finite)) {
         ++run.report.substeps;
@@ -125,15 +197,16 @@ ShellMotion go(Run& run, double from, double to, int cuts, ShellState& state) {
         return good ? ShellMotion::balanced : ShellMotion::rough;
     }
     ++run.rollbacks;
+    run.found.resize(found);
     run.stepper.drop_factor();
     if (cuts == 0) {
         return ShellMotion::failed;
     }
-    state = start;
+    now = start;
     ShellMotion worst = ShellMotion::balanced;
     for (int i = 0; i < pieces && worst != ShellMotion::failed; ++i) {
         const double share = (to - from) / pieces;
-        worst = std::max(worst, go(run, from + i * share, from + (i + 1) * share, cuts - 1, state));
+        worst = std::max(worst, go(run, from + i * share, from + (i + 1) * share, cuts - 1, now));
     }
     return worst;
 }
@@ -144,17 +217,24 @@ ShellMotion move_shell(ShellStepper& stepper, ShellContacts& contacts, const She
                        ShellStepReport& report, int& rollbacks) {
     report = ShellStepReport{};
     report.substeps = 0;
-    Run run{stepper, contacts, task, load_of(task.state), report, rollbacks};
-    next = task.state;
+    Run run{stepper, contacts, task, load_of(task.state), report, rollbacks, {}, {}, {}, {}};
+    Bodies now{task.state, task.wall ? task.wall->state : MembraneState{}};
     const int steps = steps_for(contacts, task);
     ShellMotion worst = ShellMotion::balanced;
     for (int i = 0; i < steps && worst != ShellMotion::failed; ++i) {
         worst = std::max(worst,
-                         go(run, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps, most_cuts, next));
+                         go(run, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps, most_cuts, now));
     }
     if (worst == ShellMotion::failed) {
-        next = task.state;
-        stop(next);
+        now = {task.state, task.wall ? task.wall->state : MembraneState{}};
+        stop(now.shell);
+        now.wall.velocity.assign(now.wall.velocity.size(), Vec3::Zero());
+        run.found.clear();
+    }
+    next = std::move(now.shell);
+    if (task.wall) {
+        task.wall->next = std::move(now.wall);
+        task.wall->contacts.insert(task.wall->contacts.end(), run.found.begin(), run.found.end());
     }
     return worst;
 }

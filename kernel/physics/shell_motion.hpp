@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside physics: a shell's step in the world, redone in smaller steps where it does not come to balance.
+// Inside physics: a shell's step in the world, redone in smaller steps where it does not come to balance; with a
+// membrane that it lies in, if there is one.
 #pragma once
+
+#include <optional>
 
 #include "flow/step_outcome.hpp"
 #include "physics/shell_contact.hpp"
@@ -10,12 +13,23 @@ namespace rhexis {
 
 enum class ShellMotion { balanced, rough, failed };
 
+/// A membrane that the shell lies in, such as the capsular bag.
+struct WallTask {
+    const WorldModel& world;
+    int membrane = 0;  ///< the world's number of it
+    const MembraneState& state;
+    std::span<const ToolState> tools;
+    MembraneState& next;
+    ContactSet& contacts;  ///< those of instruments with it are added
+};
+
 /// A shell and what it may touch in a step.
 struct ShellTask {
     const ShellState& state;
     const ShellPartners& partners;
     const Vec3& gravity;  ///< [mm/s^2]
     double dt = 0.0;      ///< [s]
+    std::optional<WallTask> wall = {};
 };
 
 /// In as many steps as it takes that neither shell nor instruments go farther in one than contact allows. rough: the

@@ -74,8 +74,9 @@ double travel(const ToolModel& model, const ToolState& tool) {
 
 namespace {
 
-constexpr double beside_box = 0.5;  // what is near one [mm]
-constexpr int looks = 8;            // at the way of an instrument in a step
+constexpr double beside_box = 0.5;    // what is near one [mm]
+constexpr double beside_nodes = 0.8;  // more than from any place to the nearest node [mm]
+constexpr int looks = 8;              // at the way of an instrument in a step
 
 /// Shares of the way from a to b between which it lies in a box; first > second where it does not.
 std::pair<double, double> shares_within(const Box& box, const Vec3& a, const Vec3& b) {
@@ -139,6 +140,22 @@ Box swept_box(const ToolModel& model, const ToolState& tool) {
         }
     }
     return box;
+}
+
+bool comes_near(const ToolModel& model, const ToolState& tool, double travel, const std::vector<Vec3>& nodes) {
+    for (const RoundedCone& part : model.parts) {
+        const double reach = std::max(part.radius_a, part.radius_b) + travel + beside_nodes;
+        const Vec3 a = tool.pose.to_world(part.a);
+        const Vec3 along = tool.pose.to_world(part.b) - a;
+        const double square = along.squaredNorm();
+        for (const Vec3& node : nodes) {
+            const double share = square > 0.0 ? std::clamp(along.dot(node - a) / square, 0.0, 1.0) : 0.0;
+            if ((a + share * along - node).squaredNorm() < reach * reach) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 double thinnest(const ToolModel& model) {

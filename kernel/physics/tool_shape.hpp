@@ -2,6 +2,8 @@
 // Inside physics: the solid shape of an instrument and where it is within a step.
 #pragma once
 
+#include <vector>
+
 #include "flow/tool.hpp"
 
 namespace rhexis {
@@ -48,6 +50,10 @@ double travel(const ToolModel& model, const ToolState& tool);
 /// Likewise of what of it comes within half a millimetre of a box in the step; of all of it where its tip goes farther
 /// than 4 mm.
 double travel_near(const ToolModel& model, const ToolState& tool, const Box& box);
+
+/// Whether anything of a tool that travels so far in a step comes to what has these nodes, no place farther than 0.8 mm
+/// from the nearest.
+bool comes_near(const ToolModel& model, const ToolState& tool, double travel, const std::vector<Vec3>& nodes);
 
 /// Radius of a tool's thinnest end [mm].
 double thinnest(const ToolModel& model);

@@ -7,6 +7,7 @@
 
 #include "eye/anatomy.hpp"
 #include "eye/anterior_capsule.hpp"
+#include "eye/empty_bag.hpp"
 #include "eye/implant.hpp"
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
@@ -94,6 +95,14 @@ AnteriorCapsuleSettings capsule_settings(const std::map<std::string, double>& se
     return capsule;
 }
 
+EmptyBagSettings empty_bag_settings(const std::map<std::string, double>& settings) {
+    EmptyBagSettings bag;
+    bag.triangles = static_cast<int>(settings.at("bag.triangles"));
+    bag.opening_radius = 0.5 * settings.at("capsulorhexis.diameter_mm");
+    bag.friction = settings.at("bag.friction");
+    return bag;
+}
+
 ViscoelasticModel make_viscoelastic(const std::map<std::string, double>& settings, const EyeModel& eye) {
     const HalfEllipsoids lens = lens_shape(eye.patient);
     ViscoelasticModel chamber;
@@ -164,7 +173,7 @@ bool has_tissue(const SceneDescription& scene, const std::string& name) {
 
 Result<BuiltWorld> build_world(const SceneDescription& scene) {
     // a bag alone takes its damping from the lens that it was made for
-    const bool solid_lens = has_tissue(scene, "lens") || has_tissue(scene, "bag");
+    const bool solid_lens = has_tissue(scene, "lens") || (has_tissue(scene, "bag") && !has_tissue(scene, "implant"));
     Result<EyeModel> eye = make_eye(scene.patient, solid_lens);
     if (!eye) {
         return eye.error();
@@ -179,7 +188,10 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "lens")) {
         world->solids.push_back(eye.value().lens);
     }
-    if (has_tissue(scene, "bag")) {
+    if (has_tissue(scene, "bag") && has_tissue(scene, "implant")) {
+        world->membranes.push_back(make_empty_bag(lens_shape(scene.patient), eye.value().bag, scene.patient.age,
+                                                  empty_bag_settings(all_settings(scene))));
+    } else if (has_tissue(scene, "bag")) {
         BagModel& bag = world->bags.emplace_back(eye.value().bag);
         if (has_tissue(scene, "lens")) {
             bag.film = cortex_film;

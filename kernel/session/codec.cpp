@@ -268,7 +268,7 @@ void shell_fields(auto& io, auto& shell) {
     });
     io.list(shell.touches, 37, [](auto& inner, auto& touch) {
         inner(touch.partner);
-        inner.limit(touch.partner >= ContactPartner::tool && touch.partner <= ContactPartner::layer);
+        inner.limit(touch.partner >= ContactPartner::tool && touch.partner <= ContactPartner::sheet);
         inner(touch.index);
         inner(touch.sample);
         inner(touch.front);

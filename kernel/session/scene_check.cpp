@@ -101,6 +101,10 @@ Status check_combination(const SceneDescription& scene) {
                          "the one or the other: an implant lies where the lens was"};
         }
     }
+    if (named("implant") && named("capsule")) {
+        return Error{"tissues names implant with capsule", "",
+                     "implant with bag: the wall of a bag that holds an implant is all simulated"};
+    }
     if (named("viscoelastic") && named("chamber")) {
         return Error{"tissues names viscoelastic with chamber", "",
                      "viscoelastic that stays, or chamber: fluid that flows"};

@@ -10,7 +10,9 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 35> table{{
+constexpr std::array<SettingInfo, 37> table{{
+    {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
+    {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,

@@ -40,6 +40,7 @@ std::size_t partners(const WorldModel& world, ContactPartner partner) {
         case ContactPartner::layer:
             return 1;
         case ContactPartner::tube:
+        case ContactPartner::sheet:
             return 0;
     }
     return 0;
