@@ -10,9 +10,6 @@
 
 namespace rhexis {
 
-/// Of the membrane that is a bag.
-inline constexpr const char* bag_name = "bag";
-
 struct BagPlace {
     Vec3 centre = Vec3::Zero();       ///< of the equator [mm]
     Vec3 axis = Vec3::UnitZ();        ///< through it, to the front: unit

@@ -59,10 +59,10 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(bag_measures());
     }
     if (world.implant) {
-        groups.push_back(implant_measures(injector(world), membrane_named(world, bag_name) >= 0, tissues.cornea));
+        groups.push_back(implant_measures(injector(world), membrane_named(world, empty_bag_name) >= 0, tissues.cornea));
     }
-    if (membrane_named(world, bag_name) >= 0) {
-        groups.push_back(soft_bag_measures(membrane_named(world, bag_name)));
+    if (membrane_named(world, empty_bag_name) >= 0) {
+        groups.push_back(soft_bag_measures(membrane_named(world, empty_bag_name)));
     }
     if (tissues.iris) {
         groups.push_back(iris_measures(world.iris.has_value()));
@@ -100,7 +100,7 @@ Observer::Observer(const WorldModel& world, const ObservedTissues& tissues, doub
     : tissues_(with_rigid_bag_only(tissues, world)),
       groups_(make_groups(world, tissues_, dt)),
       anterior_capsule_(anterior_capsule(world)),
-      soft_bag_(membrane_named(world, bag_name)) {
+      soft_bag_(membrane_named(world, empty_bag_name)) {
     if (world.implant) {
         implant_gauge_.emplace(world.shells[0], *world.implant);
     }

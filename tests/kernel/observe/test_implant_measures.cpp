@@ -59,7 +59,7 @@ struct Bench {
         world.shells.push_back(free_implant(shape));
         world.implant = implant_parts(shape);
         MembraneModel& bag = world.membranes.emplace_back();
-        bag.name = "bag";
+        bag.name = empty_bag_name;
         bag.sheet = std::make_shared<const MembraneSheet>(uniform_sheet(bag_mesh(), Vec3(0.1, 0.2, 0.3), 0.01));
         world.tools.push_back(make_tool("injector").value());
         world.tools.push_back(make_tool("hook").value());
