@@ -259,11 +259,14 @@ void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool f
     add(std::move(contact));
 }
 
-/// Every sample with what of the membrane is nearest before it and behind it.
+/// Every sample with what of the membrane is nearest before it and behind it. Springs as stiff as between layers would
+/// be so beside what gives way a hundred times as much, and Newton's method would take a small step for each that it
+/// meets.
 void ShellContacts::meet_sheet() {
     sheet_.look(*partners_.sheet);
     const ShellSamples& on = samples_at(level_of_layers);
     find_points(on);
+    const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer);
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
         const double own = 0.5 * on.samples[i].place.thickness;
         const std::array<ShellSheet::Foot, 2> feet = sheet_.nearest(points_[i], front(on, i), own + 2.0 * most_travel_);
@@ -278,8 +281,8 @@ void ShellContacts::meet_sheet() {
             contact.touch.sample = static_cast<int>(i);
             contact.touch.front = side == 1;
             contact.normal = -foot.way / foot.distance;
-            contact.stiffness = stiffness(on, i, contact.normal);
-            contact.friction = partners_.sheet_friction;
+            contact.stiffness = std::min(most, stiffness(on, i, contact.normal));
+            contact.friction = partners_.sheet_model->shell_friction;
             contact.lever = foot.way;
             contact.foot.nodes = foot.nodes;
             contact.foot.weights = foot.weights;

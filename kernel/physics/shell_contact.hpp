@@ -43,7 +43,7 @@ struct ShellPartners {
     bool layers = true;  ///< of itself
     /// A membrane that is solved for with the shell: its node n is point 2 x (nodes of the shell) + n. Or null.
     const MembraneState* sheet = nullptr;
-    double sheet_friction = 0.0;
+    const MembraneModel* sheet_model = nullptr;
     double from = 0.0;
     double to = 1.0;
 };
