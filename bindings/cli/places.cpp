@@ -74,7 +74,7 @@ Status prepare_folder(const std::string& folder) {
 }
 
 Status write_whole_file(const std::string& path, const std::string& content) {
-    const std::string part = path + ".part";
+    const std::string part = path + "." + std::to_string(::getpid()) + ".part";  // others may write it too
     const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor < 0) {
         return system_error(path, "cannot write", errno);

@@ -7,6 +7,7 @@
 
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
+#include "cli/folded_implant.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "cli/scenario_run.hpp"
@@ -22,13 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* folder_of_states = "runs/states";
-
 /// How an exercise says that a state is made.
 struct Recipe {
     std::string name;
     CurriculumFiles files;
-    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "where", "by_hand"}
+    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "folded", "where", "by_hand"}
     std::map<std::string, std::string> set;
     std::string fingerprint;  ///< of everything that the state depends on
 };
@@ -62,14 +61,11 @@ Result<std::string> fingerprint_of(const Recipe& recipe, const std::string& root
     if (!scripts) {
         return scripts.error();
     }
-    const Result<std::string> program = read_whole_file("/proc/self/exe");
+    const Result<std::string> program = hash_of_program();
     if (!program) {
         return program.error();
     }
-    StateHash bytes;
-    bytes.add_bytes(program.value().data(), program.value().size());
-    const json parts = {recipe.files.sha256, scripts.value(), hex(bytes.value()),
-                        build_note(),        recipe.text,     recipe.set};
+    const json parts = {recipe.files.sha256, scripts.value(), program.value(), build_note(), recipe.text, recipe.set};
     return sha256_hex(parts.dump());
 }
 
@@ -191,7 +187,7 @@ Result<Session> play(const Recipe& recipe, ExerciseHost host, Session session, c
     return play_start(std::move(host), std::move(session), std::move(script).value(), recipe.name);
 }
 
-Status make(const Recipe& recipe, const StartRequest& request, const std::string& path) {
+Result<ExerciseHost> load_host(const Recipe& recipe, const StartRequest& request) {
     Result<ExerciseHost> host =
         ExerciseHost::load({recipe.files.script, recipe.text.at("surgeon"), recipe.text.at("seed").get<std::uint64_t>(),
                             recipe.set, request.root});
@@ -200,7 +196,37 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
         return Error{"start " + recipe.name + ": " + where + host.error().what, recipe.text.at("where"),
                      host.error().allowed};
     }
-    Result<Session> session = Session::create(host.value().scene(), recipe.text.at("seed").get<std::uint64_t>());
+    return host;
+}
+
+/// What the recipe begins with: the implant in its injector, or "", the eye at rest.
+Result<std::string> before(const Recipe& recipe, const ExerciseHost& host, const StartRequest& request) {
+    if (!recipe.text.at("folded").get<bool>()) {
+        return std::string();
+    }
+    const Result<std::string> path = find_folded_implant(host.scene(), request.quiet);
+    return path ? path
+                : Error{"start " + recipe.name + ": " + path.error().what, recipe.text.at("where"),
+                        path.error().allowed};
+}
+
+/// Nobody has to do anything for it.
+bool is_only_folded(const Recipe& recipe) {
+    return recipe.text.at("folded").get<bool>() && !recipe.text.at("by_hand").get<bool>() &&
+           !recipe.text.contains("when");
+}
+
+Status make(const Recipe& recipe, const StartRequest& request, const std::string& path) {
+    Result<ExerciseHost> host = load_host(recipe, request);
+    if (!host) {
+        return host.error();
+    }
+    const Result<std::string> begun = before(recipe, host.value(), request);
+    if (!begun) {
+        return begun.error();
+    }
+    Result<Session> session =
+        create_session(host.value().scene(), recipe.text.at("seed").get<std::uint64_t>(), begun.value());
     if (!session) {
         return session.error();
     }
@@ -273,6 +299,10 @@ Result<std::string> find_start(const StartRequest& given) {
     Result<Recipe> recipe = find_recipe(request);
     if (!recipe) {
         return recipe.error();
+    }
+    if (is_only_folded(recipe.value())) {
+        const Result<ExerciseHost> host = load_host(recipe.value(), request);
+        return host ? before(recipe.value(), host.value(), request) : host.error();
     }
     const Result<std::string> fingerprint = fingerprint_of(recipe.value(), request.root);
     if (!fingerprint) {

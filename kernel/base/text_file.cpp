@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/text_file.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -29,7 +31,7 @@ Result<std::string> read_text_file(const std::string& path, std::size_t most_byt
 }
 
 Status write_text_file(const std::string& path, std::string_view content) {
-    const std::string unfinished = path + ".unfinished";
+    const std::string unfinished = path + "." + std::to_string(::getpid()) + ".unfinished";  // others may write it too
     errno = 0;
     std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));

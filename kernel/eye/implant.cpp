@@ -297,6 +297,8 @@ void put_in_water(const ImplantShape& shape, ShellModel& model) {
 
 }  // namespace
 
+ImplantParts implant_parts(const ImplantShape& shape) { return make_implant(shape).value(); }
+
 ShellModel free_implant(const ImplantShape& shape) {
     ShellModel model = std::move(make_implant(shape).value().model);
     put_in_water(shape, model);

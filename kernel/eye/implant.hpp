@@ -9,10 +9,7 @@
 // Triangles are finest where the haptics meet the optic, which is where the lens folds [Dequidt2013].
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
+#include "flow/implant_parts.hpp"
 #include "flow/shell.hpp"
 
 namespace rhexis {
@@ -29,13 +26,8 @@ struct ImplantShape {
     int triangles = 743;             ///< about so many (6 per cent): 400 to 8,000
 };
 
-enum class ImplantPart : std::uint8_t { optic, upper_haptic, lower_haptic };
-
-struct Implant {
+struct Implant : ImplantParts {
     ShellModel model;
-    std::vector<ImplantPart> part;         ///< per triangle
-    std::array<int, 2> tip{};              ///< node at the end of the upper and the lower haptic
-    std::array<std::vector<int>, 2> root;  ///< nodes that each haptic shares with the optic
 };
 
 /// Fails with the field and what is allowed.
@@ -43,6 +35,9 @@ Status check_implant(const ImplantShape& shape);
 
 /// Fails on what check_implant refuses.
 Result<Implant> make_implant(const ImplantShape& shape);
+
+/// Of the lens of that shape, which must pass check_implant.
+ImplantParts implant_parts(const ImplantShape& shape);
 
 /// A lens as a scene has it: viscoelastic, at room temperature, in water, flat about the origin, free. The shape must
 /// pass check_implant.

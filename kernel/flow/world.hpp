@@ -10,6 +10,7 @@
 #include "flow/chamber.hpp"
 #include "flow/contact.hpp"
 #include "flow/debris.hpp"
+#include "flow/implant_parts.hpp"
 #include "flow/iris.hpp"
 #include "flow/membrane.hpp"
 #include "flow/microscope.hpp"
@@ -45,6 +46,7 @@ struct WorldModel {
     std::vector<SolidModel> solids;
     std::vector<MembraneModel> membranes;
     std::vector<ShellModel> shells;
+    std::optional<ImplantParts> implant;  ///< of shells[0]
     std::vector<BagModel> bags;
     std::vector<PlaneModel> planes;
     std::vector<DomeModel> domes;

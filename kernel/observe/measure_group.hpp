@@ -12,7 +12,9 @@
 #include "flow/observation.hpp"
 #include "flow/tool.hpp"
 #include "flow/world.hpp"
+#include "observe/bag_place.hpp"
 #include "observe/groove_arms.hpp"
+#include "observe/implant_place.hpp"
 #include "observe/lens_columns.hpp"
 #include "observe/lens_motion.hpp"
 #include "observe/lens_pieces.hpp"
@@ -41,7 +43,10 @@ struct LensView {
     const LensMotion* motion = nullptr;
     const std::vector<LensPiece>* pieces = nullptr;
     const Reflex* reflex = nullptr;
-    const RhexisShape* rhexis = nullptr;  ///< of the membrane that is the anterior capsule; null: there is none
+    const RhexisShape* rhexis = nullptr;    ///< of the membrane that is the anterior capsule; null: there is none
+    const ImplantPlace* implant = nullptr;  ///< of shell 0; null: there is no implant
+    const BagPlace* soft_bag = nullptr;     ///< of the membrane that is the bag; null: there is none
+    const BagGauge* bag_gauge = nullptr;    ///< that measured it
 };
 
 class MeasureGroup {
@@ -83,7 +88,11 @@ std::unique_ptr<MeasureGroup> viscoelastic_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
 std::unique_ptr<MeasureGroup> microscope_measures();
 /// injector: index of the instrument that holds shell 0.
-std::unique_ptr<MeasureGroup> implant_measures(int injector);
+std::unique_ptr<MeasureGroup> injection_measures(int injector);
+/// Of shell 0. injector: as before, -1: none; bag: whether there is one that is a membrane.
+std::unique_ptr<MeasureGroup> implant_measures(int injector, bool bag, bool cornea);
+/// membrane: number of the bag.
+std::unique_ptr<MeasureGroup> soft_bag_measures(int membrane);
 /// membrane: number of the anterior capsule.
 std::unique_ptr<MeasureGroup> rhexis_measures(int membrane);
 std::unique_ptr<MeasureGroup> capsule_tool_measures(const ToolModel& model, int tool, int membrane);

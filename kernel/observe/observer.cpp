@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "observe/field.hpp"
+#include "observe/implant_marks.hpp"
 #include "observe/rhexis_marks.hpp"
 #include "observe/seen.hpp"
 
@@ -13,11 +15,19 @@ namespace {
 constexpr double column_spacing = 0.2;  // [mm], a fifth of the phaco tip's width
 
 /// Number of the membrane, or -1.
-int anterior_capsule(const WorldModel& world) {
-    const auto found = std::find_if(world.membranes.begin(), world.membranes.end(), [](const MembraneModel& membrane) {
-        return membrane.name == anterior_capsule_name;
-    });
+int membrane_named(const WorldModel& world, const char* name) {
+    const auto found = std::find_if(world.membranes.begin(), world.membranes.end(),
+                                    [&](const MembraneModel& membrane) { return membrane.name == name; });
     return found == world.membranes.end() ? -1 : static_cast<int>(found - world.membranes.begin());
+}
+
+int anterior_capsule(const WorldModel& world) { return membrane_named(world, anterior_capsule_name); }
+
+/// Number of the instrument that holds the implant, or -1.
+int injector(const WorldModel& world) {
+    const auto found = std::find_if(world.tools.begin(), world.tools.end(),
+                                    [](const ToolModel& tool) { return tool.kind == ToolKind::injector; });
+    return found == world.tools.end() ? -1 : static_cast<int>(found - world.tools.begin());
 }
 
 std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, const ObservedTissues& tissues,
@@ -31,7 +41,7 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
             groups.push_back(capsule_tool_measures(world.tools[i], i, anterior_capsule(world)));
         }
         if (world.tools[i].kind == ToolKind::injector && !world.shells.empty()) {
-            groups.push_back(implant_measures(i));
+            groups.push_back(injection_measures(i));
         }
     }
     if (tissues.lens) {
@@ -48,6 +58,12 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (tissues.bag) {
         groups.push_back(bag_measures());
     }
+    if (world.implant) {
+        groups.push_back(implant_measures(injector(world), membrane_named(world, bag_name) >= 0, tissues.cornea));
+    }
+    if (membrane_named(world, bag_name) >= 0) {
+        groups.push_back(soft_bag_measures(membrane_named(world, bag_name)));
+    }
     if (tissues.iris) {
         groups.push_back(iris_measures(world.iris.has_value()));
     }
@@ -57,7 +73,7 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.capsule) {
         groups.push_back(capsule_measures());
     }
-    if (anterior_capsule(world) >= 0 || world.microscope) {
+    if (anterior_capsule(world) >= 0 || world.microscope || world.implant) {
         groups.push_back(presence_measures());
     }
     if (anterior_capsule(world) >= 0) {
@@ -72,10 +88,25 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     return groups;
 }
 
+/// A bag that is a membrane has measures of its own.
+ObservedTissues with_rigid_bag_only(ObservedTissues tissues, const WorldModel& world) {
+    tissues.bag = tissues.bag && !world.bags.empty();
+    return tissues;
+}
+
 }  // namespace
 
 Observer::Observer(const WorldModel& world, const ObservedTissues& tissues, double dt)
-    : tissues_(tissues), groups_(make_groups(world, tissues, dt)), anterior_capsule_(anterior_capsule(world)) {
+    : tissues_(with_rigid_bag_only(tissues, world)),
+      groups_(make_groups(world, tissues_, dt)),
+      anterior_capsule_(anterior_capsule(world)),
+      soft_bag_(membrane_named(world, bag_name)) {
+    if (world.implant) {
+        implant_gauge_.emplace(world.shells[0], *world.implant);
+    }
+    if (soft_bag_ >= 0) {
+        bag_gauge_.emplace(world.membranes[at(soft_bag_)]);
+    }
     for (const std::unique_ptr<MeasureGroup>& group : groups_) {
         first_value_.push_back(schema_.size());
         group->describe(schema_);
@@ -101,6 +132,9 @@ LensView Observer::view() const {
         view = {lens_, &grid_, &fill_, &groove_, &arms_, &motion_, &pieces_, &reflex_};
     }
     view.rhexis = anterior_capsule_ >= 0 ? &rhexis_.shape() : nullptr;
+    view.implant = implant_gauge_ ? &implant_ : nullptr;
+    view.soft_bag = bag_gauge_ ? &bag_place_ : nullptr;
+    view.bag_gauge = bag_gauge_ ? &*bag_gauge_ : nullptr;
     return view;
 }
 
@@ -117,6 +151,15 @@ void Observer::look_at_lens(const ObserveInput& input) {
     reflex_ = reflex_of(grid_, fill_, motion_, input.eye.anatomy.pupil_radius);
 }
 
+void Observer::look_at_implant(const ObserveInput& input) {
+    if (implant_gauge_) {
+        implant_ = implant_gauge_->measure(input.state.shells[0]);
+    }
+    if (bag_gauge_) {
+        bag_place_ = bag_gauge_->measure(input.state.membranes[at(soft_bag_)]);
+    }
+}
+
 void Observer::observe(const ObserveInput& input, std::vector<double>& memory, Observation& observation) {
     if (lens_ != nullptr) {
         look_at_lens(input);
@@ -124,6 +167,7 @@ void Observer::observe(const ObserveInput& input, std::vector<double>& memory, O
     if (anterior_capsule_ >= 0) {
         rhexis_.measure(input.world.membranes[anterior_capsule_], input.state.membranes[anterior_capsule_]);
     }
+    look_at_implant(input);
     memory.resize(memory_size_, 0.0);
     observation.time_s = input.state.time_s;
     observation.values.assign(schema_.size(), 0.0);
@@ -142,6 +186,9 @@ Percept Observer::percept(const ObserveInput& input, const Observation& observat
     Percept percept = seen(input, view(), tissues_.iris);
     if (anterior_capsule_ >= 0) {
         add_rhexis_landmarks(input, rhexis_.shape(), anterior_capsule_, percept.landmarks);
+    }
+    if (implant_gauge_) {
+        add_implant_landmarks(input, implant_, view().soft_bag, percept.landmarks);
     }
     const auto share = std::find_if(schema_.begin(), schema_.end(),
                                     [](const MeasureInfo& measure) { return measure.name == "crack.bridge_share"; });

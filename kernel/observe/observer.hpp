@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/profile.hpp"
@@ -21,8 +22,8 @@ struct ObservedTissues {
 
 class Observer {
 public:
-    /// The lens is solid 0 and the bag is bag 0 of the world; the membrane named "anterior_capsule" is what a rhexis is
-    /// torn in. dt: step [s].
+    /// The lens is solid 0, the bag is bag 0 and the implant is shell 0 of the world; the membrane named
+    /// "anterior_capsule" is what a rhexis is torn in, the one named "bag" what an implant is put into. dt: step [s].
     Observer(const WorldModel& world, const ObservedTissues& tissues, double dt);
 
     [[nodiscard]] const ObservationSchema& schema() const { return schema_; }
@@ -40,6 +41,7 @@ public:
 
 private:
     void look_at_lens(const ObserveInput& input);
+    void look_at_implant(const ObserveInput& input);
     [[nodiscard]] LensView view() const;
 
     ObservedTissues tissues_;
@@ -61,6 +63,11 @@ private:
     Reflex reflex_;
     int anterior_capsule_ = -1;  ///< number of the membrane; -1: there is none
     RhexisGauge rhexis_;
+    std::optional<ImplantGauge> implant_gauge_;
+    ImplantPlace implant_;
+    int soft_bag_ = -1;  ///< number of the membrane that is the bag; -1: there is none
+    std::optional<BagGauge> bag_gauge_;
+    BagPlace bag_place_;
 };
 
 }  // namespace rhexis

@@ -17,7 +17,7 @@ namespace rhexis {
 /// "fragment_N" (middle of a piece, the largest first; size: radius of a ball of its volume) and "fragment_N_near" (its
 /// tissue nearest to the first instrument's tip), with a capsule
 /// "capsule_folds" (where a tip holds it) and "capsule_hole" (size: radius), with an iris that moves "iris_caught".
-/// Those of an anterior capsule are in rhexis_marks.hpp.
+/// Those of an anterior capsule are in rhexis_marks.hpp, those of an implant in implant_marks.hpp.
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris);
 
 /// With a groove and a chamber "bridge": where the reflex of a groove that is held apart stops, because the halves

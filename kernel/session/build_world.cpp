@@ -128,6 +128,10 @@ bool has_instrument(const SceneDescription& scene, const std::string& name) {
     return std::find(scene.instruments.begin(), scene.instruments.end(), name) != scene.instruments.end();
 }
 
+bool needs_side_port(const SceneDescription& scene) {
+    return has_instrument(scene, "spatula") || has_instrument(scene, "hook");
+}
+
 /// Free where an injector brings it in.
 ShellModel make_shell(const SceneDescription& scene) {
     const std::map<std::string, double> settings = all_settings(scene);
@@ -179,7 +183,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     eye.value().anatomy.has_iris = has_tissue(scene, "iris");
     eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
     eye.value().anatomy.trypan_blue = all_settings(scene).at("capsule.trypan_blue");
-    eye.value().anatomy.side_port_width = has_instrument(scene, "spatula") ? side_port_width : 0.0;
+    eye.value().anatomy.side_port_width = needs_side_port(scene) ? side_port_width : 0.0;
     std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
     if (has_tissue(scene, "lens")) {
         world->solids.push_back(eye.value().lens);
@@ -212,6 +216,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     }
     if (has_tissue(scene, "implant")) {
         world->shells.push_back(make_shell(scene));
+        world->implant = implant_parts(implant_shape(all_settings(scene)));
     }
     if (has_tissue(scene, "viscoelastic")) {
         world->viscoelastic = make_viscoelastic(all_settings(scene), eye.value());

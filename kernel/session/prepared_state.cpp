@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "base/numbers.hpp"
 #include "base/text_file.hpp"
 #include "session/chunk.hpp"
 #include "session/codec.hpp"
-#include "session/settings.hpp"
+#include "session/folded_start.hpp"
+#include "session/scene_differences.hpp"
 
 namespace rhexis {
 namespace {
@@ -27,52 +27,19 @@ Result<std::string_view> take_chunk(std::string_view& bytes, ChunkKind kind, con
     return chunk.payload;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names) {
-        list += (list.empty() ? "" : " + ") + name;
-    }
-    return list.empty() ? "none" : list;
-}
-
-/// Collects what two scenes do not have in common.
-class Differences {
-public:
-    void add(const std::string& name, const std::string& there, const std::string& here) {
-        if (there != here) {
-            text_ += (text_.empty() ? "" : "; ") + name + " " + there + " there, " + here + " here";
-        }
-    }
-    void add(const std::string& name, double there, double here) {
-        if (there != here) {
-            add(name, short_number(there), short_number(here));
-        }
-    }
-    [[nodiscard]] const std::string& text() const { return text_; }
-
-private:
-    std::string text_;
-};
-
 Status check_same_scene(const PreparedState& state, const SceneDescription& here, const Snapshot& fresh) {
     const SceneDescription& there = state.made.scene;
-    Differences differences;
+    SceneDifferences differences;
     differences.add("patient.age", there.patient.age, here.patient.age);
     differences.add("patient.nuclear_grade", there.patient.nuclear_grade, here.patient.nuclear_grade);
     differences.add("patient.cortical_opacity", there.patient.cortical_opacity, here.patient.cortical_opacity);
     differences.add("patient.pupil_mm", there.patient.pupil_mm, here.patient.pupil_mm);
     differences.add("patient.side", there.patient.side, here.patient.side);
     differences.add("patient.tetrahedra", there.patient.tetrahedra, here.patient.tetrahedra);
-    differences.add("tissues", joined(there.tissues), joined(here.tissues));
-    differences.add("instruments", joined(there.instruments), joined(here.instruments));
+    differences.add("tissues", there.tissues, here.tissues);
+    differences.add("instruments", there.instruments, here.instruments);
     differences.add("step_s", there.step_s, here.step_s);
-    for (const SettingInfo& info : setting_table()) {
-        const auto then = state.snapshot.settings.find(std::string(info.name));
-        const auto now = fresh.settings.find(std::string(info.name));
-        if (!info.live && then != state.snapshot.settings.end() && now != fresh.settings.end()) {
-            differences.add(then->first, then->second, now->second);
-        }
-    }
+    differences.add_settings(state.snapshot.settings, fresh.settings, [](const SettingInfo&) { return true; });
     return differences.text().empty()
                ? success()
                : Status(Error{"the state was made for another scene: " + differences.text(), "", ""});
@@ -116,6 +83,10 @@ Result<PreparedState> read_state(const std::string& path) {
 }
 
 Status start_from(Session& session, const PreparedState& state) {
+    if (is_folded_implant(state)) {
+        const Result<Snapshot> start = with_folded_implant(session, state);
+        return start ? session.restore(start.value()) : start.error();
+    }
     const Snapshot fresh = session.copy_state();
     Status same = check_same_scene(state, session.scene(), fresh);
     if (!same) {

@@ -24,7 +24,7 @@ Result<PreparedState> read_state(const std::string& path);
 /// Puts a session that has not begun into the state: tissues as they were then; instruments outside the eye, because no
 /// hand holds them yet; clock and counters of the measures at zero; settings of the machine as the session has them.
 /// Fails, naming all differences, when the session was built for another patient, other tissues, instruments or step,
-/// or for fixed settings of other values.
+/// or for fixed settings of other values. A folded implant is only laid into the session's injector: folded_start.hpp.
 Status start_from(Session& session, const PreparedState& state);
 
 /// A session that begins in the state of a file; at rest if the path is empty.

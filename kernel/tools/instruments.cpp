@@ -3,6 +3,7 @@
 
 #include "base/near_names.hpp"
 #include "flow/microscope.hpp"
+#include "tools/hook.hpp"
 #include "tools/injector.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
@@ -12,7 +13,7 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula", "cystotome", "forceps", "injector", "phaco", "probe", "spatula"};
+    return {"cannula", "cystotome", "forceps", "hook", "injector", "phaco", "probe", "spatula"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -37,6 +38,9 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "forceps") {
         return capsulorhexis_forceps();
     }
+    if (name == "hook") {
+        return hook();
+    }
     if (name == "injector") {
         return injector({});
     }
@@ -44,7 +48,7 @@ Result<ToolModel> make_tool(std::string_view name) {
         return viscoelastic_cannula();
     }
     return Error{"there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-                 "cannula, cystotome, forceps, injector, phaco, probe, spatula"};
+                 "cannula, cystotome, forceps, hook, injector, phaco, probe, spatula"};
 }
 
 }  // namespace rhexis

@@ -29,6 +29,7 @@ local start_rules = {
     surgeon = { kind = "text" },           -- d, unless a function(t) leads the instruments; then its end is kept
     seed = scenario_rules.seed,
     set = scenario_rules.set,
+    folded = { kind = "yes_no", default = false },  -- it begins with the implant folded into its injector
     when = { kind = "text" },              -- the moment that is kept: a condition, as in the exercise
     limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },
 }
@@ -125,15 +126,20 @@ local function read_start(name, recipe, line)
     if play and (read.surgeon or read.when) then
         words.fail(where, owner .. " has a function: neither surgeon nor when goes with it")
     end
-    if not play and not read.when then words.fail(where, owner .. " lacks 'when' (or a function(t) ... end)") end
-    read.surgeon = read.surgeon or (play and "none" or "d")
+    if not play and not read.when and not read.folded then
+        words.fail(where, owner .. " lacks 'when' (or a function(t) ... end, or folded = true)")
+    end
+    if read.surgeon and not read.when then
+        words.fail(where, owner .. " names a surgeon, but lacks 'when': the moment that is kept")
+    end
+    read.surgeon = read.surgeon or (read.when and "d" or "none")
     read.set = flatten(read.set, where, "", {})
     read.where, read.line, read.play = where, tonumber(where:match(":(%d+)$")), play or nil
     return read
 end
 
 --- starts { name = { surgeon, seed, when, ... } } or { name = { function(t) ... end } }: the file starts.lua of an
---- exercise.
+--- exercise. folded = true: it begins with the implant folded into its injector; alone: that is the start.
 function language.starts(given)
     if type(given) ~= "table" then words.fail(words.where(), "starts must be followed by a table { ... }") end
     local line = words.line_here()

@@ -8,13 +8,16 @@ local instruments = {}
 
 local straight = { wound = "incision", orientation = vector.orientation, bend_mm = 0 }
 -- Their shaft begins over their end.
-local function bent(length) return { wound = "incision", orientation = vector.bent, bend_mm = length } end
+local function bent(length, wound)
+    return { wound = wound or "incision", orientation = vector.bent, bend_mm = length }
+end
 
 local held = {
     spatula = { wound = "side_port", orientation = vector.upright, bend_mm = 0 },
     cystotome = bent(1.0),
     forceps = bent(1.0),
     cannula = bent(0.6),
+    hook = bent(0.5, "side_port"),
 }
 
 --- name: of an instrument of the scene.

@@ -1,0 +1,105 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A folded implant pushed out of its injector into the capsular bag, turned in and centred. It begins in the state
+-- `begin` of starts.lua.
+
+local implant_events = require "implant_events"
+local rhexis_events = require "rhexis_events"
+
+local in_place = "implant.haptics_in_bag >= 2 and not implant.upside_down"
+
+return exercise {
+    title = "Injecting the implant",
+    version = 1,
+    summary = "The bag is empty and filled with viscoelastic, the implant lies folded in its injector. Bring the tip "
+        .. "before the opening, push the leading haptic into the bag, let the optic unfold, turn the trailing haptic "
+        .. "in with the hook, and leave the implant in the middle.",
+    objectives = {
+        "Keep chamber and bag filled while the implant comes out",
+        "Lead the first haptic under the far rim before the optic leaves the nozzle",
+        "Turn the trailing haptic in along the rim, not across it",
+        "See an implant that lies upside down or with a haptic outside before you leave",
+    },
+
+    patient = { age = 68, pupil_mm = 7.5 },
+    tissues = { "implant", "bag", "viscoelastic", "iris", "cornea" },
+    instruments = { "injector", "hook", "cannula" },
+    settings = {
+        ["viscoelastic.fill"] = 1,
+        ["implant.triangles"] = 400,  -- docs/implant.md, "Injection", what it costs
+    },
+
+    step_s = 0.02,
+
+    goals = {
+        fill_percent = { 90, from = 50, to = 100, meaning = "how full the chamber must be before the implant comes" },
+        decentration_mm = { 0.3, from = 0.1, to = 1, meaning = "how far off the bag's axis the optic may be left" },
+        tilt_deg = { 5, from = 1, to = 15, meaning = "how much it may be tilted" },
+    },
+    reference = { time_s = 75, path_mm = 90 },
+
+    steps = {
+        step "fill" {
+            title = "See that chamber and bag are filled",
+            hint = "Where the chamber is shallow, fill it with the cannula.",
+            done = "100 * viscoelastic.fill >= goal.fill_percent",
+            time_limit_s = 60,
+        },
+        step "place" {
+            title = "Bring the tip before the opening",
+            hint = "Injector through the main incision, its mouth over the near edge of the opening, in the plane of "
+                .. "the iris.",
+            done = "injector.present and injector.tip_y_mm > -3 and abs(injector.tip_x_mm) < 1.5",
+            time_limit_s = 60,
+        },
+        step "inject" {
+            title = "Push the leading haptic into the bag",
+            hint = "Slowly: the leading haptic comes first. Point it down, under the far rim.",
+            done = "implant.haptic_leading_in_bag or implant.released",
+            time_limit_s = 60,
+        },
+        step "release" {
+            title = "Release the optic",
+            hint = "Push on evenly and draw the injector back with the optic, so that it unfolds in the opening.",
+            done = "implant.released and implant.unfolded > 0.9",
+            time_limit_s = 60,
+        },
+        step "dial" {
+            title = "Turn the trailing haptic in",
+            hint = "Hook to where the trailing haptic leaves the optic: press it behind the rim and turn clockwise, "
+                .. "until its end slips in.",
+            done = in_place,
+            time_limit_s = 120,
+        },
+        step "centre" {
+            title = "Centre the implant",
+            hint = "Push the optic to the middle, let go, and look whether it stays there.",
+            done = in_place .. " and implant.decentration_mm <= goal.decentration_mm "
+                .. "and implant.tilt_deg <= goal.tilt_deg",
+            time_limit_s = 60,
+        },
+        step "withdraw" {
+            title = "Leave the eye",
+            hint = "Hook off the implant, straight up, and out through its wound.",
+            done = "not injector.present and not hook.present and not cannula.present",
+        },
+    },
+
+    errors = {
+        error_event "Injected without viscoelastic" (implant_events.unfilled { items = { "T13" } }),
+        error_event "Implant jammed" (implant_events.jammed { items = { "T13" } }),
+        error_event "Upside down" (implant_events.upside_down { items = { "T13" } }),
+        error_event "Haptic not in the bag" (implant_events.haptic_out { items = { "T13", "G5" } }),
+        error_event "Haptic stuck to the optic" (implant_events.haptic_stuck { items = { "T13" } }),
+        error_event "Rim overstretched" (implant_events.rim_stretched { items = { "T13" } }),
+        error_event "Rim split" (implant_events.rim_split { items = { "T13", "G4" } }),
+        error_event "Posterior capsule struck" (implant_events.capsule_struck { items = { "T13", "G4" } }),
+        error_event "Cornea touched" (implant_events.cornea_touched { items = { "T13", "G3", "G4" } }),
+        error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" } }),
+    },
+
+    -- The attempt is over when no instrument has come back for longer than it takes to change them.
+    over = { "implant.released", "instruments.out_s > 8" },
+    time_limit_s = 300,
+
+    scoring = osacss { "T13", "G3", "G4", "G5", "G6" },
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "observe/implant_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double root_length = 1.0;  ///< of a haptic next to the optic, which does not count as its arm [mm]
+constexpr double touching = 0.05;    ///< gap between surfaces that touch [mm]
+
+/// Its length is the area.
+Vec3 area_vector(const std::vector<Vec3>& x, const std::array<int, 3>& t) {
+    return 0.5 * (x[at(t[1])] - x[at(t[0])]).cross(x[at(t[2])] - x[at(t[0])]);
+}
+
+Vec3 middle(const std::vector<Vec3>& x, const std::array<int, 3>& t) {
+    return (x[at(t[0])] + x[at(t[1])] + x[at(t[2])]) / 3.0;
+}
+
+/// Distance of a point from a segment.
+double to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 way = b - a;
+    const double share = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    return (p - a - share * way).norm();
+}
+
+/// Distance of a point from a triangle that has an area.
+double to_triangle(const Vec3& p, const std::vector<Vec3>& x, const std::array<int, 3>& t) {
+    const Vec3 normal = area_vector(x, t).normalized();
+    bool over = true;
+    double edges = HUGE_VAL;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& a = x[at(t[k])];
+        const Vec3& b = x[at(t[(k + 1) % 3])];
+        over = over && (b - a).cross(p - a).dot(normal) >= 0.0;
+        edges = std::min(edges, to_segment(p, a, b));
+    }
+    return over ? std::abs((p - x[at(t[0])]).dot(normal)) : edges;
+}
+
+double bore_radius(const TubeModel& bore, double along) {
+    const std::vector<TubeStation>& stations = bore.stations;
+    if (along <= stations.front().z) {
+        return stations.front().half_width;
+    }
+    for (std::size_t i = 1; i < stations.size(); ++i) {
+        if (along <= stations[i].z) {
+            const double share = (along - stations[i - 1].z) / (stations[i].z - stations[i - 1].z);
+            return stations[i - 1].half_width + share * (stations[i].half_width - stations[i - 1].half_width);
+        }
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+ImplantGauge::ImplantGauge(const ShellModel& model, const ImplantParts& parts)
+    : tip_(parts.tip), half_thickness_(model.mesh.nodes.size(), 0.0) {
+    const std::vector<Vec3>& rest = model.mesh.nodes;
+    for (std::size_t t = 0; t < parts.part.size(); ++t) {
+        const std::array<int, 3>& nodes = model.mesh.triangles[t];
+        for (const int n : nodes) {
+            half_thickness_[at(n)] = std::max(half_thickness_[at(n)], 0.5 * model.thickness[t]);
+        }
+        if (parts.part[t] == ImplantPart::optic) {
+            optic_.push_back(nodes);
+            area_ += area_vector(rest, nodes).norm();
+            for (const int n : nodes) {
+                radius_ = std::max(radius_, rest[at(n)].norm());
+            }
+        }
+    }
+    for (std::size_t t = 0; t < parts.part.size(); ++t) {
+        for (const int n : model.mesh.triangles[t]) {
+            if (parts.part[t] != ImplantPart::optic && rest[at(n)].norm() > radius_ + root_length) {
+                arm_[parts.part[t] == ImplantPart::upper_haptic ? 0 : 1].push_back(n);
+            }
+        }
+    }
+    for (std::vector<int>& nodes : arm_) {
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    }
+}
+
+bool ImplantGauge::touches_optic(const ShellState& state, int arm_node, const Vec3& centre) const {
+    const Vec3& place = state.position[at(arm_node)];
+    if ((place - centre).norm() > radius_ + 2.0 * half_thickness_[at(arm_node)] + touching) {
+        return false;
+    }
+    return std::any_of(optic_.begin(), optic_.end(), [&](const std::array<int, 3>& t) {
+        const double reach = half_thickness_[at(arm_node)] + half_thickness_[at(t[0])] + touching;
+        const Vec3& near = state.position[at(t[0])];
+        return (place - near).squaredNorm() < (reach + 1.0) * (reach + 1.0) &&
+               to_triangle(place, state.position, t) < reach;
+    });
+}
+
+ImplantPlace ImplantGauge::measure(const ShellState& state) const {
+    ImplantPlace place;
+    Vec3 sum = Vec3::Zero();
+    double area = 0.0;
+    for (const std::array<int, 3>& t : optic_) {
+        const Vec3 own = area_vector(state.position, t);
+        sum += own;
+        area += own.norm();
+        place.centre += own.norm() * middle(state.position, t);
+    }
+    place.centre /= area;
+    place.radius = radius_;
+    place.half_thickness = half_thickness_;
+    place.unfolded = std::min(1.0, sum.norm() / area_);
+    place.normal = sum.norm() > 0.0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+    for (std::size_t i = 0; i < 2; ++i) {
+        place.tip[i] = state.position[at(tip_[i])];
+        place.on_optic[i] = std::any_of(arm_[i].begin(), arm_[i].end(),
+                                        [&](int node) { return touches_optic(state, node, place.centre); });
+    }
+    return place;
+}
+
+bool in_bore(const Cartridge& cartridge, const ToolState& injector, const Vec3& place) {
+    const Vec3 own = cartridge.bore.pose.to_body(injector.pose.to_body(place));
+    return own.z() < cartridge.bore.stations.back().z && own.head<2>().norm() < bore_radius(cartridge.bore, own.z());
+}
+
+bool is_in_cartridge(const ShellState& implant, const Cartridge& cartridge, const ToolState& injector) {
+    return implant.loaded ||
+           (injector.present && std::any_of(implant.position.begin(), implant.position.end(),
+                                            [&](const Vec3& place) { return in_bore(cartridge, injector, place); }));
+}
+
+}  // namespace rhexis
