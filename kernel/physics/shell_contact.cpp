@@ -301,6 +301,9 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
         start_[2 * n] = state.position[n];
         start_[2 * n + 1].setZero();
     }
+    if (partners.sheet != nullptr) {
+        start_.insert(start_.end(), partners.sheet->position.begin(), partners.sheet->position.end());
+    }
     set_iterate(start_);
     for (int i = 0; i < static_cast<int>(partners.planes.size()); ++i) {
         meet_rigid(ContactPartner::plane, i, smooth, partners.planes[at(i)].friction, most_travel_, {});
@@ -386,7 +389,7 @@ ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::s
 }
 
 /// Of layers and membranes: both sides are planes at right angles to the normal where they would touch.
-ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
+ShellContacts::Meeting ShellContacts::meeting(const Contact& contact, double share) const {
     Meeting now;
     const ShellPlace& own = place(contact);
     now.point = pose_.at(own);
@@ -395,7 +398,7 @@ ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
         now.gap = contact.gap + contact.normal.dot(offset(contact, now.point) + contact.anchor);
         return now;
     }
-    const Distance found = distance(contact.touch.partner, contact.touch.index, 1.0, now.point);
+    const Distance found = distance(contact.touch.partner, contact.touch.index, share, now.point);
     now.gap = found.distance - 0.5 * own.thickness;
     now.normal = found.normal;
     return now;
@@ -415,12 +418,12 @@ Vec3 ShellContacts::foot_of(const Contact& contact) const {
 }
 
 /// From where friction holds it to where it is.
-Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point) const {
+Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point, double share) const {
     const Vec3 own = point + pose_.turned(place(contact), contact.lever);
     if (is_flat(contact)) {
         return own - foot_of(contact) - contact.anchor;
     }
-    return own - partner_pose(contact, 1.0).to_world(contact.anchor);
+    return own - partner_pose(contact, share).to_world(contact.anchor);
 }
 
 /// The spring of friction.hpp with a soft onset.
@@ -494,15 +497,20 @@ double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
 }
 
 void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTouch>& touches) {
-    set_iterate(points);
     work_ = {};
+    if (settings_.accounts) {
+        account_start();
+    }
+    set_iterate(points);
     deepest_ = 0.0;
     touching_ = 0;
     std::vector<ShellTouch> kept;
-    for (Contact& contact : list_) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        Contact& contact = list_[i];
         const Meeting now = meeting(contact);
         contact.force.setZero();
         if (!(now.gap < 0.0)) {
+            work_.lost += settings_.accounts ? at_start_[i].energy : 0.0;
             continue;
         }
         const Vec3 from_anchor = offset(contact, now.point);
@@ -518,7 +526,11 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
         work_.friction += contact.stiffness * stretch.norm() * (size - stretch.norm());
         const Pose end = partner_pose(contact, 1.0);
         const Vec3 own = end.to_body(now.point - 0.5 * place(contact).thickness * now.normal);
-        work_.brought += pushed.force.dot(end.to_world(own) - partner_pose(contact, 0.0).to_world(own));
+        const Vec3 way = end.to_world(own) - partner_pose(contact, 0.0).to_world(own);
+        work_.brought += pushed.force.dot(way);
+        if (settings_.accounts) {
+            account_end(i, points, now, pushed, stretch, way);
+        }
         if (contact.friction > 0.0) {
             contact.touch.stretch = end.orientation.conjugate() * stretch;
             kept.push_back(contact.touch);
