@@ -163,6 +163,15 @@ MembraneState rest_state(const MembraneModel& model) {
     return state;
 }
 
+double stretch_stiffness(const MembraneModel& model, const MembraneSheet& sheet, double times) {
+    double sum = 0.0;
+    for (const double h : sheet.thickness) {
+        sum += h;
+    }
+    const double mean = sum / static_cast<double>(sheet.thickness.size());
+    return times * std::max(model.material.along, model.material.across) * mean;
+}
+
 bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node) {
     return std::binary_search(model.fixed_nodes.begin(), model.fixed_nodes.end(), sheet.origin[at(node)]);
 }

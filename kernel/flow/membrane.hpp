@@ -156,6 +156,9 @@ Status check_membrane(const MembraneModel& model);
 
 MembraneState rest_state(const MembraneModel& model);
 
+/// So many times its greater modulus times its mean thickness [uN/mm].
+double stretch_stiffness(const MembraneModel& model, const MembraneSheet& sheet, double times);
+
 /// Whether a node moves only by hand of the caller.
 bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node);
 

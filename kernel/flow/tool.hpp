@@ -32,6 +32,8 @@ struct Cartridge {
     double plunger_radius = 0.0;  ///< a rod with a round end on the bore's axis [mm]
     double plunger_from = 0.0;    ///< along the bore: the tip of the plunger before it is pushed [mm]
     double stroke = 0.0;          ///< how far it can be pushed [mm]
+    double most_force = 0.0;      ///< with which a hand can push it [uN]
+    double fastest = 0.0;         ///< that a hand can push it [mm/s]
 };
 
 /// Constant while a scene runs.
@@ -62,6 +64,13 @@ struct TipState {
     double hold = 0.0;     ///< with which the covering tissue is held on [uN]
 };
 
+/// Where the plunger of an injector is, which is not where the hand wants it when that takes too much force.
+struct PlungerState {
+    double pushed = 0.0;     ///< from where it stands before it is pushed [mm]
+    double force = 0.0;      ///< with which it presses on the implant, along the bore [uN]
+    double stiffness = 0.0;  ///< growth of the force with its way, of late [uN/mm]
+};
+
 /// One step of one tool. Poses within the step are interpolated from previous_pose to pose.
 struct ToolState {
     bool present = false;
@@ -70,7 +79,7 @@ struct ToolState {
     Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
     double jaw = 0.0;                      ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1;
-                                           ///< injector: share of the plunger's stroke
+                                           ///< injector: how far the hand wants the plunger, share of its stroke
     double previous_jaw = 0.0;             ///< at the end of the previous step
     double pedal = 0.0;                    ///< 0 to 3
     bool irrigation = false;               ///< pedal at 1 or more

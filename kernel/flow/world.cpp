@@ -19,6 +19,7 @@ WorldState rest_state(const WorldModel& model) {
         state.bags[i].adherent = model.bags[i].adherent;
     }
     state.tips.resize(model.tools.size());
+    state.plungers.resize(model.tools.size());
     if (model.chamber) {
         state.chamber = chamber_state(*model.chamber, model.chamber->rest_pressure, 0.0);
     }

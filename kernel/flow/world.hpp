@@ -80,7 +80,8 @@ struct WorldState {
     std::optional<IrisState> iris;
     std::optional<ViscoelasticState> viscoelastic;
     std::optional<MicroscopeState> microscope;
-    std::vector<TipState> tips;  ///< per tool
+    std::vector<TipState> tips;          ///< per tool
+    std::vector<PlungerState> plungers;  ///< per tool
     std::vector<Debris> debris;
     std::vector<NodeLoad> loads;
     std::vector<ContactMemory> memory;  ///< ordered by (solid, vertex, partner, partner_index)

@@ -8,7 +8,7 @@
 namespace rhexis {
 namespace {
 
-constexpr double hand = 3e7;  // most that a hand presses a plunger with; 5 to 30 N are spoken of [uN]
+constexpr double jam = 0.9;  // of the most force
 
 /// Share of the implant's nodes that are before the tip of the injector.
 double delivered(const ShellState& implant, const ToolState& injector) {
@@ -26,9 +26,9 @@ public:
 
     void describe(ObservationSchema& schema) const override {
         schema.push_back({"implant.delivered", "1", "Share of the implant that is out of the injector."});
-        schema.push_back({"injector.plunger_mm", "mm", "How far the plunger is pushed."});
-        schema.push_back({"injector.force_mN", "mN", "Force of the plunger on the implant."});
-        schema.push_back({"injector.jammed", "bool", "The plunger has needed more force than a hand gives, 30 N."});
+        schema.push_back({"injector.plunger_mm", "mm", "How far the plunger is, which gives way when it jams."});
+        schema.push_back({"injector.force_mN", "mN", "Force of the plunger on the implant, along the bore."});
+        schema.push_back({"injector.jammed", "bool", "The plunger has needed all the force of a hand, 30 N."});
     }
 
     [[nodiscard]] std::size_t memory_size() const override { return 1; }  // whether it has jammed
@@ -36,17 +36,12 @@ public:
     void measure(const ObserveInput& input, const LensView&, std::span<double> memory,
                  std::span<double> values) const override {
         const ToolState& tool = input.tools[at(injector_)];
-        Vec3 force = Vec3::Zero();
-        for (const Contact& contact : input.contacts) {
-            if (contact.solid < 0 && contact.membrane < 0 && contact.partner == ContactPartner::tool &&
-                contact.partner_index == injector_) {
-                force += contact.force;
-            }
-        }
-        memory[0] = memory[0] > 0.0 || force.norm() > hand ? 1.0 : 0.0;
+        const PlungerState& plunger = input.state.plungers[at(injector_)];
+        const double most = input.world.tools[at(injector_)].cartridge->most_force;
+        memory[0] = memory[0] > 0.0 || plunger.force > jam * most ? 1.0 : 0.0;
         values[0] = delivered(input.state.shells[0], tool);
-        values[1] = tool.present ? tool.jaw * input.world.tools[at(injector_)].cartridge->stroke : 0.0;
-        values[2] = 1e-3 * force.norm();
+        values[1] = tool.present ? plunger.pushed : 0.0;
+        values[2] = 1e-3 * plunger.force;
         values[3] = memory[0];
     }
 

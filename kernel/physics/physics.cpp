@@ -91,6 +91,8 @@ struct Physics::Solvers {
     [[nodiscard]] bool goes_with_shell(const StepTask& task, std::size_t membrane) const;
     void step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
                     StepOutcome& outcome);
+    void step_shells(const StepTask& task, WorldState& next, ContactSet& contacts, StepOutcome& outcome,
+                     Profile& profile);
 };
 
 /// Leaves in `result` the first try that is good, or the last that only inverted something, or the state as it was.
@@ -231,6 +233,33 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
     }
 }
 
+/// All of them, again where a plunger pressed harder than a hand.
+void Physics::Solvers::step_shells(const StepTask& task, WorldState& next, ContactSet& contacts, StepOutcome& outcome,
+                                   Profile& profile) {
+    shell_tools.place(task.tools, task.state.plungers, task.dt);
+    const StepOutcome before = outcome;
+    const std::size_t met = contacts.size();
+    std::vector<Vec3> forces;
+    for (;;) {
+        forces.assign(task.tools.size(), Vec3::Zero());
+        for (std::size_t shell = 0; shell < shells.size(); ++shell) {
+            const ProfileScope scope(profile, model->shells[shell].name.c_str());
+            step_shell(task, shell, next, contacts, outcome);
+            for (int i = 0; !next.shells[shell].loaded && i < static_cast<int>(forces.size()); ++i) {
+                forces[i] += shell_contacts[shell].force_of(ContactPartner::tool, i);
+            }
+        }
+        if (shell_tools.stands(forces)) {
+            break;
+        }
+        const int thrown = outcome.rollbacks + 1;
+        outcome = before;
+        outcome.rollbacks = thrown;
+        contacts.resize(met);
+    }
+    next.plungers.assign(shell_tools.plungers().begin(), shell_tools.plungers().end());
+}
+
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
@@ -286,6 +315,7 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     StepOutcome outcome;
     s.started = state;
     s.started.tips.resize(tools.size());  // a script may have added a tool
+    s.started.plungers.resize(tools.size());
     if (s.has_fluid()) {
         const ProfileScope scope(profile, "chamber");
         step_fluid(*s.model, tools, s.probes, dt, s.started);
@@ -312,11 +342,7 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
         s.step_membrane(task, membrane, next, contacts, outcome);
     }
     if (!s.shells.empty()) {
-        s.shell_tools.place(tools);
-    }
-    for (std::size_t shell = 0; shell < s.shells.size(); ++shell) {
-        const ProfileScope scope(profile, s.model->shells[shell].name.c_str());
-        s.step_shell(task, shell, next, contacts, outcome);
+        s.step_shells(task, next, contacts, outcome, profile);
     }
     if (s.steppers.empty()) {
         PartnerPoses poses;

@@ -26,14 +26,6 @@ Vec3 point_of(const SheetContact& contact, const std::vector<Vec3>& position) {
     return point;
 }
 
-double mean_thickness(const MembraneSheet& sheet) {
-    double sum = 0.0;
-    for (const double h : sheet.thickness) {
-        sum += h;
-    }
-    return sum / static_cast<double>(sheet.thickness.size());
-}
-
 double friction_of(const WorldModel& world, const MembraneModel& model, const SheetTouch& touch) {
     switch (touch.partner) {
         case ContactPartner::tool:
@@ -227,7 +219,7 @@ void SheetContacts::look(const WorldModel& world, int membrane, const MembraneSt
     world_ = &world;
     membrane_ = membrane;
     const MembraneModel& model = world.membranes[at(membrane)];
-    stiffness_ = stiffer * std::max(model.material.along, model.material.across) * mean_thickness(*state.sheet);
+    stiffness_ = stretch_stiffness(model, *state.sheet, stiffer);
     support_.position = state.support.lift * Vec3::UnitZ();
     list_.clear();
     next_known_ = 0;

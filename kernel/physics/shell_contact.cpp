@@ -259,11 +259,14 @@ void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool f
     add(std::move(contact));
 }
 
-/// Every sample with what of the membrane is nearest before it and behind it.
+/// Every sample with what of the membrane is nearest before it and behind it. Springs as stiff as between layers would
+/// be so beside what gives way a hundred times as much, and Newton's method would take a small step for each that it
+/// meets.
 void ShellContacts::meet_sheet() {
     sheet_.look(*partners_.sheet);
     const ShellSamples& on = samples_at(level_of_layers);
     find_points(on);
+    const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer);
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
         const double own = 0.5 * on.samples[i].place.thickness;
         const std::array<ShellSheet::Foot, 2> feet = sheet_.nearest(points_[i], front(on, i), own + 2.0 * most_travel_);
@@ -278,8 +281,8 @@ void ShellContacts::meet_sheet() {
             contact.touch.sample = static_cast<int>(i);
             contact.touch.front = side == 1;
             contact.normal = -foot.way / foot.distance;
-            contact.stiffness = stiffness(on, i, contact.normal);
-            contact.friction = partners_.sheet_friction;
+            contact.stiffness = std::min(most, stiffness(on, i, contact.normal));
+            contact.friction = partners_.sheet_model->shell_friction;
             contact.lever = foot.way;
             contact.foot.nodes = foot.nodes;
             contact.foot.weights = foot.weights;
@@ -297,6 +300,9 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     for (std::size_t n = 0; n < state.position.size(); ++n) {
         start_[2 * n] = state.position[n];
         start_[2 * n + 1].setZero();
+    }
+    if (partners.sheet != nullptr) {
+        start_.insert(start_.end(), partners.sheet->position.begin(), partners.sheet->position.end());
     }
     set_iterate(start_);
     for (int i = 0; i < static_cast<int>(partners.planes.size()); ++i) {
@@ -383,7 +389,7 @@ ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::s
 }
 
 /// Of layers and membranes: both sides are planes at right angles to the normal where they would touch.
-ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
+ShellContacts::Meeting ShellContacts::meeting(const Contact& contact, double share) const {
     Meeting now;
     const ShellPlace& own = place(contact);
     now.point = pose_.at(own);
@@ -392,7 +398,7 @@ ShellContacts::Meeting ShellContacts::meeting(const Contact& contact) const {
         now.gap = contact.gap + contact.normal.dot(offset(contact, now.point) + contact.anchor);
         return now;
     }
-    const Distance found = distance(contact.touch.partner, contact.touch.index, 1.0, now.point);
+    const Distance found = distance(contact.touch.partner, contact.touch.index, share, now.point);
     now.gap = found.distance - 0.5 * own.thickness;
     now.normal = found.normal;
     return now;
@@ -412,12 +418,12 @@ Vec3 ShellContacts::foot_of(const Contact& contact) const {
 }
 
 /// From where friction holds it to where it is.
-Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point) const {
+Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point, double share) const {
     const Vec3 own = point + pose_.turned(place(contact), contact.lever);
     if (is_flat(contact)) {
         return own - foot_of(contact) - contact.anchor;
     }
-    return own - partner_pose(contact, 1.0).to_world(contact.anchor);
+    return own - partner_pose(contact, share).to_world(contact.anchor);
 }
 
 /// The spring of friction.hpp with a soft onset.
@@ -491,15 +497,20 @@ double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
 }
 
 void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTouch>& touches) {
-    set_iterate(points);
     work_ = {};
+    if (settings_.accounts) {
+        account_start();
+    }
+    set_iterate(points);
     deepest_ = 0.0;
     touching_ = 0;
     std::vector<ShellTouch> kept;
-    for (Contact& contact : list_) {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        Contact& contact = list_[i];
         const Meeting now = meeting(contact);
         contact.force.setZero();
         if (!(now.gap < 0.0)) {
+            work_.lost += settings_.accounts ? at_start_[i].energy : 0.0;
             continue;
         }
         const Vec3 from_anchor = offset(contact, now.point);
@@ -515,7 +526,11 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
         work_.friction += contact.stiffness * stretch.norm() * (size - stretch.norm());
         const Pose end = partner_pose(contact, 1.0);
         const Vec3 own = end.to_body(now.point - 0.5 * place(contact).thickness * now.normal);
-        work_.brought += pushed.force.dot(end.to_world(own) - partner_pose(contact, 0.0).to_world(own));
+        const Vec3 way = end.to_world(own) - partner_pose(contact, 0.0).to_world(own);
+        work_.brought += pushed.force.dot(way);
+        if (settings_.accounts) {
+            account_end(i, points, now, pushed, stretch, way);
+        }
         if (contact.friction > 0.0) {
             contact.touch.stretch = end.orientation.conjugate() * stretch;
             kept.push_back(contact.touch);

@@ -43,7 +43,7 @@ struct ShellPartners {
     bool layers = true;  ///< of itself
     /// A membrane that is solved for with the shell: its node n is point 2 x (nodes of the shell) + n. Or null.
     const MembraneState* sheet = nullptr;
-    double sheet_friction = 0.0;
+    const MembraneModel* sheet_model = nullptr;
     double from = 0.0;
     double to = 1.0;
 };
@@ -53,6 +53,7 @@ struct ShellContactSettings {
     double onset = 0.002;      ///< penetration over which the springs gain their stiffness, of the thickness
     std::optional<int> level;  ///< of sampling; none: by the size of the partner
     bool turns = true;         ///< contact turns nodes, else it only moves them
+    bool accounts = false;     ///< where energy goes is found in full, for tests and measurements
 };
 
 /// Energy of a step [nJ].
@@ -60,6 +61,9 @@ struct ShellContactWork {
     double brought = 0.0;   ///< by instruments that move
     double friction = 0.0;  ///< taken by it
     double stored = 0.0;    ///< in the springs at the end
+    // with accounts
+    std::optional<double> found;  ///< in the springs at the start: not all may be those of the end of the step before
+    double lost = 0.0;            ///< taken by backward Euler from the springs
 };
 
 class ShellContacts {
@@ -122,6 +126,12 @@ private:
         Vec3 way = Vec3::Zero();        ///< from the sample to it
         double own_share = 0.5;         ///< of that way, to where the surfaces touch
     };
+    /// A contact at the start of a step.
+    struct Before {
+        double depth = 0.0;           ///< [mm]
+        Vec3 stretch = Vec3::Zero();  ///< [mm]
+        double energy = 0.0;          ///< [nJ]
+    };
     struct Ball {
         Vec3 middle = Vec3::Zero();
         double radius = 0.0;
@@ -148,9 +158,9 @@ private:
         return pose_of(contact.touch.partner, contact.touch.index, share);
     }
     [[nodiscard]] Distance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
-    [[nodiscard]] Meeting meeting(const Contact& contact) const;
+    [[nodiscard]] Meeting meeting(const Contact& contact, double share = 1.0) const;
     [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const;
-    [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point) const;
+    [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point, double share = 1.0) const;
     [[nodiscard]] Vec3 foot_of(const Contact& contact) const;
     void set_iterate(const std::vector<Vec3>& points);
     /// Whether where it touches stays as it was at the start of the step.
@@ -161,6 +171,10 @@ private:
     [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] double normal_energy(const Contact& contact, double gap) const;
     void fill(const Contact& contact, const Meeting& now, const SpringResponse& pushed, ContactTerm& term) const;
+
+    void account_start();
+    void account_end(std::size_t index, const std::vector<Vec3>& points, const Meeting& now,
+                     const SpringResponse& pushed, const Vec3& stretch, const Vec3& way);
 
     const ShellModel* model_;
     ShellContactSettings settings_;
@@ -184,6 +198,7 @@ private:
     std::vector<Vec3> points_;                ///< of samples at the start
     std::vector<Vec3> start_;
     std::vector<Ball> facets_;  ///< about those of the samples of layers
+    std::vector<Before> at_start_;
 };
 
 }  // namespace rhexis

@@ -19,7 +19,8 @@ struct ShellEnergy {
     [[nodiscard]] double all() const { return kinetic + elastic + branch; }
 };
 
-/// Of one step [nJ]: external = gain + contact + friction + viscosity + drag + integrator.
+/// Of one step [nJ]: external + renewed = gain + contact + friction + viscosity + drag + damping + integrator + rest.
+/// Every one but the rest is found on its own.
 struct ShellStepEnergy {
     double external = 0.0;    ///< brought by loads, weight and instruments
     double gain = 0.0;        ///< of all()
@@ -27,7 +28,10 @@ struct ShellStepEnergy {
     double friction = 0.0;    ///< taken by it
     double viscosity = 0.0;   ///< taken by the branch's dashpot, for a deformation that goes evenly over the step
     double drag = 0.0;        ///< taken by the fluid
-    double integrator = 0.0;  ///< the rest: what backward Euler takes, and Rayleigh damping
+    double damping = 0.0;     ///< taken by Rayleigh damping of the mass
+    double integrator = 0.0;  ///< taken by backward Euler from inertia and all springs, of contact only with accounts
+    double renewed = 0.0;     ///< brought by springs of contact that were looked for anew, with accounts
+    double rest = 0.0;        ///< work of forces that did not balance, Rayleigh damping of the stiffness
 };
 
 class ShellLedger {
@@ -44,7 +48,9 @@ public:
     [[nodiscard]] std::vector<double> deformation(const ShellState& state) const;
 
 private:
-    [[nodiscard]] double viscous_work(const ShellState& before, const ShellState& after, double dt) const;
+    [[nodiscard]] std::vector<double> way_of_deformation(const ShellState& before, const ShellState& after,
+                                                         double dt) const;
+    void flow(const ShellState& before, const ShellState& after, double dt, ShellStepEnergy& result) const;
 
     const ShellModel* model_;
     std::vector<ShellTriangle> triangle_;

@@ -170,8 +170,7 @@ bool step_once(Run& run, double from, double to, Bodies& now, double& residual) 
     partners.to = to;
     if (run.task.wall) {
         partners.sheet = &now.wall;
-        partners.sheet_friction =
-            run.task.wall->world.membranes[static_cast<std::size_t>(run.task.wall->membrane)].shell_friction;
+        partners.sheet_model = &run.task.wall->world.membranes[static_cast<std::size_t>(run.task.wall->membrane)];
     }
     run.contacts.look(now.shell, partners);
     const Bodies before = now;

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/shell_tools.hpp"
 
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "physics/plunger.hpp"
+
 namespace rhexis {
 namespace {
+
+constexpr int most_tries = 3;  // of a step with ever shorter ways of plungers, before they hold still
 
 /// Before it is pushed, in the injector's frame.
 RoundedCone plunger(const Cartridge& cartridge) {
@@ -11,8 +18,9 @@ RoundedCone plunger(const Cartridge& cartridge) {
     return {along(end), along(end - cartridge.stroke), cartridge.plunger_radius, cartridge.plunger_radius};
 }
 
-void push(const Cartridge& cartridge, double share, Pose& pose) {
-    pose.position += pose.orientation * (cartridge.bore.pose.orientation * Vec3(0.0, 0.0, share * cartridge.stroke));
+/// Along the bore of an injector in this pose, to its tip.
+Vec3 direction(const Cartridge& cartridge, const Pose& pose) {
+    return pose.orientation * (cartridge.bore.pose.orientation * Vec3::UnitZ());
 }
 
 }  // namespace
@@ -26,19 +34,60 @@ ShellTools::ShellTools(std::span<const ToolModel> tools) : tools_(tools.begin(),
     }
 }
 
-void ShellTools::place(std::span<const ToolState> states) {
-    states_.assign(states.begin(), states.end());
+bool ShellTools::pushes(std::size_t tool) const {
+    return tools_[tool].kind == ToolKind::injector && given_[tool].present;
+}
+
+void ShellTools::place(std::span<const ToolState> states, std::span<const PlungerState> plungers, double dt) {
+    RHEXIS_ASSERT(states.size() == tools_.size() && plungers.size() == tools_.size());
+    given_.assign(states.begin(), states.end());
+    before_.assign(plungers.begin(), plungers.end());
+    after_ = before_;
+    goal_.assign(tools_.size(), 0.0);
+    tries_ = 0;
     tubes_.clear();
     tube_states_.clear();
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        if (pushes(i)) {
+            tubes_.push_back(cartridges_[i].bore);
+            tube_states_.push_back(given_[i]);
+            goal_[i] = plunger_goal(cartridges_[i], before_[i], given_[i].jaw * cartridges_[i].stroke, dt);
+        }
+    }
+    move_plungers();
+}
+
+void ShellTools::move_plungers() {
+    states_ = given_;
     for (std::size_t i = 0; i < states_.size(); ++i) {
-        if (tools_[i].kind != ToolKind::injector || !states_[i].present) {
+        if (pushes(i)) {
+            ToolState& state = states_[i];
+            state.previous_pose.position += before_[i].pushed * direction(cartridges_[i], state.previous_pose);
+            state.pose.position += goal_[i] * direction(cartridges_[i], state.pose);
+        }
+    }
+}
+
+bool ShellTools::stands(std::span<const Vec3> forces) {
+    bool good = true;
+    ++tries_;
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        if (!pushes(i)) {
             continue;
         }
-        tubes_.push_back(cartridges_[i].bore);
-        tube_states_.push_back(states[i]);
-        push(cartridges_[i], states[i].previous_jaw, states_[i].previous_pose);
-        push(cartridges_[i], states[i].jaw, states_[i].pose);
+        const double force = forces[i].dot(direction(cartridges_[i], given_[i].pose));
+        if (const auto nearer = nearer_goal(cartridges_[i], before_[i], goal_[i], force)) {
+            goal_[i] = tries_ < most_tries ? *nearer : before_[i].pushed;
+            good = false;
+        } else {
+            const bool limited = goal_[i] < given_[i].jaw * cartridges_[i].stroke;
+            after_[i] = pushed_plunger(before_[i], goal_[i], std::isfinite(force) ? force : before_[i].force, limited);
+        }
     }
+    if (!good) {
+        move_plungers();
+    }
+    return good;
 }
 
 }  // namespace rhexis

@@ -193,6 +193,11 @@ void fluid_fields(auto& io, auto& world) {
         inner(tip.flow);
         inner(tip.hold);
     });
+    io.list(world.plungers, 24, [](auto& inner, auto& plunger) {
+        inner(plunger.pushed);
+        inner(plunger.force);
+        inner(plunger.stiffness);
+    });
 }
 
 void sheet_fields(auto& io, auto& sheet) {

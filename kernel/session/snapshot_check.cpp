@@ -140,6 +140,15 @@ Status shells_fit(const WorldState& state, const WorldModel& world) {
     return success();
 }
 
+Status plungers_fit(const WorldState& state, const WorldModel& world) {
+    const bool fits =
+        state.plungers.size() == world.tools.size() &&
+        std::all_of(state.plungers.begin(), state.plungers.end(), [](const PlungerState& plunger) {
+            return std::isfinite(plunger.pushed) && std::isfinite(plunger.force) && std::isfinite(plunger.stiffness);
+        });
+    return fits ? success() : Status(misfit("the plungers"));
+}
+
 Status microscope_fits(const WorldState& state, const WorldModel& world) {
     const bool fits = state.microscope.has_value() == world.microscope.has_value() &&
                       (!state.microscope || state.microscope->position.allFinite());
@@ -202,6 +211,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
         return status;
     }
     if (Status status = shells_fit(snapshot.world, world); !status) {
+        return status;
+    }
+    if (Status status = plungers_fit(snapshot.world, world); !status) {
         return status;
     }
     if (Status status = fluid_fits(snapshot.world, world); !status) {

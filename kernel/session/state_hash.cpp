@@ -193,6 +193,12 @@ void add(StateHash& hash, const TipState& tip) {
     }
 }
 
+void add(StateHash& hash, const PlungerState& plunger) {
+    for (const double value : {plunger.pushed, plunger.force, plunger.stiffness}) {
+        hash.add(value);
+    }
+}
+
 void add(StateHash& hash, const Debris& debris) {
     add(hash, debris.position);
     add(hash, debris.velocity);
@@ -231,6 +237,7 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     }
     if (!world.shells.empty()) {
         add_all(hash, world.shells);
+        add_all(hash, world.plungers);
     }
     add_all(hash, world.bags);
     add_if(hash, world.chamber);

@@ -9,8 +9,7 @@
 #include "base/index.hpp"
 #include "bench/bench_shell.hpp"
 #include "eye/implant.hpp"
-#include "physics/shell_motion.hpp"
-#include "physics/shell_tools.hpp"
+#include "scenes/injection.hpp"
 #include "session/build_world.hpp"
 #include "session/implant_fold.hpp"
 
@@ -19,8 +18,8 @@ namespace {
 
 constexpr double dt = 0.02;
 constexpr double viscosity = 10.0;  // of viscoelastic that is sheared some ten times a second [Pa s]
-constexpr double hand = 3e7;        // most that a hand presses a plunger with [uN]
-constexpr double unfolding = 2.0;   // looked at after the plunger has stopped [s]
+constexpr double unfolding = 2.0;   // looked at after the hand has come to the end of the stroke [s]
+constexpr double jam = 0.9;         // of what a hand can, at which it counts as jammed
 
 struct Push {
     double nozzle = 2.6;    ///< [mm]
@@ -68,12 +67,13 @@ double beyond_tip(const std::vector<Vec3>& places) {
 }
 
 struct Pushed {
-    double share = 0.0;     ///< of the plunger's stroke
+    double share = 0.0;     ///< of the plunger's stroke where it is at the end
     double force = 0.0;     ///< most on the plunger [uN]
     double deepest = 0.0;   ///< over thickness
     double residual = 0.0;  ///< largest, over the forces of contact
     int rough = 0;
     int steps = 0;
+    int tries = 0;  ///< of steps, with those that the plunger made again
     double cpu_s = 0.0;
     std::vector<double> iterations;
     bool jammed = false;
@@ -83,54 +83,30 @@ struct Pushed {
 
 Pushed inject(const Push& push) {
     const std::map<std::string, double> settings = settings_of(push);
-    ShellState state = folded(push);
     ShellModel model = free_implant(implant_shape(all_settings(folding_scene(settings))));
     model.material.young_modulus = 1e6 * push.modulus;
     model.friction = push.friction;
     model.drag = disc_drag(viscosity, 3.0);
     const ToolModel tool = injector(injector_shape(all_settings(folding_scene(settings))));
-    ShellTools tools({&tool, 1});
-    ShellStepper stepper = std::move(ShellStepper::create(model)).value();
-    ShellContacts contacts(model);
-    ToolState now;
-    now.present = true;
-    state.loaded = false;
+    scenes::Injection injection(model, tool, folded(push));
     Pushed result;
     const int pushing = static_cast<int>(tool.cartridge->stroke / push.speed / dt) + 1;
-    int after = 0;
-    while (after < static_cast<int>(unfolding / dt)) {
-        now.previous_jaw = now.jaw;
-        if (!result.jammed && result.steps < pushing) {
-            now.jaw = std::min(1.0, now.jaw + 1.0 / pushing);
-        } else {
-            ++after;
-        }
-        tools.place({&now, 1});
-        ShellPartners partners;
-        partners.tools = tools.tools();
-        partners.tool_states = tools.states();
-        partners.tubes = tools.tubes();
-        partners.tube_states = tools.tube_states();
-        ShellStepReport report;
-        ShellState next;
-        int rollbacks = 0;
+    result.steps = pushing + static_cast<int>(unfolding / dt);
+    for (int i = 1; i <= result.steps; ++i) {
         const double start = thread_cpu_seconds();
-        const ShellMotion motion =
-            move_shell(stepper, contacts, {state, partners, Vec3::Zero(), dt}, next, report, rollbacks);
+        const ShellMotion motion = injection.step(std::min(1.0, static_cast<double>(i) / pushing), dt);
         result.cpu_s += thread_cpu_seconds() - start;
-        result.residual = std::max(result.residual, report.residual);
+        result.residual = std::max(result.residual, injection.report.residual);
         result.rough += motion == ShellMotion::balanced ? 0 : 1;
-        result.iterations.push_back(report.newton_iterations);
-        result.deepest = std::max(result.deepest, contacts.deepest());
-        const double force = contacts.force_of(ContactPartner::tool, 0).norm();
-        result.force = std::max(result.force, force);
-        result.jammed = result.jammed || force > hand || motion == ShellMotion::failed;
-        state = std::move(next);
-        ++result.steps;
+        result.iterations.push_back(injection.report.newton_iterations);
+        result.deepest = std::max(result.deepest, injection.contacts.deepest());
+        result.force = std::max(result.force, injection.plunger.force);
+        result.jammed = result.jammed || injection.plunger.force > jam * tool.cartridge->most_force;
     }
-    result.share = now.jaw;
-    result.delivered = beyond_tip(state.position);
-    for (const Vec3& place : state.position) {
+    result.tries = injection.tries;
+    result.share = injection.plunger.pushed / tool.cartridge->stroke;
+    result.delivered = beyond_tip(injection.state.position);
+    for (const Vec3& place : injection.state.position) {
         result.wide = std::max(result.wide, 2.0 * std::sqrt(place.x() * place.x() + place.y() * place.y()));
     }
     return result;
@@ -159,6 +135,7 @@ nlohmann::json row(const Push& push) {
             {"elements", push.triangles},
             {"rough", pushed.rough},
             {"steps", pushed.steps},
+            {"tries", pushed.tries},
             {"iterations_p50", rank(0.5)},
             {"iterations_p99", rank(0.99)},
             {"cpu_s_per_s", pushed.cpu_s / (pushed.steps * dt)},

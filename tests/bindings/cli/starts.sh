@@ -39,7 +39,7 @@ expect 2 "cut.rhxs: the state is cut short" "${from[@]}" cut.rhxs
 cp half.rhxs changed.rhxs
 printf 'X' | dd of=changed.rhxs bs=1 seek=9000 conv=notrunc status=none
 expect 2 "changed.rhxs: the state is damaged" "${from[@]}" changed.rhxs
-(printf 'rhexis state 99\n'; tail -c +16 half.rhxs) >other.rhxs
+(printf 'rhexis state 99\n'; tail -c +17 half.rhxs) >other.rhxs
 expect 2 "other.rhxs: the state has format version 99" "${from[@]}" other.rhxs
 expect 2 "from/recording.rhx: this is not a state" "${from[@]}" from/recording.rhx
 expect 2 "nowhere.rhxs: does not exist" "${from[@]}" nowhere.rhxs
