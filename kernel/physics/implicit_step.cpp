@@ -52,6 +52,7 @@ struct ImplicitStep::Parts {
         const ImplicitSettings& settings;
         const CouplingFunction& coupling;
         const std::vector<RigidUnknown>& start;
+        std::span<const Vec3> guess;
     };
 
     void begin(const Task& task);
@@ -270,9 +271,14 @@ void ImplicitStep::Parts::linearised_residual(const Task& task) {
     reference = std::max(norm(residual), rounding);
 }
 
-/// r and A at where the velocities at the start lead. Reference 0: that is where the step ends.
+/// r and A at where the velocities at the start lead, or those guessed. Reference 0: that is where the step ends.
 void ImplicitStep::Parts::predicted_residual(const Task& task) {
-    set_velocity(task, velocity0);
+    for (std::size_t i = 0; i < at(elastic.rows()) && !task.guess.empty(); ++i) {
+        if (elastic.moves()[i] != 0) {
+            Eigen::Map<Vec3>(velocity.data() + 3 * i) = task.guess[at(elastic.node_of()[i])];
+        }
+    }
+    set_velocity(task, velocity);
     full_residual(task);
     if (norm(residual) <= task.dt * task.settings.rest_tolerance) {
         rounding = 0.0;
@@ -462,11 +468,12 @@ ElasticBody& ImplicitStep::body() { return parts_->elastic; }
 
 ImplicitReport ImplicitStep::step(std::span<const Vec3> position, std::span<const Vec3> velocity, const Vec3& gravity,
                                   std::span<const Vec3> external, double dt, const ImplicitSettings& settings,
-                                  const CouplingFunction& coupling, std::vector<RigidUnknown>& bodies,
-                                  NodeMotion& next) {
-    RHEXIS_ASSERT(dt > 0.0 && (external.empty() || external.size() == position.size()));
+                                  const CouplingFunction& coupling, std::vector<RigidUnknown>& bodies, NodeMotion& next,
+                                  std::span<const Vec3> guess) {
+    RHEXIS_ASSERT(dt > 0.0 && (external.empty() || external.size() == position.size()) &&
+                  (guess.empty() || guess.size() == position.size()));
     ImplicitReport report;
-    const Parts::Task task{position, velocity, gravity, external, dt, settings, coupling, bodies};
+    const Parts::Task task{position, velocity, gravity, external, dt, settings, coupling, bodies, guess};
     parts_->begin(task);
     parts_->iterate(task, report);
     parts_->finish(next);

@@ -84,9 +84,12 @@ public:
 
     /// One step of dt [s]. external: force per node without gravity [uN], or empty; gravity [mm/s^2] is applied inside.
     /// bodies: at the start of the step on entry, at its end on return. next may not be `position`, `velocity`.
+    /// guess: per node, the velocity with which the search of a step that is predicted begins instead of `velocity`; or
+    /// empty.
     ImplicitReport step(std::span<const Vec3> position, std::span<const Vec3> velocity, const Vec3& gravity,
                         std::span<const Vec3> external, double dt, const ImplicitSettings& settings,
-                        const CouplingFunction& coupling, std::vector<RigidUnknown>& bodies, NodeMotion& next);
+                        const CouplingFunction& coupling, std::vector<RigidUnknown>& bodies, NodeMotion& next,
+                        std::span<const Vec3> guess = {});
 
     /// Forgets the kept factor.
     void drop_caches();

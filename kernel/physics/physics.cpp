@@ -213,6 +213,7 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
     partners.tool_states = shell_tools.states();
     partners.tubes = shell_tools.tubes();
     partners.tube_states = shell_tools.tube_states();
+    partners.tube_tools = shell_tools.tube_tools();
     ShellTask own{state, partners, model->gravity, task.dt, {}};
     if (!membranes.empty() && goes_with_shell(task, 0)) {
         own.wall.emplace(WallTask{*model, 0, task.state.membranes[0], task.tools, next.membranes[0], contacts});

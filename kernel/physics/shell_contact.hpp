@@ -36,6 +36,7 @@ struct ShellPartners {
     std::span<const PlaneModel> planes;
     std::span<const TubeModel> tubes;
     std::span<const ToolState> tube_states;  ///< of what carries each; none: they stand still
+    std::span<const int> tube_tools;         ///< of each: the number of the tool that pushes in it; or none
     std::span<const BagModel> bags;
     std::span<const Pose> bag_poses;
     std::span<const ToolModel> tools;

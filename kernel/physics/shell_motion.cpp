@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physics/sheet_contact.hpp"
+#include "physics/shell_carry.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -141,10 +142,12 @@ ImplicitSettings settings_of(const Run& run) {
 }
 
 /// One solve from share `from` of the step to share `to`; `now` goes there.
-ImplicitReport solve(Run& run, double from, double to, Bodies& now) {
+ImplicitReport solve(Run& run, double from, double to, const ShellPartners& partners, Bodies& now) {
     const double dt = (to - from) * run.task.dt;
+    std::vector<Vec3> guess = carried_velocity(now.shell, partners, dt);
     if (!run.task.wall) {
-        return run.stepper.step(now.shell, run.load, run.task.gravity, dt, settings_of(run), now.shell, &run.contacts);
+        return run.stepper.step(now.shell, run.load, run.task.gravity, dt, settings_of(run), now.shell, &run.contacts,
+                                nullptr, std::move(guess));
     }
     look_at_wall(run, from, to, now.wall);
     const WallTask& own = *run.task.wall;
@@ -154,8 +157,8 @@ ImplicitReport solve(Run& run, double from, double to, Bodies& now) {
             run.touching.terms(position, terms);
         };
     }
-    const ImplicitReport one =
-        run.stepper.step(now.shell, run.load, run.task.gravity, dt, settings_of(run), now.shell, &run.contacts, &wall);
+    const ImplicitReport one = run.stepper.step(now.shell, run.load, run.task.gravity, dt, settings_of(run), now.shell,
+                                                &run.contacts, &wall, std::move(guess));
     run.touching.settle(now.wall.position, run.poses, dt);
     run.touching.report(run.task.dt, run.found);
     now.wall.touches = run.touching.touches();
@@ -174,7 +177,7 @@ bool step_once(Run& run, double from, double to, Bodies& now, double& residual) 
     }
     run.contacts.look(now.shell, partners);
     const Bodies before = now;
-    const ImplicitReport one = solve(run, from, to, now);
+    const ImplicitReport one = solve(run, from, to, partners, now);
     run.report.newton_iterations += one.newton_iterations;
     run.report.linear_iterations += one.linear_iterations;
     residual = std::min(one.newton_residual, one.over_contact);

@@ -167,7 +167,7 @@ const std::vector<double>& ShellStepper::rows_of(const std::vector<Vec3>& points
 
 ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
                                   const ImplicitSettings& settings, ShellState& next, ShellContacts* contacts,
-                                  const ShellWall* wall) {
+                                  const ShellWall* wall, std::vector<Vec3> guess) {
     const std::size_t nodes = state.position.size();
     RHEXIS_ASSERT((load.force.empty() || load.force.size() == nodes) &&
                   (load.moment.empty() || load.moment.size() == nodes));
@@ -178,8 +178,11 @@ ImplicitReport ShellStepper::step(const ShellState& state, const ShellLoad& load
     if (wall != nullptr) {
         lay_out(*wall);
     }
+    if (!guess.empty()) {
+        guess.insert(guess.end(), velocity_.begin() + static_cast<std::ptrdiff_t>(2 * nodes), velocity_.end());
+    }
     const ImplicitReport report = step_->step(position_, velocity_, Vec3::Zero(), external_, dt, settings,
-                                              coupling(contacts, wall), no_bodies_, motion_);
+                                              coupling(contacts, wall), no_bodies_, motion_, guess);
     if (&next != &state) {
         next = state;
     }

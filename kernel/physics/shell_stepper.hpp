@@ -38,10 +38,11 @@ public:
     static Result<ShellStepper> create(const ShellModel& model, std::string_view instruction_set = {});
 
     /// One step of dt [s]. gravity [mm/s^2]. next may be state. contacts: that looked from this state, or none; then it
-    /// touches nothing and forgets what it touched. wall: as these contacts met it, or none.
+    /// touches nothing and forgets what it touched. wall: as these contacts met it, or none. guess: velocity and spin
+    /// of each node with which the search of a step that is predicted begins instead of the state's; or empty.
     ImplicitReport step(const ShellState& state, const ShellLoad& load, const Vec3& gravity, double dt,
                         const ImplicitSettings& settings, ShellState& next, ShellContacts* contacts = nullptr,
-                        const ShellWall* wall = nullptr);
+                        const ShellWall* wall = nullptr, std::vector<Vec3> guess = {});
 
     /// Force and moment of the shell on each of the model's holds at the end of the last step [uN, uN mm]; in freedoms
     /// that are not held, zero. A step must have been made.

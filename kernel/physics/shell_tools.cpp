@@ -47,10 +47,12 @@ void ShellTools::place(std::span<const ToolState> states, std::span<const Plunge
     tries_ = 0;
     tubes_.clear();
     tube_states_.clear();
+    tube_tools_.clear();
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         if (pushes(i)) {
             tubes_.push_back(cartridges_[i].bore);
             tube_states_.push_back(given_[i]);
+            tube_tools_.push_back(static_cast<int>(i));
             goal_[i] = plunger_goal(cartridges_[i], before_[i], given_[i].jaw * cartridges_[i].stroke, dt);
         }
     }

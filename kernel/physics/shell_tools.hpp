@@ -26,6 +26,7 @@ public:
     /// Bores of the injectors that are in the eye, in the frames of what carries them.
     [[nodiscard]] std::span<const TubeModel> tubes() const { return tubes_; }
     [[nodiscard]] std::span<const ToolState> tube_states() const { return tube_states_; }
+    [[nodiscard]] std::span<const int> tube_tools() const { return tube_tools_; }  ///< numbers of those injectors
     /// Per tool, after a step that stands.
     [[nodiscard]] std::span<const PlungerState> plungers() const { return after_; }
 
@@ -39,6 +40,7 @@ private:
     std::vector<ToolState> states_;  ///< those, injectors pushed on to where their plungers are
     std::vector<TubeModel> tubes_;
     std::vector<ToolState> tube_states_;
+    std::vector<int> tube_tools_;
     std::vector<PlungerState> before_;
     std::vector<PlungerState> after_;
     std::vector<double> goal_;  ///< of plungers [mm]

@@ -42,7 +42,7 @@ end
 
 -- One hand: `name` begins the names of its streams of chance, `instrument` is what it holds at first, or nil.
 local function make_hand(stream, person, dt, name, instrument)
-    return { present = false, instrument = instrument, jaw = 0, jaw_target = 0,
+    return { present = false, instrument = instrument, jaw = 0, jaw_target = 0, jaw_rate = jaw_rate,
         hand = motion.hand(stream(name .. "aim"), person.aim_error),
         tremble = tremor.start(stream(name .. "tremor"), person.tremor_um * 1e-3, dt) }
 end
@@ -95,8 +95,9 @@ local function hand_words(self, side)
         side.hand:put(place)
     end
 
-    --- Moves the fingers: opening of the jaws of forceps, 0 closed to 1 open; how hard a syringe is pressed, 0 to 1.
-    function words.jaw(opening) side.jaw_target = opening end
+    --- Moves the fingers: opening of the jaws of forceps, 0 closed to 1 open; how hard a syringe is pressed, 0 to 1; how
+    --- far the plunger of an injector is pushed, 0 to 1. rate: how fast, per second; else as fast as fingers do.
+    function words.jaw(opening, rate) side.jaw_target, side.jaw_rate = opening, rate or jaw_rate end
 
     function words.put_down() side.present = false end
 
@@ -229,7 +230,7 @@ local function move(self, side, landmarks, pedal)
     local hold = instruments.held(side.instrument)
     local wound = landmarks[hold.wound]
     local tip = vector.add(side.hand:advance(self.dt), side.tremble())
-    side.jaw = towards(side.jaw, side.jaw_target, jaw_rate * self.dt)
+    side.jaw = towards(side.jaw, side.jaw_target, side.jaw_rate * self.dt)
     local shaft = wound and instruments.shaft(hold, wound.position, tip) or vector.unit({ 0, -1, 0.5 })
     return { present = side.present, position = tip, orientation = hold.orientation(shaft), jaw = side.jaw,
         pedal = pedal }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/shell_carry.hpp"
+
+#include <algorithm>
+
+#include <Eigen/LU>
+
+#include "base/index.hpp"
+#include "math/rotation.hpp"
+#include "physics/tool_shape.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double beside = 1.5;  // of the bore's half width: so far off its axis a node is surely not in it
+
+constexpr double carried_share = 0.6;  // of its nodes in the tube: then the rest goes with it too
+
+struct RigidMotion {
+    Vec3 centre = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    Vec3 spin = Vec3::Zero();
+    [[nodiscard]] Vec3 at(const Vec3& place) const { return velocity + spin.cross(place - centre); }
+};
+
+std::vector<std::size_t> nodes_within(const TubeModel& tube, const Pose& carrier, const std::vector<Vec3>& places) {
+    std::vector<std::size_t> inside;
+    const double widest = beside * std::max_element(tube.stations.begin(), tube.stations.end(), [](auto& a, auto& b) {
+                                       return a.half_width < b.half_width;
+                                   })->half_width;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        const Vec3 own = tube.pose.to_body(carrier.to_body(places[n]));
+        if (own.z() < tube.stations.back().z && own.head<2>().squaredNorm() < widest * widest) {
+            inside.push_back(n);
+        }
+    }
+    return inside;
+}
+
+/// That takes the most out of the nodes' velocities, by least squares.
+RigidMotion fitted(const ShellState& state, const std::vector<std::size_t>& nodes) {
+    RigidMotion motion;
+    for (const std::size_t n : nodes) {
+        motion.centre += state.position[n] / static_cast<double>(nodes.size());
+        motion.velocity += state.velocity[n] / static_cast<double>(nodes.size());
+    }
+    Mat3 inertia = 1e-9 * Mat3::Identity();
+    Vec3 momentum = Vec3::Zero();
+    for (const std::size_t n : nodes) {
+        const Vec3 arm = state.position[n] - motion.centre;
+        inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+        momentum += arm.cross(state.velocity[n] - motion.velocity);
+    }
+    motion.spin = inertia.inverse() * momentum;
+    return motion;
+}
+
+/// Of what goes with a body from one pose to another.
+RigidMotion between(const Pose& from, const Pose& to, const Vec3& centre, double dt) {
+    RigidMotion motion;
+    motion.centre = centre;
+    motion.velocity = (to.to_world(from.to_body(centre)) - centre) / dt;
+    Quat turn = to.orientation * from.orientation.conjugate();
+    turn.coeffs() *= turn.w() < 0.0 ? -1.0 : 1.0;
+    motion.spin = 2.0 / dt * turn.vec();
+    return motion;
+}
+
+bool touches_tool(const ShellState& state, int tool) {
+    return std::any_of(state.touches.begin(), state.touches.end(), [tool](const ShellTouch& touch) {
+        return touch.partner == ContactPartner::tool && touch.index == tool;
+    });
+}
+
+}  // namespace
+
+std::vector<Vec3> carried_velocity(const ShellState& state, const ShellPartners& partners, double dt) {
+    std::vector<Vec3> result;
+    for (std::size_t t = 0; t < partners.tube_states.size(); ++t) {
+        const int tool = partners.tube_tools.empty() ? -1 : partners.tube_tools[t];
+        const ToolState& carrier =
+            tool >= 0 && touches_tool(state, tool) ? partners.tool_states[at(tool)] : partners.tube_states[t];
+        const std::vector<std::size_t> inside =
+            nodes_within(partners.tubes[t], pose_within(partners.tube_states[t], partners.from), state.position);
+        if (static_cast<double>(inside.size()) < carried_share * static_cast<double>(state.position.size())) {
+            continue;
+        }
+        if (result.empty()) {
+            for (std::size_t n = 0; n < state.position.size(); ++n) {
+                result.push_back(state.velocity[n]);
+                result.push_back(state.spin[n]);
+            }
+        }
+        const RigidMotion went = fitted(state, inside);
+        const RigidMotion goes =
+            between(pose_within(carrier, partners.from), pose_within(carrier, partners.to), went.centre, dt);
+        for (std::size_t n = 0; n < state.position.size(); ++n) {
+            result[2 * n] += goes.at(state.position[n]) - went.at(state.position[n]);
+            result[2 * n + 1] += goes.spin - went.spin;
+        }
+    }
+    return result;
+}
+
+}  // namespace rhexis
