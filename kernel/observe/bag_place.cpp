@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "base/index.hpp"
 
@@ -36,13 +37,15 @@ double mean_radius(const TriMesh& mesh, const std::vector<int>& loop) {
     return sum / static_cast<double>(loop.size());
 }
 
-/// Twice the area within a loop of places; to where it is seen anticlockwise.
-Vec3 loop_area(const std::vector<Vec3>& x, const std::vector<int>& loop, const Vec3& middle) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        sum += (x[at(loop[i])] - middle).cross(x[at(loop[(i + 1) % loop.size()])] - middle);
-    }
-    return sum;
+/// Half the solid angle of a triangle, seen from a place [VanOosterom1983].
+double half_solid_angle(const Vec3& place, const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_c) {
+    const Vec3 a = corner_a - place;
+    const Vec3 b = corner_b - place;
+    const Vec3 c = corner_c - place;
+    const double na = a.norm();
+    const double nb = b.norm();
+    const double nc = c.norm();
+    return std::atan2(a.dot(b.cross(c)), na * nb * nc + a.dot(b) * nc + b.dot(c) * na + c.dot(a) * nb);
 }
 
 }  // namespace
@@ -187,17 +190,25 @@ BagPlace BagGauge::measure(const MembraneState& state) {
         return place;
     }
     place.rim_centre = mean_of(x, rim_);
-    const Vec3 area = loop_area(x, rim_, place.rim_centre);
-    place.rim_normal = area.norm() > 0.0 ? Vec3(area.normalized()) : place.axis;
-    if (place.rim_normal.dot(place.axis) < 0.0) {
-        place.rim_normal = -place.rim_normal;
-    }
     for (const int n : rim_) {
         place.rim_radius += (x[at(n)] - place.rim_centre).norm() / static_cast<double>(rim_.size());
     }
     place.rim_stretch = stretch(x);
     place.rim_split = split_;
     return place;
+}
+
+bool BagGauge::holds(const MembraneState& state, const Vec3& place) const {
+    const std::vector<Vec3>& x = state.position;
+    double sum = 0.0;
+    for (const std::array<int, 3>& t : state.sheet->mesh.triangles) {
+        sum += half_solid_angle(place, x[at(t[0])], x[at(t[1])], x[at(t[2])]);
+    }
+    const Vec3 middle = rim_.empty() ? place : mean_of(x, rim_);
+    for (std::size_t i = 0; i < rim_.size(); ++i) {  // the loop has the sheet on its left
+        sum += half_solid_angle(place, middle, x[at(rim_[(i + 1) % rim_.size()])], x[at(rim_[i])]);
+    }
+    return std::abs(sum) > std::numbers::pi;  // within: 2 pi, outside: 0
 }
 
 bool BagGauge::is_posterior(const MembraneSheet& sheet, int node) const {

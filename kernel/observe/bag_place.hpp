@@ -11,15 +11,14 @@
 namespace rhexis {
 
 struct BagPlace {
-    Vec3 centre = Vec3::Zero();       ///< of the equator [mm]
-    Vec3 axis = Vec3::UnitZ();        ///< through it, to the front: unit
-    double radius = 0.0;              ///< mean of the equator [mm]
-    double widest = 0.0;              ///< distance of the equator's farthest place from the axis [mm]
-    Vec3 rim_centre = Vec3::Zero();   ///< of the opening [mm]
-    Vec3 rim_normal = Vec3::UnitZ();  ///< of its plane, to the front: unit
-    double rim_radius = 0.0;          ///< its mean [mm]
-    double rim_stretch = 1.0;         ///< length of the most stretched eighth of the rim over that at rest
-    bool rim_split = false;           ///< a tear has gone from the rim
+    Vec3 centre = Vec3::Zero();      ///< of the equator [mm]
+    Vec3 axis = Vec3::UnitZ();       ///< through it, to the front: unit
+    double radius = 0.0;             ///< mean of the equator [mm]
+    double widest = 0.0;             ///< distance of the equator's farthest place from the axis [mm]
+    Vec3 rim_centre = Vec3::Zero();  ///< of the opening [mm]
+    double rim_radius = 0.0;         ///< its mean [mm]
+    double rim_stretch = 1.0;        ///< length of the most stretched eighth of the rim over that at rest
+    bool rim_split = false;          ///< a tear has gone from the rim
 };
 
 /// The mesh at rest must be about the eye's axis, with one hole or more in front, of which the narrowest is the
@@ -33,6 +32,10 @@ public:
 
     /// Remembers the sheet that it saw last, for a rim that is the same.
     BagPlace measure(const MembraneState& state);
+
+    /// Whether a place is within the bag, which a plane across its opening shuts: by the angle that its wall takes of
+    /// all directions.
+    [[nodiscard]] bool holds(const MembraneState& state, const Vec3& place) const;
 
     /// Whether a node of any later sheet lies behind the equator, or near the rim, at rest.
     [[nodiscard]] bool is_posterior(const MembraneSheet& sheet, int node) const;

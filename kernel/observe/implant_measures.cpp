@@ -15,16 +15,8 @@ namespace {
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 constexpr double has_front = 0.3;  ///< so far unfolded, the optic's front looks somewhere
-constexpr double slack = 0.3;      ///< of the bag about the tip of a haptic [mm]
 
 double truth(bool value) { return value ? 1.0 : 0.0; }
-
-/// Behind the plane of the opening, and no farther out than the bag.
-bool in_bag(const BagPlace& bag, const Vec3& tip) {
-    const Vec3 arm = tip - bag.centre;
-    return (tip - bag.rim_centre).dot(bag.rim_normal) < 0.0 &&
-           (arm - arm.dot(bag.axis) * bag.axis).norm() < bag.widest + slack;
-}
 
 double angle(const Vec3& a, const Vec3& b) { return degrees * std::atan2(a.cross(b).norm(), std::abs(a.dot(b))); }
 
@@ -35,7 +27,7 @@ double off_axis(const Vec3& place, const Vec3& centre, const Vec3& axis) {
 
 class ImplantMeasures : public MeasureGroup {
 public:
-    ImplantMeasures(int injector, bool bag, bool cornea) : injector_(injector), bag_(bag), cornea_(cornea) {}
+    ImplantMeasures(int injector, int bag, bool cornea) : injector_(injector), bag_(bag), cornea_(cornea) {}
 
     void describe(ObservationSchema& schema) const override;
     void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
@@ -48,7 +40,7 @@ private:
     [[nodiscard]] double cornea_gap(const ObserveInput& input, const std::vector<double>& half_thickness) const;
 
     int injector_;
-    bool bag_;
+    int bag_;
     bool cornea_;
 };
 
@@ -65,9 +57,9 @@ void ImplantMeasures::describe(ObservationSchema& schema) const {
         {"implant.decentration_mm", "mm",
          "Distance of the optic's middle from the bag's axis, or the eye's. Nothing until it is released."});
     schema.push_back({"implant.haptics_on_optic", "1", "Haptics whose arm touches the optic."});
-    if (bag_) {
+    if (bag_ >= 0) {
         schema.push_back({"implant.haptic_leading_in_bag", "bool",
-                          "The end of the haptic that leaves the injector first is behind the opening, in the bag."});
+                          "The end of the haptic that leaves the injector first is in the bag, behind its opening."});
         schema.push_back({"implant.haptic_trailing_in_bag", "bool", "The same of the other haptic."});
         schema.push_back({"implant.haptics_in_bag", "1", "Haptics whose ends are in the bag."});
     }
@@ -97,7 +89,7 @@ void ImplantMeasures::measure(const ObserveInput& input, const LensView& lens, s
     const ImplantPlace& place = *lens.implant;
     const ShellState& state = input.state.shells[0];
     const BagPlace nowhere;
-    const BagPlace& bag = bag_ ? *lens.soft_bag : nowhere;
+    const BagPlace& bag = bag_ >= 0 ? *lens.soft_bag : nowhere;
     const bool released =
         injector_ < 0 ? !state.loaded : !is_in_cartridge(state, *cartridge(input), input.tools[at(injector_)]);
     std::size_t next = 0;
@@ -107,9 +99,12 @@ void ImplantMeasures::measure(const ObserveInput& input, const LensView& lens, s
     values[next++] = released ? angle(place.normal, bag.axis) : not_defined;
     values[next++] = released ? off_axis(place.centre, bag.centre, bag.axis) : not_defined;
     values[next++] = truth(place.on_optic[0]) + truth(place.on_optic[1]);
-    if (bag_) {
-        const bool leading = !state.loaded && in_bag(bag, place.tip[0]);
-        const bool trailing = !state.loaded && in_bag(bag, place.tip[1]);
+    if (bag_ >= 0) {
+        const auto in_bag = [&](const Vec3& tip) {
+            return !state.loaded && lens.bag_gauge->holds(input.state.membranes[at(bag_)], tip);
+        };
+        const bool leading = in_bag(place.tip[0]);
+        const bool trailing = in_bag(place.tip[1]);
         values[next++] = truth(leading);
         values[next++] = truth(trailing);
         values[next++] = truth(leading) + truth(trailing);
@@ -121,7 +116,7 @@ void ImplantMeasures::measure(const ObserveInput& input, const LensView& lens, s
 
 }  // namespace
 
-std::unique_ptr<MeasureGroup> implant_measures(int injector, bool bag, bool cornea) {
+std::unique_ptr<MeasureGroup> implant_measures(int injector, int bag, bool cornea) {
     return std::make_unique<ImplantMeasures>(injector, bag, cornea);
 }
 

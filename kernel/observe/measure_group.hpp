@@ -89,8 +89,8 @@ std::unique_ptr<MeasureGroup> presence_measures();
 std::unique_ptr<MeasureGroup> microscope_measures();
 /// injector: index of the instrument that holds shell 0.
 std::unique_ptr<MeasureGroup> injection_measures(int injector);
-/// Of shell 0. injector: as before, -1: none; bag: whether there is one that is a membrane.
-std::unique_ptr<MeasureGroup> implant_measures(int injector, bool bag, bool cornea);
+/// Of shell 0. injector: as before; bag: number of the membrane; -1: there is none.
+std::unique_ptr<MeasureGroup> implant_measures(int injector, int bag, bool cornea);
 /// membrane: number of the bag.
 std::unique_ptr<MeasureGroup> soft_bag_measures(int membrane);
 /// membrane: number of the anterior capsule.

@@ -59,7 +59,7 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(bag_measures());
     }
     if (world.implant) {
-        groups.push_back(implant_measures(injector(world), membrane_named(world, empty_bag_name) >= 0, tissues.cornea));
+        groups.push_back(implant_measures(injector(world), membrane_named(world, empty_bag_name), tissues.cornea));
     }
     if (membrane_named(world, empty_bag_name) >= 0) {
         groups.push_back(soft_bag_measures(membrane_named(world, empty_bag_name)));

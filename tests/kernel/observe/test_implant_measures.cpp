@@ -171,7 +171,7 @@ TEST_SUITE("implant measures") {
         CHECK((eye.mark("bag_equator").position - by.position).norm() < 0.1);  // the mesh has no node just there
     }
 
-    TEST_CASE("a haptic is in the bag where its end is behind the opening and not outside the equator") {
+    TEST_CASE("a haptic is in the bag where its end is behind the opening and within the wall") {
         Bench eye;
         // as wide as it is at rest a lens does not go into the bag; its ends do where the bag has bent them in
         for (const int tip : eye.world.implant->tip) {
@@ -190,6 +190,17 @@ TEST_SUITE("implant measures") {
         eye.look();
         CHECK(eye("implant.haptic_leading_in_bag") == 0.0);
         CHECK(eye("implant.haptic_trailing_in_bag") == 1.0);
+        eye.lens() = inside;
+        eye.lens()[at(eye.world.implant->tip[0])].z() =
+            0.8;  // in the sulcus: before the wall, behind the opening's plane
+        eye.look();
+        CHECK(eye("implant.haptic_leading_in_bag") == 0.0);
+        const Pose by = turned(40.0, Vec3(0.0, 1.0, 0.0), Vec3(1.0, -2.0, 0.5));
+        eye.lens() = inside;
+        eye.move_lens(by);
+        eye.move_bag(by);
+        eye.look();
+        CHECK(eye("implant.haptics_in_bag") == 2.0);
     }
 
     TEST_CASE("an arm that is folded onto the optic touches it") {
