@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/shell_tools.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/assert.hpp"
@@ -44,6 +45,7 @@ void ShellTools::place(std::span<const ToolState> states, std::span<const Plunge
     before_.assign(plungers.begin(), plungers.end());
     after_ = before_;
     goal_.assign(tools_.size(), 0.0);
+    tried_.assign(tools_.size(), 0.0);
     tries_ = 0;
     tubes_.clear();
     tube_states_.clear();
@@ -77,11 +79,15 @@ bool ShellTools::stands(std::span<const Vec3> forces) {
         }
         const double force = forces[i].dot(direction(cartridges_[i], given_[i].pose));
         if (const auto nearer = nearer_goal(cartridges_[i], before_[i], goal_[i], force)) {
+            if (std::isfinite(force)) {
+                tried_[i] = std::max(tried_[i], (force - before_[i].force) / (goal_[i] - before_[i].pushed));
+            }
             goal_[i] = tries_ < most_tries ? *nearer : before_[i].pushed;
             good = false;
         } else {
             const bool limited = goal_[i] < given_[i].jaw * cartridges_[i].stroke;
-            after_[i] = pushed_plunger(before_[i], goal_[i], std::isfinite(force) ? force : before_[i].force, limited);
+            const double pressed = std::isfinite(force) ? force : before_[i].force;
+            after_[i] = pushed_plunger(before_[i], goal_[i], pressed, limited, tried_[i]);
         }
     }
     if (!good) {

@@ -41,7 +41,8 @@ private:
     std::vector<ToolState> tube_states_;
     std::vector<PlungerState> before_;
     std::vector<PlungerState> after_;
-    std::vector<double> goal_;  ///< of plungers [mm]
+    std::vector<double> goal_;   ///< of plungers [mm]
+    std::vector<double> tried_;  ///< growth of their force with the way in tries that did not stand [uN/mm]
     int tries_ = 0;
 };
 
