@@ -118,7 +118,7 @@ TEST_SUITE("prepared state") {
             changed[at] = static_cast<char>(changed[at] ^ 0x10);
             error_of(changed);
         }
-        CHECK(holds(error_of("rhexis state 10\n....."), "format version 10 (this program reads version"));
+        CHECK(holds(error_of("rhexis state 11\n....."), "format version 11 (this program reads version"));
         CHECK(holds(error_of("rhexis recording 1\n....."), "this is not a state"));
         CHECK(holds(error_of(bytes + "x"), "something else than this program keeps"));
         CHECK(holds(error_of(""), "the file is empty"));

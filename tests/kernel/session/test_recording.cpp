@@ -132,8 +132,8 @@ TEST_SUITE("recording") {
         CHECK(read_recording(path).error().text().find("cannot read: No such file") != std::string::npos);
         write_bytes(path, "\x89PNG\r\n\x1a\n and so on, long enough to be something");
         CHECK(read_recording(path).error().text().find("this is not a recording") != std::string::npos);
-        write_bytes(path, "rhexis recording 10\nwhatever");
-        CHECK(read_recording(path).error().text().find("format version 10 (this program reads version 9)") !=
+        write_bytes(path, "rhexis recording 11\nwhatever");
+        CHECK(read_recording(path).error().text().find("format version 11 (this program reads version 10)") !=
               std::string::npos);
         write_bytes(path, "");
         CHECK(read_recording(path).error().text().find("the file is empty") != std::string::npos);
