@@ -243,14 +243,16 @@ void Physics::Solvers::step_shells(const StepTask& task, WorldState& next, Conta
     std::vector<Vec3> forces;
     for (;;) {
         forces.assign(task.tools.size(), Vec3::Zero());
+        double residual = 0.0;
         for (std::size_t shell = 0; shell < shells.size(); ++shell) {
             const ProfileScope scope(profile, model->shells[shell].name.c_str());
             step_shell(task, shell, next, contacts, outcome);
+            residual = std::max(residual, outcome.shells.back().residual);
             for (int i = 0; !next.shells[shell].loaded && i < static_cast<int>(forces.size()); ++i) {
                 forces[i] += shell_contacts[shell].force_of(ContactPartner::tool, i);
             }
         }
-        if (shell_tools.stands(forces)) {
+        if (shell_tools.stands(forces, residual)) {
             break;
         }
         const int thrown = outcome.rollbacks + 1;

@@ -36,10 +36,10 @@ std::optional<double> nearer_goal(const Cartridge& cartridge, const PlungerState
     return share < least_share ? before.pushed : before.pushed + share * (goal - before.pushed);
 }
 
-PlungerState pushed_plunger(const PlungerState& before, double goal, double force, bool limited) {
+PlungerState pushed_plunger(const PlungerState& before, double goal, double force, bool limited, double tried) {
     const double way = goal - before.pushed;
     const double kept = way > 0.0 ? (limited ? forgets_slowly : forgets) * before.stiffness : before.stiffness;
-    return {goal, force, way > 0.0 ? std::max(kept, (force - before.force) / way) : kept};
+    return {goal, force, std::max({tried, kept, way > 0.0 ? (force - before.force) / way : 0.0})};
 }
 
 }  // namespace rhexis

@@ -17,7 +17,8 @@ double plunger_goal(const Cartridge& cartridge, const PlungerState& before, doub
 /// held still or went back always does.
 std::optional<double> nearer_goal(const Cartridge& cartridge, const PlungerState& before, double goal, double force);
 
-/// After a step that stands. limited: it did not go as far as the hand wanted.
-PlungerState pushed_plunger(const PlungerState& before, double goal, double force, bool limited);
+/// After a step that stands. limited: it did not go as far as the hand wanted; tried: growth of the force with the way
+/// in those that did not stand, or 0 [uN/mm].
+PlungerState pushed_plunger(const PlungerState& before, double goal, double force, bool limited, double tried = 0.0);
 
 }  // namespace rhexis

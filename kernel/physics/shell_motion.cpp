@@ -15,6 +15,10 @@ constexpr int most_steps = 128;       // before any is redone
 constexpr double pushed_share = 0.8;  // of what contact allows: what an instrument pushes may go faster than it
 constexpr int pieces = 4;             // of one that is redone
 constexpr int most_cuts = 2;          // of one into pieces, and of those
+/// What is left over the forces of contact that finer steps are worth while for, and Newton iterations in all of a step
+/// after which none are: a lens that jams can cost twenty times as much by them and come no nearer to balance.
+constexpr double near_balance = 1e-2;
+constexpr int most_iterations = 150;
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};
@@ -165,9 +169,16 @@ ImplicitReport solve(Run& run, double from, double to, const ShellPartners& part
     return one;
 }
 
-/// From share `from` of the step to share `to` in one; `now` goes there. Whether it balances and goes no farther than
-/// contact allows.
-bool step_once(Run& run, double from, double to, Bodies& now, double& residual) {
+/// Of one step: whether it balances and goes no farther than contact allows, or is worth keeping as it is.
+struct Try {
+    bool good = false;
+    bool safe = false;  ///< it goes no farther than that
+    bool near = false;  ///< to balance
+    double residual = 0.0;
+};
+
+/// From share `from` of the step to share `to` in one; `now` goes there.
+Try step_once(Run& run, double from, double to, Bodies& now) {
     ShellPartners partners = run.task.partners;
     partners.from = from;
     partners.to = to;
@@ -180,23 +191,23 @@ bool step_once(Run& run, double from, double to, Bodies& now, double& residual) 
     const ImplicitReport one = solve(run, from, to, partners, now);
     run.report.newton_iterations += one.newton_iterations;
     run.report.linear_iterations += one.linear_iterations;
-    residual = std::min(one.newton_residual, one.over_contact);
-    return one.converged && (run.contacts.empty() ||
-                             std::max(farthest(before.shell.position, now.shell.position),
-                                      farthest(before.wall.position, now.wall.position)) <= run.contacts.most_travel());
+    const double residual = std::min(one.newton_residual, one.over_contact);
+    const double way = std::max(farthest(before.shell.position, now.shell.position),
+                                farthest(before.wall.position, now.wall.position));
+    const bool safe = run.contacts.empty() || way <= run.contacts.most_travel();
+    return {one.converged && safe, safe, run.task.wall && one.over_contact <= near_balance, residual};
 }
 
 /// The same in as many steps as it takes, where it takes them.
 ShellMotion go(Run& run, double from, double to, int cuts, Bodies& now) {
     const Bodies start = now;
     const std::size_t found = run.found.size();
-    double residual = 0.0;
-    const bool good = step_once(run, from, to, now, residual);
-    const bool finite = std::isfinite(residual);
-    if (good || (cuts == 0 && finite)) {
+    const Try tried = step_once(run, from, to, now);
+    const bool enough = tried.safe && (tried.near || run.report.newton_iterations > most_iterations);
+    if (tried.good || ((enough || cuts == 0) && std::isfinite(tried.residual))) {
         ++run.report.substeps;
-        run.report.residual = std::max(run.report.residual, residual);
-        return good ? ShellMotion::balanced : ShellMotion::rough;
+        run.report.residual = std::max(run.report.residual, tried.residual);
+        return tried.good ? ShellMotion::balanced : ShellMotion::rough;
     }
     ++run.rollbacks;
     run.found.resize(found);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/shell_tools.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/assert.hpp"
@@ -9,7 +10,10 @@
 namespace rhexis {
 namespace {
 
-constexpr int most_tries = 3;  // of a step with ever shorter ways of plungers, before they hold still
+constexpr int most_tries = 3;             // of a step with ever shorter ways of plungers, before they hold still
+constexpr double far_from_balance = 0.1;  // residual at which a force is none
+constexpr double hard = 0.1;              // of the most force: a plunger that pressed so hard is why
+constexpr double careful = 4.0;           // so much shorter is its next way
 
 /// Before it is pushed, in the injector's frame.
 RoundedCone plunger(const Cartridge& cartridge) {
@@ -44,6 +48,7 @@ void ShellTools::place(std::span<const ToolState> states, std::span<const Plunge
     before_.assign(plungers.begin(), plungers.end());
     after_ = before_;
     goal_.assign(tools_.size(), 0.0);
+    tried_.assign(tools_.size(), 0.0);
     tries_ = 0;
     tubes_.clear();
     tube_states_.clear();
@@ -70,20 +75,27 @@ void ShellTools::move_plungers() {
     }
 }
 
-bool ShellTools::stands(std::span<const Vec3> forces) {
+bool ShellTools::stands(std::span<const Vec3> forces, double residual) {
     bool good = true;
     ++tries_;
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         if (!pushes(i)) {
             continue;
         }
-        const double force = forces[i].dot(direction(cartridges_[i], given_[i].pose));
-        if (const auto nearer = nearer_goal(cartridges_[i], before_[i], goal_[i], force)) {
-            goal_[i] = tries_ < most_tries ? *nearer : before_[i].pushed;
+        const Cartridge& own = cartridges_[i];
+        const PlungerState& before = before_[i];
+        const bool lost = residual > far_from_balance && before.force > hard * own.most_force;
+        const double force = lost ? HUGE_VAL : forces[i].dot(direction(own, given_[i].pose));
+        if (const auto nearer = nearer_goal(own, before, goal_[i], force)) {
+            const double more =
+                std::isfinite(force) ? force - before.force : careful * std::max(0.0, own.most_force - before.force);
+            tried_[i] = std::max(tried_[i], more / (goal_[i] - before.pushed));
+            goal_[i] = tries_ < most_tries ? *nearer : before.pushed;
             good = false;
         } else {
-            const bool limited = goal_[i] < given_[i].jaw * cartridges_[i].stroke;
-            after_[i] = pushed_plunger(before_[i], goal_[i], std::isfinite(force) ? force : before_[i].force, limited);
+            const bool limited = goal_[i] < given_[i].jaw * own.stroke;
+            const double pressed = std::isfinite(force) ? force : before.force;
+            after_[i] = pushed_plunger(before, goal_[i], pressed, limited, tried_[i]);
         }
     }
     if (!good) {

@@ -17,9 +17,10 @@ public:
 
     /// Where they are in a step of dt [s]. plungers: at its start, per tool.
     void place(std::span<const ToolState> states, std::span<const PlungerState> plungers, double dt);
-    /// Whether a step stands, by the force of each tool on shells at its end [uN]. If not, a plunger pressed harder
-    /// than a hand: it is placed for a shorter way, and the step must be made again.
-    bool stands(std::span<const Vec3> forces);
+    /// Whether a step stands, by the force of each tool on shells at its end [uN] and what did not balance, as of
+    /// ShellStepReport. If not, a plunger pressed harder than a hand, or hard and nothing came near to balance: it is
+    /// placed for a shorter way, and the step must be made again.
+    bool stands(std::span<const Vec3> forces, double residual);
 
     [[nodiscard]] std::span<const ToolModel> tools() const { return tools_; }
     [[nodiscard]] std::span<const ToolState> states() const { return states_; }
@@ -43,7 +44,8 @@ private:
     std::vector<int> tube_tools_;
     std::vector<PlungerState> before_;
     std::vector<PlungerState> after_;
-    std::vector<double> goal_;  ///< of plungers [mm]
+    std::vector<double> goal_;   ///< of plungers [mm]
+    std::vector<double> tried_;  ///< growth of their force with the way in tries that did not stand [uN/mm]
     int tries_ = 0;
 };
 

@@ -46,6 +46,7 @@ std::vector<BenchCase> bench_cases() {
     add(implant_cases());
     add(implant_unfold_cases());
     add(shell_contact_cases());
+    add(shell_contact_solver_cases());
     add(implant_inject_cases());
     add(chamber_cases());
     add(phaco_cases());

@@ -11,6 +11,7 @@ std::vector<BenchCase> shell_element_cases();
 std::vector<BenchCase> implant_cases();
 std::vector<BenchCase> implant_unfold_cases();
 std::vector<BenchCase> shell_contact_cases();
+std::vector<BenchCase> shell_contact_solver_cases();
 std::vector<BenchCase> implant_inject_cases();
 
 }  // namespace rhexis::bench

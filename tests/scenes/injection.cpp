@@ -34,7 +34,7 @@ ShellMotion Injection::step(double jaw, double dt) {
         all.linear_iterations += report.linear_iterations;
         ++tries;
         const Vec3 force = contacts.force_of(ContactPartner::tool, 0);
-        if (tools_.stands({&force, 1})) {
+        if (tools_.stands({&force, 1}, report.residual)) {
             report.newton_iterations = all.newton_iterations;
             report.linear_iterations = all.linear_iterations;
             plunger = tools_.plungers()[0];

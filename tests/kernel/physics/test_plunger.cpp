@@ -63,6 +63,7 @@ TEST_SUITE("plunger") {
         CHECK(pushed_plunger({1.0, 50.0, 0.0}, 1.05, 100.0, false).stiffness == doctest::Approx(1000.0));
         CHECK(pushed_plunger({1.0, 50.0, 1000.0}, 1.05, 40.0, true).stiffness == doctest::Approx(800.0));
         CHECK(pushed_plunger({1.0, 50.0, 1000.0}, 1.0, 40.0, true).stiffness == 1000.0);
+        CHECK(pushed_plunger({1.0, 50.0, 1000.0}, 1.0, 40.0, true, 5000.0).stiffness == 5000.0);
     }
 
     TEST_CASE(

@@ -87,6 +87,12 @@ TEST_SUITE("implant session") {
         differs([](ShellState& s) { s.loads[0].nodes[0] += 1; });
         differs([](ShellState& s) { s.loads[0].total.x() += 1e-9; });
         differs([](ShellState& s) { s.loads.clear(); });
+        for (double PlungerState::*part : {&PlungerState::pushed, &PlungerState::force, &PlungerState::stiffness}) {
+            Snapshot other = whole;
+            other.world.plungers[0].*part = 1.0;
+            CHECK(hash_of(other) != hash_of(whole));
+            CHECK(hash_of(*decode_snapshot(encode(other))) == hash_of(other));
+        }
         const std::string bytes = encode(whole);
         for (std::size_t cut = 0; cut + 1 < bytes.size(); cut += 9973) {
             CHECK_FALSE(decode_snapshot(std::string_view(bytes).substr(0, cut)));
@@ -108,6 +114,8 @@ TEST_SUITE("implant session") {
         refused([](WorldState& w) { w.shells[0].rotation[0] = Quat(2.0, 0.0, 0.0, 0.0); });
         refused([](WorldState& w) { w.shells[0].loads[0].nodes[0] = 100000; });
         refused([](WorldState& w) { w.shells[0].loads[0].nodes.clear(); });
+        refused([](WorldState& w) { w.plungers.clear(); });
+        refused([](WorldState& w) { w.plungers[0].pushed = std::numeric_limits<double>::quiet_NaN(); });
         CHECK(session.restore(whole).ok());
     }
 
