@@ -26,6 +26,7 @@ return exercise {
     settings = {
         ["viscoelastic.fill"] = 1,
         ["implant.triangles"] = 400,  -- docs/implant.md, "Injection", what it costs
+        ["cartridge.tucked"] = 0,
     },
 
     step_s = 0.02,

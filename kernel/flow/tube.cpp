@@ -99,6 +99,11 @@ Status check_tube(const TubeModel& tube) {
     return check_ranges({{"lip", tube.lip, 1e-3, 10.0, " mm"}, {"friction", tube.friction, 0.0, 10.0, ""}}, tube.name);
 }
 
+bool within_bore(const TubeModel& tube, const Vec3& point) {
+    const Section section = section_at(tube, point.z());
+    return point.z() < tube.stations.back().z && point.head<2>().cwiseQuotient(section.half).squaredNorm() < 1.0;
+}
+
 SurfaceDistance tube_distance(const TubeModel& tube, const Vec3& point) {
     const double lip_z = tube.stations.back().z - tube.lip;
     const Section section = section_at(tube, std::min(point.z(), lip_z));

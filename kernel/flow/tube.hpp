@@ -31,6 +31,9 @@ struct TubeModel {
 /// Fails with the field and what is allowed.
 Status check_tube(const TubeModel& tube);
 
+/// Whether a point in the tube's frame is in the bore, before its end.
+bool within_bore(const TubeModel& tube, const Vec3& point);
+
 /// Distance of a point in the tube's frame from the wall, positive in the bore and before the end, and the unit normal
 /// away from the wall. Infinite behind and beside the wall. Exact where the bore is round and straight or a cone;
 /// elsewhere the distance in the plane across the axis times the cosine of the wall's slope.

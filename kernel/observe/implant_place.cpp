@@ -42,20 +42,6 @@ double to_triangle(const Vec3& p, const std::vector<Vec3>& x, const std::array<i
     return over ? std::abs((p - x[at(t[0])]).dot(normal)) : edges;
 }
 
-double bore_radius(const TubeModel& bore, double along) {
-    const std::vector<TubeStation>& stations = bore.stations;
-    if (along <= stations.front().z) {
-        return stations.front().half_width;
-    }
-    for (std::size_t i = 1; i < stations.size(); ++i) {
-        if (along <= stations[i].z) {
-            const double share = (along - stations[i - 1].z) / (stations[i].z - stations[i - 1].z);
-            return stations[i - 1].half_width + share * (stations[i].half_width - stations[i - 1].half_width);
-        }
-    }
-    return 0.0;
-}
-
 }  // namespace
 
 ImplantGauge::ImplantGauge(const ShellModel& model, const ImplantParts& parts)
@@ -124,8 +110,7 @@ ImplantPlace ImplantGauge::measure(const ShellState& state) const {
 }
 
 bool in_bore(const Cartridge& cartridge, const ToolState& injector, const Vec3& place) {
-    const Vec3 own = cartridge.bore.pose.to_body(injector.pose.to_body(place));
-    return own.z() < cartridge.bore.stations.back().z && own.head<2>().norm() < bore_radius(cartridge.bore, own.z());
+    return within_bore(cartridge.bore, cartridge.bore.pose.to_body(injector.pose.to_body(place)));
 }
 
 bool is_in_cartridge(const ShellState& implant, const Cartridge& cartridge, const ToolState& injector) {

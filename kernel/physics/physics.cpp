@@ -209,6 +209,7 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
     }
     ShellPartners partners;
     partners.planes = model->planes;
+    partners.domes = model->domes;
     partners.tools = shell_tools.tools();
     partners.tool_states = shell_tools.states();
     partners.tubes = shell_tools.tubes();

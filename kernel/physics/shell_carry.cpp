@@ -12,7 +12,6 @@
 namespace rhexis {
 namespace {
 
-constexpr double beside = 1.5;  // of the bore's half width: so far off its axis a node is surely not in it
 
 constexpr double carried_share = 0.6;  // of its nodes in the tube: then the rest goes with it too
 
@@ -25,12 +24,8 @@ struct RigidMotion {
 
 std::vector<std::size_t> nodes_within(const TubeModel& tube, const Pose& carrier, const std::vector<Vec3>& places) {
     std::vector<std::size_t> inside;
-    const double widest = beside * std::max_element(tube.stations.begin(), tube.stations.end(), [](auto& a, auto& b) {
-                                       return a.half_width < b.half_width;
-                                   })->half_width;
     for (std::size_t n = 0; n < places.size(); ++n) {
-        const Vec3 own = tube.pose.to_body(carrier.to_body(places[n]));
-        if (own.z() < tube.stations.back().z && own.head<2>().squaredNorm() < widest * widest) {
+        if (within_bore(tube, tube.pose.to_body(carrier.to_body(places[n])))) {
             inside.push_back(n);
         }
     }

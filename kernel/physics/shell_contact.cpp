@@ -106,6 +106,11 @@ ShellContacts::Distance ShellContacts::distance(ContactPartner partner, int inde
     switch (partner) {
         case ContactPartner::plane:
             return {partners_.planes[i].normal.dot(point - partners_.planes[i].point), partners_.planes[i].normal};
+        case ContactPartner::dome: {
+            const Vec3 out = point - partners_.domes[i].centre;
+            const double far = out.norm();
+            return {partners_.domes[i].radius - far, far > 0.0 ? Vec3(-out / far) : Vec3(Vec3::UnitZ())};
+        }
         case ContactPartner::tube: {
             const Pose pose = pose_of(partner, index, share);
             const SurfaceDistance found = tube_distance(partners_.tubes[i], pose.to_body(point));
@@ -154,13 +159,23 @@ double ShellContacts::stiffness(const ShellSamples& on, std::size_t sample, cons
     return settings_.stiffer * modulus_ / own.place.thickness * area;
 }
 
+/// At the start: what is there is on its way through the wound, and no wall is about it but the tube's.
+bool ShellContacts::in_tube(const Vec3& point) const {
+    for (int i = 0; i < static_cast<int>(partners_.tubes.size()); ++i) {
+        if (within_bore(partners_.tubes[at(i)], pose_of(ContactPartner::tube, i, 0.0).to_body(point))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
                                const std::optional<Box>& box) {
     const ShellSamples& on = samples_at(level_for(radius));
     find_points(on);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const ShellPlace& own = on.samples[i].place;
-        if (box && !box->holds(points_[i])) {
+        if ((box && !box->holds(points_[i])) || (partner == ContactPartner::dome && in_tube(points_[i]))) {
             continue;
         }
         const Distance start = distance(partner, index, 0.0, points_[i]);
@@ -307,6 +322,9 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     set_iterate(start_);
     for (int i = 0; i < static_cast<int>(partners.planes.size()); ++i) {
         meet_rigid(ContactPartner::plane, i, smooth, partners.planes[at(i)].friction, most_travel_, {});
+    }
+    for (int i = 0; i < static_cast<int>(partners.domes.size()); ++i) {
+        meet_rigid(ContactPartner::dome, i, smooth, partners.domes[at(i)].friction, most_travel_, {});
     }
     for (int i = 0; i < static_cast<int>(partners.tubes.size()); ++i) {
         meet_rigid(ContactPartner::tube, i, smooth, partners.tubes[at(i)].friction, most_travel_, {});

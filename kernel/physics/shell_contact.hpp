@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside physics: a shell of its thickness against half-spaces, tubes, bags and instruments, a membrane, and itself.
+// Inside physics: a shell of its thickness against half-spaces, balls that it is in, tubes, bags and instruments, a
+// membrane, and itself.
 // Sampled places of its curved middle surface meet a partner where its distance is less than half the thickness there,
 // another layer where it is less than half of both, and a membrane, which has no thickness here, on either side. The
 // place and the normal of that layer or membrane stay for a step, so that
@@ -34,6 +35,7 @@ namespace rhexis {
 /// What a shell may touch in a step, from share `from` to share `to` of the instruments' way. Bags stay as they are.
 struct ShellPartners {
     std::span<const PlaneModel> planes;
+    std::span<const DomeModel> domes;  ///< it stays inside
     std::span<const TubeModel> tubes;
     std::span<const ToolState> tube_states;  ///< of what carries each; none: they stand still
     std::span<const int> tube_tools;         ///< of each: the number of the tool that pushes in it; or none
@@ -144,6 +146,7 @@ private:
     [[nodiscard]] int level_for(double radius) const;
     [[nodiscard]] const ShellSamples& samples_at(int level);
     void find_points(const ShellSamples& on);
+    [[nodiscard]] bool in_tube(const Vec3& point) const;
     void meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
                     const std::optional<Box>& box);
     [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;

@@ -153,7 +153,8 @@ ImplantShape implant_shape(const std::map<std::string, double>& settings) {
 }
 
 InjectorShape injector_shape(const std::map<std::string, double>& settings) {
-    return {settings.at("cartridge.bore_mm"), settings.at("cartridge.nozzle_mm"), settings.at("cartridge.friction")};
+    return {settings.at("cartridge.bore_mm"), settings.at("cartridge.nozzle_mm"), settings.at("cartridge.friction"),
+            settings.at("cartridge.tucked") >= 0.5};
 }
 
 std::map<std::string, double> all_settings(const SceneDescription& scene) {
@@ -203,7 +204,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "chamber")) {
         world->chamber = make_chamber(all_settings(scene));
     }
-    if (has_tissue(scene, "chamber") && has_tissue(scene, "cornea")) {
+    if ((has_tissue(scene, "chamber") || has_tissue(scene, "implant")) && has_tissue(scene, "cornea")) {
         world->domes.push_back(inner_wall(eye.value().anatomy));
     }
     if (has_tissue(scene, "capsule")) {

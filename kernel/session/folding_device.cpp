@@ -58,13 +58,13 @@ constexpr double most_filled = 0.9;    // share of the bore's section. Proposal
 
 }  // namespace
 
-double smallest_bore(const ImplantShape& shape, const ShellModel& model) {
+double smallest_bore(const ImplantShape& shape, const ShellModel& model, bool tucked) {
     const double hinge = hinge_of(shape);
     std::vector<double> volume(static_cast<std::size_t>(shape.overall_diameter / section_width) + 1, 0.0);
     for (int t = 0; t < static_cast<int>(model.mesh.triangles.size()); ++t) {
         const std::array<int, 3>& n = model.mesh.triangles[at(t)];
         const Vec3 middle = triangle_middle(model.mesh, t);
-        const bool haptic = middle.norm() > 0.5 * shape.optic_diameter;
+        const bool haptic = tucked && middle.norm() > 0.5 * shape.optic_diameter;
         const double side = middle.y() < 0.0 ? -1.0 : 1.0;
         const double y = haptic && side * middle.y() > hinge ? side * 2.0 * hinge - middle.y() : middle.y();
         const double share = (y + 0.5 * shape.overall_diameter) / section_width;
@@ -93,11 +93,14 @@ Status check_laid_in(const Cartridge& cartridge, const ShellModel& model, const 
 
 std::span<const FoldingStage> folding_stages() { return table; }
 
-FoldingDevice::FoldingDevice(const ImplantShape& shape, double bore, double friction)
+FoldingDevice::FoldingDevice(const ImplantShape& shape, double bore, double friction, bool tucked)
     : shape_(shape),
       bore_(bore),
       friction_(friction),
+      tucked_(tucked),
       tools_{jaw("upper front jaw"), jaw("upper back jaw"), jaw("lower front jaw"), jaw("lower back jaw")} {}
+
+bool FoldingDevice::has(int stage) const { return tucked_ || stage == roll || stage >= close; }
 
 /// The middle of the haptic's arm between the jaws: from where it lies over the edge of the optic onto its front.
 Pose FoldingDevice::grip_at(int haptic, double share) const {
@@ -129,10 +132,10 @@ FoldingPose FoldingDevice::pose(int stage, double share) const {
             const std::size_t i = static_cast<std::size_t>(2 * haptic + side);
             pose.jaw[i] = at;
             pose.jaw[i].position += out + (side == 0 ? apart : -apart) * (at.orientation * Vec3::UnitZ());
-            pose.present[i] = stage <= release;
+            pose.present[i] = tucked_ && stage <= release;
         }
     }
-    const double rolled = std::max(around_jaws, 0.5 * bore_);
+    const double rolled = std::max(tucked_ ? around_jaws : 0.0, 0.5 * bore_);
     pose.radius = 1.0 / mixed(1.0 / flat, 1.0 / rolled, until(roll));
     if (stage >= close) {
         pose.radius = mixed(rolled, 0.5 * bore_, until(close));

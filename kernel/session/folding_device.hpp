@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The device that folds an implant: two forceps that tuck its haptics onto the optic, one after the other, and the
-// wings of a cartridge, which bend up from a trough nearly flat to a round bore and roll the lens round the haptics.
-// What they do and when is all there is here; what the lens does is its own mechanics.
+// The device that folds an implant: two forceps that tuck its haptics onto the optic, one after the other, or none; and
+// the wings of a cartridge, which bend up from a trough nearly flat to a round bore and roll the lens round the
+// haptics. What they do and when is all there is here; what the lens does is its own mechanics.
 //
 // The lens lies flat about the origin, front to +z; the bore's axis runs along y, above the lens.
 #pragma once
@@ -31,9 +31,9 @@ struct FoldingPose {
     double suction = 0.0;           ///< that holds the optic down in the trough [uN]
 };
 
-/// Inner diameter of a cartridge that the lens with its haptics on its optic fills as far as it can, to the next
-/// hundredth [mm]. model: of the lens.
-double smallest_bore(const ImplantShape& shape, const ShellModel& model);
+/// Inner diameter of a cartridge that the lens, with its haptics on its optic if they are tucked, fills as far as it
+/// can, to the next hundredth [mm]. model: of the lens.
+double smallest_bore(const ImplantShape& shape, const ShellModel& model, bool tucked);
 
 /// Fails where the lens sticks out of the chamber of the cartridge, naming how far.
 Status check_laid_in(const Cartridge& cartridge, const ShellModel& model, const ShellState& laid);
@@ -41,7 +41,10 @@ Status check_laid_in(const Cartridge& cartridge, const ShellModel& model, const 
 class FoldingDevice {
 public:
     /// bore: inner diameter of the closed cartridge [mm]; friction: of its wall.
-    FoldingDevice(const ImplantShape& shape, double bore, double friction);
+    FoldingDevice(const ImplantShape& shape, double bore, double friction, bool tucked);
+
+    /// Whether a stage is gone through: without tucking there are no forceps.
+    [[nodiscard]] bool has(int stage) const;
 
     /// Front and back jaw at the upper haptic, then at the lower one.
     [[nodiscard]] const std::vector<ToolModel>& tools() const { return tools_; }
@@ -58,6 +61,7 @@ private:
     ImplantShape shape_;
     double bore_;
     double friction_;
+    bool tucked_;
     std::vector<ToolModel> tools_;
 };
 

@@ -75,14 +75,24 @@ struct ImplantFold::Parts {
           contacts(world->shells[0]),
           ledger(world->shells[0]),
           state(rest_state(world->shells[0])),
-          tools(device.tools().size()) {}
+          tools(device.tools().size()) {
+        skip_stages();
+    }
 
     [[nodiscard]] int steps_of_stage() const {
         return static_cast<int>(std::lround(folding_stages()[at(now.stage)].duration / step_s));
     }
+    void skip_stages();
     void move_tools(const FoldingPose& pose);
     Status solve(const FoldingPose& pose);
 };
+
+/// To the next that the device goes through, or the end.
+void ImplantFold::Parts::skip_stages() {
+    while (now.stage < static_cast<int>(folding_stages().size()) && !device.has(now.stage)) {
+        ++now.stage;
+    }
+}
 
 void ImplantFold::Parts::move_tools(const FoldingPose& pose) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -133,14 +143,14 @@ Result<ImplantFold> ImplantFold::create(const SceneDescription& scene) {
     const ImplantShape shape = implant_shape(settings);
     const InjectorShape cartridge = injector_shape(settings);
     const WorldModel& world = session.value().world();
-    const double least = smallest_bore(shape, world.shells[0]);
+    const double least = smallest_bore(shape, world.shells[0], cartridge.tucked);
     if (cartridge.chamber < least) {
         return Error{std::string("cartridge.bore_mm is ")
                          .append(short_number(cartridge.chamber))
                          .append(", too small for the implant"),
                      "", std::string("at least ").append(short_number(least)).append(" for this lens")};
     }
-    FoldingDevice device(shape, cartridge.chamber, cartridge.friction);
+    FoldingDevice device(shape, cartridge.chamber, cartridge.friction, cartridge.tucked);
     std::shared_ptr<const WorldModel> own = folding_world(world, shape, device);
     Result<ShellStepper> stepper = ShellStepper::create(own->shells[0]);
     if (!stepper) {
@@ -167,6 +177,7 @@ Status ImplantFold::step() {
     p.now.time += step_s;
     if (p.step_in_stage == p.steps_of_stage()) {
         ++p.now.stage;
+        p.skip_stages();
         p.step_in_stage = 0;
     }
     return status;
@@ -175,8 +186,8 @@ Status ImplantFold::step() {
 FoldProgress ImplantFold::progress() const {
     FoldProgress progress = parts_->now;
     double whole = 0.0;
-    for (const FoldingStage& stage : folding_stages()) {
-        whole += stage.duration;
+    for (int stage = 0; stage < static_cast<int>(folding_stages().size()); ++stage) {
+        whole += parts_->device.has(stage) ? folding_stages()[at(stage)].duration : 0.0;
     }
     progress.share = progress.time / whole;
     const ShellEnergy energy = parts_->ledger.energy(parts_->state);

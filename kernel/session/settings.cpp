@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 37> table{{
+constexpr std::array<SettingInfo, 38> table{{
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
@@ -27,6 +27,8 @@ constexpr std::array<SettingInfo, 37> table{{
     {"cartridge.friction", "1", 0.0, 2.0, 0.1, false, "Of the cartridge's wall, Coulomb coefficient."},
     {"cartridge.nozzle_mm", "mm", 1.0, 4.0, 2.8, false,
      "Inner diameter of the cartridge at its tip; at most that where the implant is laid."},
+    {"cartridge.tucked", "1", 0.0, 1.0, 1.0, false,
+     "1: the implant is folded with its haptics on its optic; 0: they lie before and behind it."},
     {"hydrodissection.freed", "1", 0.0, 1.0, 1.0, false, "Share of the cortex that no longer adheres to the capsule."},
     {"implant.centre_mm", "mm", 0.1, 2.0, 0.7, false, "Thickness of the implant's optic in its middle."},
     {"implant.edge_mm", "mm", 0.05, 2.0, 0.25, false, "Thickness of the implant's optic at its edge."},

@@ -14,6 +14,7 @@ struct InjectorShape {
     double chamber = 2.8;   ///< where the implant is laid: 1 to 4
     double nozzle = 2.8;    ///< at the tip: 1 to that of the chamber
     double friction = 0.1;  ///< 0 to 2
+    bool tucked = true;     ///< the implant's haptics lie on its optic; false: before and behind it, which takes room
 };
 
 /// Fails with the field and what is allowed.

@@ -10,7 +10,7 @@ local implanting = {}
 
 local free_speed = 10         -- where nothing is near [mm/s]
 local careful_speed = 2.5     -- where something is
-local push_speed = 0.22       -- of the plunger, strokes per second: some 5 mm/s
+local push_speed = 0.18       -- of the plunger, strokes per second: some 5 mm/s
 local near_edge = 1.3         -- the tip is held so far on this side of the middle of the opening
 local over_rim = 0.75         -- and so far over its plane
 local full, shallow = 0.97, 0.9
