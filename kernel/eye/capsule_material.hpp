@@ -10,7 +10,7 @@ inline constexpr double capsule_poisson_ratio = 0.47;  ///< [Krag1997]
 inline constexpr double capsule_toughness = 1.2e6;
 inline constexpr double capsule_piercing_force = 22000.0;    ///< needles went through at 15 to 35 mN [Jmbbm2016] [uN]
 inline constexpr double capsule_piercing_thickness = 0.015;  ///< of what they went through [mm]
-inline constexpr double viscoelastic_drag = 3e6;  ///< on it, share of its mass [1/s]. Proposal
-inline constexpr double capsule_at_equator = 0.007;  ///< its thickness [Barraquer2006] [mm]
+inline constexpr double viscoelastic_drag = 3e6;             ///< on it, share of its mass [1/s]. Proposal
+inline constexpr double capsule_at_equator = 0.007;          ///< its thickness [Barraquer2006] [mm]
 
 }  // namespace rhexis

@@ -12,10 +12,11 @@
 namespace rhexis {
 
 struct EmptyBagSettings {
-    int triangles = 800;          ///< about so many, 300 to 8,000
-    double opening_radius = 2.6;  ///< of an opening that is a circle [mm], 1 to 4
-    std::vector<double> opening;  ///< or its edge, from +x on evenly: distance from the axis [mm], 1 to 4
-    double friction = 0.1;        ///< Coulomb coefficient, on what lies in it, 0 to 10
+    int triangles = 800;            ///< about so many, 300 to 8,000
+    double opening_radius = 2.6;    ///< of an opening that is a circle [mm], 1 to 4
+    std::vector<double> opening{};  ///< or its edge, from +x on evenly: distance from the axis [mm], 1 to 4
+    double rim_strength = 1.0;      ///< of the opening's edge, share of the stretch that it bears, 0.1 to 2
+    double friction = 0.1;          ///< Coulomb coefficient, on what lies in it, 0 to 10
 };
 
 /// Fails with the field and what is allowed.

@@ -57,7 +57,9 @@ Status check_numbers(const MembraneModel& model) {
                          {"slack_share", model.slack_share, 1e-9, 1.0, ""},
                          // only on a support is it known which layer lies on which
                          {"layer_distance", model.layer_distance, 0.0, model.support ? 0.1 : 0.0, " mm"},
-                         {"shell_friction", model.shell_friction, 0.0, 10.0, ""}},
+                         {"shell_friction", model.shell_friction, 0.0, 10.0, ""},
+                         {"rupture_stretch", model.rupture_stretch > 0.0 ? model.rupture_stretch : 1.01, 1.01, 100.0,
+                          ", or 0 for none"}},
                         model.name);
 }
 

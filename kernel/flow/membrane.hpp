@@ -77,6 +77,8 @@ struct MembraneModel {
     /// where there is no support.
     double layer_distance = 0.0;
     double shell_friction = 0.1;  ///< Coulomb coefficient, on a shell that lies in it, 0 to 10
+    /// Of its edges, length over that at rest, at which they give way, 1.01 to 100; 0: they do not.
+    double rupture_stretch = 0.0;
 };
 
 /// The end of a tear, which may go on.
@@ -117,6 +119,12 @@ struct CutProposal {
     int tool = 0;
     int node = 0;                   ///< on the lip, from which the cut goes
     Vec3 direction = Vec3::Zero();  ///< in the sheet at rest
+};
+
+/// What physics proposes: an edge of the sheet gives way.
+struct NotchProposal {
+    int node = 0;
+    Vec3 direction = Vec3::Zero();  ///< of the tear that begins there: unit, in the sheet at rest
 };
 
 /// What physics proposes: the tear goes on from a tip, because more energy comes free than it takes.

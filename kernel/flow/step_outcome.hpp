@@ -31,6 +31,7 @@ struct MembraneStepReport {
     std::vector<TearProposal> tears;  ///< proposals to topology, by tips
     std::vector<PunctureProposal> punctures;
     std::vector<CutProposal> cuts;
+    std::vector<NotchProposal> notches;
 };
 
 struct ShellStepReport {

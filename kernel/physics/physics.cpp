@@ -13,6 +13,7 @@
 #include "physics/fluid_step.hpp"
 #include "physics/membrane_stepper.hpp"
 #include "physics/puncture.hpp"
+#include "physics/rim_rupture.hpp"
 #include "physics/sculpt.hpp"
 #include "physics/shell_motion.hpp"
 #include "physics/shell_tools.hpp"
@@ -162,6 +163,7 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
                                 " times smaller");
     }
     report.tears = propose_tears(own, next.membranes[index]);
+    report.notches = propose_notches(own, next.membranes[index]);
     report.punctures = propose_punctures(*model, membrane, next.membranes[index], task.tools, contacts);
     report.cuts = propose_cuts(*model, membrane, next.membranes[index], task.tools, contacts);
 }
@@ -225,6 +227,7 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
     if (own.wall) {
         outcome.membranes[0].substeps = report.substeps;
         outcome.membranes[0].tears = propose_tears(model->membranes[0], next.membranes[0]);
+        outcome.membranes[0].notches = propose_notches(model->membranes[0], next.membranes[0]);
     }
     if (motion == ShellMotion::failed) {
         outcome.failure = StepFailure::not_finite;

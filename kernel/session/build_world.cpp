@@ -100,6 +100,7 @@ EmptyBagSettings empty_bag_settings(const std::map<std::string, double>& setting
     bag.triangles = static_cast<int>(settings.at("bag.triangles"));
     bag.opening_radius = 0.5 * settings.at("capsulorhexis.diameter_mm");
     bag.friction = settings.at("bag.friction");
+    bag.rim_strength = settings.at("capsule.strength");
     return bag;
 }
 
@@ -204,7 +205,8 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "chamber")) {
         world->chamber = make_chamber(all_settings(scene));
     }
-    if ((has_tissue(scene, "chamber") || has_tissue(scene, "implant")) && has_tissue(scene, "cornea")) {
+    const bool injected = has_tissue(scene, "implant") && has_instrument(scene, injector_name);
+    if ((has_tissue(scene, "chamber") || injected) && has_tissue(scene, "cornea")) {
         world->domes.push_back(inner_wall(eye.value().anatomy));
     }
     if (has_tissue(scene, "capsule")) {

@@ -16,7 +16,7 @@ constexpr std::array<SettingInfo, 38> table{{
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.strength", "1", 0.1, 2.0, 1.0, false,
-     "Strain that the posterior capsule bears, share of that at the age."},
+     "Strain that the posterior capsule bears, or the opening of a bag, share of the standard one."},
     {"capsule.toughness", "1", 0.2, 5.0, 1.0, false,
      "Energy that a tear of the anterior capsule takes, share of the standard one."},
     {"capsule.triangles", "1", 200.0, 20000.0, 1500.0, false, "Of the anterior capsule, about so many."},

@@ -421,6 +421,14 @@ int carry_out(const MembraneModel& model, const MembraneStepReport& report, Memb
             ++done;
         }
     }
+    for (std::size_t i = 0; i < report.notches.size() && done == 0; ++i) {
+        const NotchProposal& proposal = report.notches[i];
+        const Result<MembraneEdit> edit = notch(model, state, proposal.node, proposal.direction, rules);
+        if (edit.ok()) {
+            state = applied(state, edit.value());
+            ++done;
+        }
+    }
     for (std::size_t i = 0; i < report.cuts.size() && done == 0; ++i) {
         done += cut(model, report.cuts[i], state, rules) ? 1 : 0;
     }

@@ -43,8 +43,8 @@ Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& stat
 /// The state with the edit made. Positions and velocities of new nodes follow from those that they lie between.
 MembraneState applied(const MembraneState& state, const MembraneEdit& edit);
 
-/// Carries out what physics proposes, one edge per tip and one slit per needle; what cannot be done in the mesh is left
-/// out. Returns how much was done.
+/// Carries out what physics proposes, one edge per tip and one slit per needle, and notches only where no tear goes on;
+/// what cannot be done in the mesh is left out. Returns how much was done.
 int carry_out(const MembraneModel& model, const MembraneStepReport& report, MembraneState& state,
               const TearRules& rules = {});
 

@@ -67,6 +67,18 @@ TEST_SUITE("implant session") {
         CHECK(refusal(both).find("implant with lens") != std::string::npos);
     }
 
+    TEST_CASE("with the tissue bag its wall is a membrane, and nothing else of the bag is built") {
+        SceneDescription scene = implant_scene();
+        scene.tissues.emplace_back("bag");
+        const Session session = make_session(scene);
+        REQUIRE(session.world().membranes.size() == 1);
+        CHECK(session.world().membranes[0].name == empty_bag_name);
+        CHECK(session.world().bags.empty());
+        CHECK(session.world().solids.empty());
+        scene.tissues.emplace_back("capsule");
+        CHECK(refusal(scene).find("implant with capsule") != std::string::npos);
+    }
+
     TEST_CASE("written and read it is the same, and every part of it counts in the state hash") {
         const Session session = make_session(implant_scene());
         const Snapshot whole = folded(session);
