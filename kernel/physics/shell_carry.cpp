@@ -12,7 +12,6 @@
 namespace rhexis {
 namespace {
 
-
 constexpr double carried_share = 0.6;  // of its nodes in the tube: then the rest goes with it too
 
 struct RigidMotion {

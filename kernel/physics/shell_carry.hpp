@@ -10,9 +10,9 @@
 
 namespace rhexis {
 
-/// Velocities and spins, two per node as points of ShellBody, for a step of dt [s]: those of the state with the motion as
-/// a rigid body taken out and that of the tube, or of what pushes in it and touches the shell, put in. Empty where the
-/// greater part of the shell lies in no tube.
+/// Velocities and spins, two per node as points of ShellBody, for a step of dt [s]: those of the state with the motion
+/// as a rigid body taken out and that of the tube, or of what pushes in it and touches the shell, put in. Empty where
+/// the greater part of the shell lies in no tube.
 std::vector<Vec3> carried_velocity(const ShellState& state, const ShellPartners& partners, double dt);
 
 }  // namespace rhexis

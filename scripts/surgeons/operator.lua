@@ -95,8 +95,8 @@ local function hand_words(self, side)
         side.hand:put(place)
     end
 
-    --- Moves the fingers: opening of the jaws of forceps, 0 closed to 1 open; how hard a syringe is pressed, 0 to 1; how
-    --- far the plunger of an injector is pushed, 0 to 1. rate: how fast, per second; else as fast as fingers do.
+    --- Moves the fingers: opening of the jaws of forceps, 0 closed to 1 open; how hard a syringe is pressed, 0 to 1;
+    --- how far the plunger of an injector is pushed, 0 to 1. rate: how fast, per second; else as fast as fingers do.
     function words.jaw(opening, rate) side.jaw_target, side.jaw_rate = opening, rate or jaw_rate end
 
     function words.put_down() side.present = false end
