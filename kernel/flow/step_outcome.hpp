@@ -40,6 +40,7 @@ struct ShellStepReport {
     int linear_iterations = 0;
     /// What does not balance at the end, as a share of what did not at the start or of the forces of contact.
     double residual = 0.0;
+    double deepest = 0.0;  ///< penetration over thickness
 };
 
 /// What made a step unacceptable.

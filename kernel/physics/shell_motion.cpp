@@ -191,6 +191,7 @@ Try step_once(Run& run, double from, double to, Bodies& now) {
     const ImplicitReport one = solve(run, from, to, partners, now);
     run.report.newton_iterations += one.newton_iterations;
     run.report.linear_iterations += one.linear_iterations;
+    run.report.deepest = std::max(run.report.deepest, run.contacts.deepest());
     const double residual = std::min(one.newton_residual, one.over_contact);
     const double way = std::max(farthest(before.shell.position, now.shell.position),
                                 farthest(before.wall.position, now.wall.position));

@@ -133,12 +133,19 @@ bool needs_side_port(const SceneDescription& scene) {
     return has_instrument(scene, "spatula") || has_instrument(scene, "hook");
 }
 
+/// Of viscoelastic that an implant shears some ten times a second [Pa s]: a hundredth and less of that at rest.
+/// Proposal
+constexpr double sheared_viscosity = 10.0;
+
 /// Free where an injector brings it in.
 ShellModel make_shell(const SceneDescription& scene) {
     const std::map<std::string, double> settings = all_settings(scene);
     const ImplantShape shape = implant_shape(settings);
     ShellModel model = has_instrument(scene, injector_name) ? free_implant(shape) : acrylic_implant(shape);
     model.material.young_modulus = 1e6 * settings.at("implant.modulus_mpa");
+    if (has_tissue(scene, "viscoelastic")) {
+        model.drag = disc_drag(sheared_viscosity, 0.5 * shape.optic_diameter);
+    }
     return model;
 }
 

@@ -13,5 +13,6 @@ std::vector<BenchCase> implant_unfold_cases();
 std::vector<BenchCase> shell_contact_cases();
 std::vector<BenchCase> shell_contact_solver_cases();
 std::vector<BenchCase> implant_inject_cases();
+std::vector<BenchCase> implant_bag_cases();
 
 }  // namespace rhexis::bench
