@@ -53,7 +53,7 @@ struct ShellPartners {
 
 struct ShellContactSettings {
     double stiffer = 5.0;      ///< the springs than the shell across its thickness
-    double onset = 0.002;      ///< penetration over which the springs gain their stiffness, of the thickness
+    double onset = 0.01;       ///< penetration over which the springs gain their stiffness, of the thickness
     std::optional<int> level;  ///< of sampling; none: by the size of the partner
     bool turns = true;         ///< contact turns nodes, else it only moves them
     bool accounts = false;     ///< where energy goes is found in full, for tests and measurements

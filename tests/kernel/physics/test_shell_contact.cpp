@@ -164,7 +164,7 @@ TEST_SUITE("shell contact forces") {
     TEST_CASE("an edge that comes sideways meets a plane with its face, whatever the mesh") {
         const auto stiffness = [](int along, int across) {
             const ShellModel model = scenes::flat_strip(2.0, 1.0, 0.2, along, across);
-            const PlaneModel plane{Vec3(-0.099, 0.0, 0.0), Vec3::UnitX(), 0.0};  // the end has sunk in by a thousandth
+            const PlaneModel plane{Vec3(-0.095, 0.0, 0.0), Vec3::UnitX(), 0.0};  // the end has sunk in beyond the onset
             ShellPartners partners;
             partners.planes = {&plane, 1};
             const ShellState state = rest_state(model);
