@@ -72,12 +72,13 @@ function implant_events.haptic_out(own)
     }, own)
 end
 
---- It does not unfold by itself.
+--- It does not unfold by itself. Arms that lie in the bag touch the optic's edge too: nothing is wrong with that.
 function implant_events.haptic_stuck(own)
     return with({
-        when = "implant.released and implant.haptics_on_optic > 0",
+        when = "implant.released and implant.haptics_on_optic > 0 and "
+            .. "(implant.haptics_in_bag < 2 or implant.tilt_deg > 5)",
         hold_s = 20,
-        recovered = "implant.haptics_on_optic < 1 and implant.tilt_deg <= 5",
+        recovered = "implant.haptics_in_bag >= 2 and implant.tilt_deg <= 5",
         deadline_s = 60,
         near_miss_s = 0,
         quiet_s = 5,

@@ -47,8 +47,7 @@ return exercise {
         },
         step "place" {
             title = "Bring the tip before the opening",
-            hint = "Injector through the main incision, its mouth over the near edge of the opening, in the plane of "
-                .. "the iris.",
+            hint = "Injector through the main incision, its mouth through the opening, under the rim.",
             done = "injector.present and injector.tip_y_mm > -3 and abs(injector.tip_x_mm) < 1.5",
             time_limit_s = 60,
         },
@@ -60,7 +59,8 @@ return exercise {
         },
         step "release" {
             title = "Release the optic",
-            hint = "Push on evenly and draw the injector back with the optic, so that it unfolds in the opening.",
+            hint = "Push on evenly. When the optic is half out, draw the mouth back to the near edge, still under the "
+                .. "rim.",
             done = "implant.released and implant.unfolded > 0.9",
             time_limit_s = 60,
         },

@@ -10,18 +10,17 @@ local implanting = {}
 
 local free_speed = 10         -- where nothing is near [mm/s]
 local careful_speed = 2.5     -- where something is
+local back_speed = 5          -- of the injector, beside the optic that comes out of it: as fast as that does
 local push_speed = 0.18       -- of the plunger, strokes per second: some 5 mm/s
-local near_edge = 1.3         -- the tip is held so far on this side of the middle of the opening
-local over_rim = 0.75         -- and so far over its plane
+local beyond = 0.2            -- the mouth goes so far past the middle of the opening,
+local under_rim = 0.4         -- and so far under its plane: what comes out higher unfolds before the capsule
+local half_out = 0.6          -- short of the middle of the opening, where the optic's middle is when one draws back
+local near_edge = 1.2         -- back so far on this side of the middle: the mouth stays in the opening,
+local still_under = 0.3       -- and under the rim, until the trailing haptic has come out under it too
+local push_longest = 12       -- until the optic is half out [s]
+local let_unfold = 3          -- from then on, before one leaves [s]
 local full, shallow = 0.97, 0.9
 local heed = 0.3              -- how much a new look counts against those before
-
-local function mark(me, name)
-    local seen = me.see()
-    return seen and seen.landmarks[name]
-end
-
-local function outwards(eye, place) return vector.sub(place, eye.rim) end
 
 --- What is known of the eye after looking for a while: wound, port, pupil, rim and rim_radius.
 function implanting.look_around(me)
@@ -71,18 +70,21 @@ function implanting.fill(me, eye)
     withdraw(me, eye)
 end
 
---- The injector's tip into the opening, its plunger home; back with the optic, so that it lies in the middle, and out.
+--- The injector's mouth through the opening, under the rim; the plunger home. Half out, the optic is left where it is
+--- and the mouth drawn back to the near edge, still under the rim: a haptic that comes out over it stays before the
+--- capsule.
 function implanting.inject(me, eye)
     me.take_up(instruments.outside(eye.wound), "injector")
     me.wait(0.5)
     me.go(eye.wound, free_speed)
-    me.go(vector.add(eye.rim, { 0, -near_edge, over_rim }), careful_speed)
+    me.go(vector.add(eye.rim, { 0, beyond, -under_rim }), careful_speed)
     me.jaw(1, push_speed * me.about(1))
     me.wait_until(function(seen)
-        return seen.landmarks.optic and seen.landmarks.optic.position[2] > eye.rim[2] - 0.5
-    end, 8)
-    me.go(vector.add(eye.rim, { 0, -near_edge - 1.5, over_rim + 0.5 }), careful_speed)
-    me.wait(1.0)
+        local optic = seen.landmarks.optic
+        return optic and optic.position[2] > eye.rim[2] - half_out
+    end, push_longest)
+    me.go(vector.add(eye.rim, { 0, -near_edge, -still_under }), back_speed)
+    me.wait(let_unfold)
     withdraw(me, eye)
 end
 
