@@ -34,7 +34,7 @@ return exercise {
     goals = {
         fill_percent = { 90, from = 50, to = 100, meaning = "how full the chamber must be before the implant comes" },
         decentration_mm = { 0.3, from = 0.1, to = 1, meaning = "how far off the bag's axis the optic may be left" },
-        tilt_deg = { 5, from = 1, to = 15, meaning = "how much it may be tilted" },
+        tilt_deg = { 3, from = 1, to = 15, meaning = "how much it may be tilted" },
     },
     reference = { time_s = 75, path_mm = 90 },
 
@@ -99,7 +99,7 @@ return exercise {
     },
 
     -- The attempt is over when no instrument has come back for longer than it takes to change them.
-    over = { "implant.released", "instruments.out_s > 8" },
+    over = { "implant.released", "instruments.out_s > 25" },
     time_limit_s = 300,
 
     scoring = osacss { "T13", "G3", "G4", "G5", "G6" },

@@ -5,9 +5,11 @@
 
 local implanting = require "surgeons.implanting"
 
+local settles_s = 20  -- that one watches the implant come to rest in its bag
+
 return function(me)
     local eye = implanting.look_around(me)
     if implanting.is_shallow(me.see()) then implanting.fill(me, eye) end
     implanting.inject(me, eye)
-    me.wait(3)
+    me.wait(settles_s)
 end
