@@ -70,10 +70,9 @@ bool touches_tool(const ShellState& state, int tool) {
 
 std::vector<Vec3> carried_velocity(const ShellState& state, const ShellPartners& partners, double dt) {
     std::vector<Vec3> result;
-    for (std::size_t t = 0; t < partners.tube_states.size(); ++t) {
-        const int tool = partners.tube_tools.empty() ? -1 : partners.tube_tools[t];
-        const ToolState& carrier =
-            tool >= 0 && touches_tool(state, tool) ? partners.tool_states[at(tool)] : partners.tube_states[t];
+    for (std::size_t t = 0; t < partners.tube_tools.size(); ++t) {
+        const int tool = partners.tube_tools[t];
+        const ToolState& carrier = touches_tool(state, tool) ? partners.tool_states[at(tool)] : partners.tube_states[t];
         const std::vector<std::size_t> inside =
             nodes_within(partners.tubes[t], pose_within(partners.tube_states[t], partners.from), state.position);
         if (static_cast<double>(inside.size()) < carried_share * static_cast<double>(state.position.size())) {

@@ -38,7 +38,8 @@ struct ShellPartners {
     std::span<const DomeModel> domes;  ///< it stays inside
     std::span<const TubeModel> tubes;
     std::span<const ToolState> tube_states;  ///< of what carries each; none: they stand still
-    std::span<const int> tube_tools;         ///< of each: the number of the tool that pushes in it; or none
+    std::span<const int> tube_tools;         ///< of each: the number of the tool that pushes in it; or none: then
+                                             ///< what lies in one begins its steps as it went
     std::span<const BagModel> bags;
     std::span<const Pose> bag_poses;
     std::span<const ToolModel> tools;

@@ -27,6 +27,7 @@ ShellMotion Injection::step(double jaw, double dt) {
         partners.tool_states = tools_.states();
         partners.tubes = tools_.tubes();
         partners.tube_states = tools_.tube_states();
+        partners.tube_tools = tools_.tube_tools();
         int rollbacks = 0;
         const ShellMotion motion =
             move_shell(stepper_, contacts, {state, partners, weightless, dt}, next, report, rollbacks);

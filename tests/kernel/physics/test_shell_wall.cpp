@@ -261,6 +261,11 @@ TEST_SUITE("shell in a tube that is moved") {
         ShellPartners partners;
         partners.tubes = {&tube, 1};
         partners.tube_states = {&carrier, 1};
+        const int plunger = 0;
+        ToolState pushed;
+        partners.tool_states = {&pushed, 1};
+        CHECK(carried_velocity(state, partners, 0.01).empty());  // nobody says what pushes in it
+        partners.tube_tools = {&plunger, 1};
         const std::vector<Vec3> guess = carried_velocity(state, partners, 0.01);
         REQUIRE(guess.size() == 2 * state.position.size());
         for (std::size_t n = 0; n < state.position.size(); ++n) {
