@@ -7,6 +7,7 @@
 #include "base/assert.hpp"
 #include "base/index.hpp"
 #include "eye/anatomy.hpp"
+#include "eye/capsular_bag.hpp"
 #include "eye/capsule_material.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "eye/table.hpp"
@@ -59,12 +60,6 @@ MembraneSheet sheet_of(const HalfEllipsoids& lens, double age, const AnteriorCap
         }
     }
     return sheet;
-}
-
-/// Where the line from the axis through a node meets the ring of the ciliary body.
-Vec3 ciliary_place(const Vec3& node, const ZonuleSpring& zonule) {
-    return across(zonule.on_ciliary) / across(node) * Vec3(node.x(), node.y(), 0.0) +
-           zonule.on_ciliary.z() * Vec3::UnitZ();
 }
 
 /// The sheet's rim hangs on the capsule that goes on beyond it and lies on the lens. Returns how stiffly, in all.

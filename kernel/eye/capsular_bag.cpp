@@ -62,6 +62,12 @@ double suspension_stiffness(const BagModel& bag, const Vec3& direction) {
     return sum;
 }
 
+Vec3 ciliary_place(const Vec3& node, const ZonuleSpring& zonule) {
+    const auto across = [](const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); };
+    return across(zonule.on_ciliary) / across(node) * Vec3(node.x(), node.y(), 0.0) +
+           zonule.on_ciliary.z() * Vec3::UnitZ();
+}
+
 BagModel make_bag(const HalfEllipsoids& lens, double lens_mass, double age) {
     BagModel bag;
     bag.shape = {lens.radius + clearance, lens.anterior + clearance, lens.posterior + clearance};

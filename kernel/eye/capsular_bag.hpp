@@ -16,6 +16,9 @@ double zonule_ring_stiffness(double age);
 /// one anterior and one posterior zonule each. lens_mass [g] only scales the damping.
 BagModel make_bag(const HalfEllipsoids& lens, double lens_mass, double age);
 
+/// Where the line from the axis through a node meets the ring of the ciliary body, from which such a zonule comes [mm].
+Vec3 ciliary_place(const Vec3& node, const ZonuleSpring& zonule);
+
 /// Force that resists a small displacement of the whole bag along a unit direction, per mm [uN/mm].
 double suspension_stiffness(const BagModel& bag, const Vec3& direction);
 

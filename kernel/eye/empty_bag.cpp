@@ -12,10 +12,11 @@
 #include "base/ranges.hpp"
 #include "eye/anatomy.hpp"
 #include "eye/anterior_capsule.hpp"
+#include "eye/capsular_bag.hpp"
 #include "eye/capsule_material.hpp"
-#include "eye/implant_outline.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "eye/table.hpp"
+#include "math/turn.hpp"
 #include "mesh/shapes.hpp"
 
 namespace rhexis {
@@ -218,8 +219,7 @@ void hang(const BagModel& bag, MembraneModel& model) {
         const std::vector<int> ring = insertion(mesh, front, across(inserted->on_bag));
         for (const int node : ring) {
             const Vec3& place = mesh.nodes[at(node)];
-            const Vec3 anchor = across(inserted->on_ciliary) / across(place) * Vec3(place.x(), place.y(), 0.0) +
-                                inserted->on_ciliary.z() * Vec3::UnitZ();
+            const Vec3 anchor = ciliary_place(place, *inserted);
             model.springs.push_back({node, anchor, stiffness / static_cast<double>(ring.size()),
                                      std::max(0.0, (anchor - place).norm() - zonule_stretch)});
         }

@@ -50,16 +50,6 @@ double width_at(const ImplantShape& shape, double way) {
 
 }  // namespace
 
-Vec2 direction_at(double angle) {
-    const double x = angle / 64.0;
-    const double tangent = x * (15.0 - x * x) / (15.0 - 6.0 * x * x);
-    Vec2 d = Vec2(1.0, tangent).normalized();
-    for (int doubling = 0; doubling < 6; ++doubling) {
-        d = Vec2(d.x() * d.x() - d.y() * d.y(), 2.0 * d.x() * d.y());
-    }
-    return d.normalized();
-}
-
 double half_root(const ImplantShape& shape) { return root_width(shape) / shape.optic_diameter; }
 
 double wanted_edge(const ImplantShape& shape, const Vec2& place, double scale) {

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "eye/implant.hpp"
+#include "math/turn.hpp"
 
 namespace rhexis {
-
-/// (cos, sin) of an angle [rad], |angle| < 7, to 1e-8, without the C library's trigonometry.
-Vec2 direction_at(double angle);
 
 inline constexpr double haptic_root = 0.7;  ///< angle of the upper haptic's root on the optic's rim [rad]
 

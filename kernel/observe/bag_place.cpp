@@ -7,19 +7,13 @@
 #include <numbers>
 
 #include "base/index.hpp"
+#include "math/turn.hpp"
 
 namespace rhexis {
 namespace {
 
 constexpr int sectors = 32;
 constexpr double rim_width = 0.5;  ///< of the bag beside the rim [mm]
-
-/// Increases with the angle of (x, y) about the axis, from 0 to 1, without trigonometry.
-double share_of_turn(const Vec3& place) {
-    const double sum = std::abs(place.x()) + std::abs(place.y());
-    const double quarter = sum > 0.0 ? place.y() / sum : 0.0;
-    return 0.25 * (place.x() < 0.0 ? 2.0 - quarter : (place.y() < 0.0 ? 4.0 + quarter : quarter));
-}
 
 Vec3 mean_of(const std::vector<Vec3>& x, const std::vector<int>& nodes) {
     Vec3 sum = Vec3::Zero();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "mesh/nearest_place.hpp"
 
 namespace rhexis {
 namespace {
@@ -21,25 +22,12 @@ Vec3 middle(const std::vector<Vec3>& x, const std::array<int, 3>& t) {
     return (x[at(t[0])] + x[at(t[1])] + x[at(t[2])]) / 3.0;
 }
 
-/// Distance of a point from a segment.
-double to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 way = b - a;
-    const double share = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (p - a - share * way).norm();
+std::array<Vec3, 3> corners(const std::vector<Vec3>& x, const std::array<int, 3>& t) {
+    return {x[at(t[0])], x[at(t[1])], x[at(t[2])]};
 }
 
-/// Distance of a point from a triangle that has an area.
-double to_triangle(const Vec3& p, const std::vector<Vec3>& x, const std::array<int, 3>& t) {
-    const Vec3 normal = area_vector(x, t).normalized();
-    bool over = true;
-    double edges = HUGE_VAL;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& a = x[at(t[k])];
-        const Vec3& b = x[at(t[(k + 1) % 3])];
-        over = over && (b - a).cross(p - a).dot(normal) >= 0.0;
-        edges = std::min(edges, to_segment(p, a, b));
-    }
-    return over ? std::abs((p - x[at(t[0])]).dot(normal)) : edges;
+double gap_to(const std::array<Vec3, 3>& triangle, const Vec3& place) {
+    return (place_in(triangle, nearest_to_point(triangle, place)) - place).norm();
 }
 
 }  // namespace
@@ -82,7 +70,7 @@ bool ImplantGauge::touches_optic(const ShellState& state, int arm_node, const Ve
         const double reach = half_thickness_[at(arm_node)] + half_thickness_[at(t[0])] + touching;
         const Vec3& near = state.position[at(t[0])];
         return (place - near).squaredNorm() < (reach + 1.0) * (reach + 1.0) &&
-               to_triangle(place, state.position, t) < reach;
+               gap_to(corners(state.position, t), place) < reach;
     });
 }
 

@@ -138,10 +138,10 @@ void MembraneStepper::load(const MembraneState& state) {
 ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, const MembraneState& from,
                                         MembraneState& next, ContactSet& contacts) {
     const double dt = task.dt / divisions;
-    tools_.assign(task.tools.begin(), task.tools.end());
-    for (std::size_t k = 0; k < tools_.size(); ++k) {
-        tools_[k].previous_pose = pose_within(task.tools[k], static_cast<double>(i) / divisions);
-        tools_[k].pose = pose_within(task.tools[k], static_cast<double>(i + 1) / divisions);
+    tools_.clear();
+    for (const ToolState& tool : task.tools) {
+        tools_.push_back(
+            part_of_step(tool, static_cast<double>(i) / divisions, static_cast<double>(i + 1) / divisions));
     }
     touching_.look(task.world, task.membrane, from, tools_, dt);
     held_.look(task.world, task.membrane, from, touching_.stiffness());

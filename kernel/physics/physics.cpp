@@ -88,6 +88,7 @@ struct Physics::Solvers {
     void step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,
                        StepOutcome& outcome);
     void report_shell(const StepTask& task, const ShellContacts& own, ContactSet& contacts) const;
+    [[nodiscard]] int brought_by(const StepTask& task, std::size_t shell) const;
     [[nodiscard]] ShellState taken_out(const StepTask& task, std::size_t shell) const;
     [[nodiscard]] bool goes_with_shell(const StepTask& task, std::size_t membrane) const;
     void step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
@@ -168,17 +169,24 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
     report.cuts = propose_cuts(*model, membrane, next.membranes[index], task.tools, contacts);
 }
 
-/// One that lies in an injector comes into the eye with it.
-ShellState Physics::Solvers::taken_out(const StepTask& task, std::size_t shell) const {
-    const ShellState& state = task.state.shells[shell];
-    for (std::size_t i = 0; state.loaded && i < task.tools.size(); ++i) {
+/// The injector with which a shell that lies in it comes into the eye in this step; or -1.
+int Physics::Solvers::brought_by(const StepTask& task, std::size_t shell) const {
+    for (std::size_t i = 0; task.state.shells[shell].loaded && i < task.tools.size(); ++i) {
         if (model->tools[i].kind == ToolKind::injector && task.tools[i].present) {
-            ShellState out = moved(state, task.tools[i].previous_pose);
-            out.loaded = false;
-            return out;
+            return static_cast<int>(i);
         }
     }
-    return state;
+    return -1;
+}
+
+ShellState Physics::Solvers::taken_out(const StepTask& task, std::size_t shell) const {
+    const int injector = brought_by(task, shell);
+    if (injector < 0) {
+        return task.state.shells[shell];
+    }
+    ShellState out = moved(task.state.shells[shell], task.tools[static_cast<std::size_t>(injector)].previous_pose);
+    out.loaded = false;
+    return out;
 }
 
 /// One per instrument, with the force that it bears in all.
@@ -198,7 +206,7 @@ void Physics::Solvers::report_shell(const StepTask& task, const ShellContacts& o
 
 /// Whether the step of a membrane is that of the shell that may touch it.
 bool Physics::Solvers::goes_with_shell(const StepTask& task, std::size_t membrane) const {
-    return membrane == 0 && !shells.empty() && !taken_out(task, 0).loaded;
+    return membrane == 0 && !shells.empty() && (!task.state.shells[0].loaded || brought_by(task, 0) >= 0);
 }
 
 void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,

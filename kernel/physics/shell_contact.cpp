@@ -202,9 +202,7 @@ void ShellContacts::meet_tools() {
         if (!state.present || tool.parts.empty()) {
             continue;
         }
-        ToolState meanwhile = state;
-        meanwhile.previous_pose = pose_within(state, partners_.from);
-        meanwhile.pose = pose_within(state, partners_.to);
+        const ToolState meanwhile = part_of_step(state, partners_.from, partners_.to);
         Box box = swept_box(tool, meanwhile);
         const double reach = most_travel_ + travel(tool, meanwhile);
         const double around = reach + 0.5 * *std::max_element(model_->thickness.begin(), model_->thickness.end());

@@ -122,10 +122,9 @@ struct Run {
 /// What touches the wall in a piece of the step, besides the shell.
 void look_at_wall(Run& run, double from, double to, const MembraneState& wall) {
     const WallTask& own = *run.task.wall;
-    run.tools.assign(own.tools.begin(), own.tools.end());
-    for (std::size_t i = 0; i < run.tools.size(); ++i) {
-        run.tools[i].previous_pose = pose_within(own.tools[i], from);
-        run.tools[i].pose = pose_within(own.tools[i], to);
+    run.tools.clear();
+    for (const ToolState& tool : own.tools) {
+        run.tools.push_back(part_of_step(tool, from, to));
     }
     run.touching.look(own.world, own.membrane, wall, run.tools, (to - from) * run.task.dt);
     place_tools(run.tools, 1.0, run.poses);

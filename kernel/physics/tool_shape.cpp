@@ -57,6 +57,13 @@ Pose pose_within(const ToolState& tool, double s) {
     return pose;
 }
 
+ToolState part_of_step(const ToolState& tool, double from, double to) {
+    ToolState part = tool;
+    part.previous_pose = pose_within(tool, from);
+    part.pose = pose_within(tool, to);
+    return part;
+}
+
 void Box::add(const Vec3& point, double radius) {
     low = low.cwiseMin(point - Vec3::Constant(radius));
     high = high.cwiseMax(point + Vec3::Constant(radius));

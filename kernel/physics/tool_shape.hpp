@@ -25,6 +25,9 @@ ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point, double lea
 /// way round: no trigonometry, so the same bits on every machine.
 Pose pose_within(const ToolState& tool, double s);
 
+/// The part of a tool's step from share `from` to share `to`.
+ToolState part_of_step(const ToolState& tool, double from, double to);
+
 /// An axis-aligned box [mm].
 struct Box {
     Vec3 low = Vec3::Constant(1e300);

@@ -11,6 +11,7 @@
 #include "eye/implant.hpp"
 #include "eye/make_eye.hpp"
 #include "eye/posterior_capsule.hpp"
+#include "math/turn.hpp"
 #include "session/settings.hpp"
 #include "tools/injector.hpp"
 #include "tools/instruments.hpp"
@@ -29,13 +30,6 @@ constexpr double vitreous_stiffness =
     1.5e5;                                 ///< below A^2 / C, 3.6e5, of a wall that gives way to it [uN/mm]. Proposal
 constexpr double cortex_adhesion = 300.0;  ///< [Pa]. Proposal: no tool can turn a lens that adheres all round
 constexpr double cortex_film = 2.0;  ///< [Pa]. Proposal: a tool turns the lens with ease, and it stays where it is
-
-/// Increases with the angle of (x, y) about the axis, from 0 to 1, without trigonometry.
-double share_of_turn(const Vec3& place) {
-    const double sum = std::abs(place.x()) + std::abs(place.y());
-    const double quarter = sum > 0.0 ? place.y() / sum : 0.0;
-    return 0.25 * (place.x() < 0.0 ? 2.0 - quarter : (place.y() < 0.0 ? 4.0 + quarter : quarter));
-}
 
 /// Hydrodissection has freed the cortex over a part of the meridians.
 std::vector<std::uint8_t> adherent_nodes(const SolidModel& lens, double freed) {

@@ -6,6 +6,7 @@
 -- radius [mm], angle [degrees, 0 to the surgeon's right, 90 away from the surgeon] and height over the lens [mm].
 -- Numbers below are proposals, tried on seeds under 200.
 
+local filling = require "surgeons.filling"
 local instruments = require "surgeons.instruments"
 local sculpting = require "surgeons.sculpting"
 local vector = require "surgeons.vector"
@@ -111,19 +112,13 @@ end
 
 --- Whether the chamber is to be filled before one pulls.
 function capsulorhexis.is_shallow(seen)
-    return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size < shallow
+    return filling.is_below(seen, shallow)
 end
 
 --- Viscoelastic until the chamber looks full, or as full as this person finds full.
 function capsulorhexis.fill(me, eye)
     capsulorhexis.bring(me, eye, "cannula", capsulorhexis.place(eye, 1.0, -90, 1.0))
-    local enough = math.min(full, me.about(full))
-    me.jaw(0.7)
-    me.wait_until(function(seen)
-        return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size >= enough
-    end, 30)
-    me.jaw(0)
-    me.wait(0.5)
+    filling.press(me, full)
     withdraw(me, eye)  -- straight: raised over the lens, its shaft would touch the iris by the wound
     sculpting.look_at_height(me, eye)
 end

@@ -3,6 +3,7 @@
 -- event, no score. Where a haptic cannot be seen it lies behind the iris: in the bag, or before it in the angle; what
 -- tells is how deep it went when it was seen last. [mm]
 
+local filling = require "surgeons.filling"
 local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"
 
@@ -51,7 +52,7 @@ end
 
 --- Whether the chamber looks as if the viscoelastic had left it.
 function implanting.is_shallow(seen)
-    return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size < shallow
+    return filling.is_below(seen, shallow)
 end
 
 --- Viscoelastic until the chamber looks full, or as full as this person finds full.
@@ -60,13 +61,7 @@ function implanting.fill(me, eye)
     me.wait(0.5)
     me.go(eye.wound, free_speed)
     me.go(vector.add(eye.rim, { 0, -1.5, 1.5 }), free_speed)
-    local enough = math.min(full, me.about(full))
-    me.jaw(0.7)
-    me.wait_until(function(seen)
-        return seen.landmarks.viscoelastic and seen.landmarks.viscoelastic.size >= enough
-    end, 30)
-    me.jaw(0)
-    me.wait(0.5)
+    filling.press(me, full)
     withdraw(me, eye)
 end
 

@@ -9,7 +9,7 @@
 #include "eye/anatomy.hpp"
 #include "eye/capsular_bag.hpp"
 #include "eye/empty_bag.hpp"
-#include "eye/implant_outline.hpp"
+#include "math/turn.hpp"
 
 using namespace rhexis;
 
