@@ -17,16 +17,17 @@ SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec
     }
     response.normal_force = -gap * spring.stiffness;
     const double limit = spring.friction * response.normal_force;
+    const double sticking = spring.stick * spring.stiffness;
     const Mat3 along = normal * normal.transpose();
     const Mat3 across = Mat3::Identity() - along;
     response.force = response.normal_force * normal;
     response.stiffness = spring.stiffness * along;
     const Vec3 tangential = offset - normal.dot(offset) * normal;
     const double size = tangential.norm();
-    response.sliding = limit <= 0.0 || spring.stiffness * size > limit * (edge_slides ? 1.0 - edge : 1.0 + edge);
+    response.sliding = limit <= 0.0 || sticking * size > limit * (edge_slides ? 1.0 - edge : 1.0 + edge);
     if (!response.sliding) {
-        response.force -= spring.stiffness * tangential;
-        response.stiffness += spring.stiffness * across;
+        response.force -= sticking * tangential;
+        response.stiffness += sticking * across;
         response.stretch = size;
         return response;
     }
@@ -36,7 +37,7 @@ SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec
     const Vec3 direction = tangential / size;
     response.force -= limit * direction;
     response.stiffness += (limit / size) * (across - direction * direction.transpose());
-    response.stretch = limit / spring.stiffness;
+    response.stretch = limit / sticking;
     return response;
 }
 

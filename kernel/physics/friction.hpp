@@ -11,8 +11,9 @@ namespace rhexis {
 
 /// A contact as a spring.
 struct ContactSpring {
-    double stiffness = 0.0;  ///< normal and tangential [uN/mm]
+    double stiffness = 0.0;  ///< normal [uN/mm]
     double friction = 0.0;   ///< Coulomb coefficient
+    double stick = 1.0;      ///< tangential stiffness over that: what sticks gives way by its force over both
 };
 
 struct SpringResponse {

@@ -26,6 +26,10 @@ namespace {
 using elastic_kernel::Mode;
 
 constexpr int max_halvings = 10;
+constexpr int max_brackets = 12;
+constexpr double most_growth = 4.0;  // of a step that goes farther
+constexpr double inner_low = 0.15;   // places looked at next, of what is bracketed
+constexpr double inner_high = 0.7;
 constexpr double descent_left = 0.5;  // share of the slope that may be left, with the other sign, after a step
 constexpr double near = 1e-2;         // relative residual below which the unprojected tangent is tried first
 constexpr double ulp = 2.2e-16;
@@ -70,7 +74,10 @@ struct ImplicitStep::Parts {
     void balance(const Task& task);
     void build_tangent(const Task& task, Mode mode);
     bool solve(const Task& task, Mode mode, ImplicitReport& report);
-    [[nodiscard]] double largest_step(const Task& task) const;
+    [[nodiscard]] double longest_step(const Task& task) const;
+    double try_step(const Task& task, const std::vector<double>& start, double step);
+    void halve(const Task& task, const std::vector<double>& start, double step, double slope);
+    void bracket(const Task& task, const std::vector<double>& start, double longest, double slope);
     void search(const Task& task);
     void judge(const Task& task, ImplicitReport& report) const;
     void iterate(const Task& task, ImplicitReport& report);
@@ -344,42 +351,83 @@ bool ImplicitStep::Parts::solve(const Task& task, Mode mode, ImplicitReport& rep
     return outcome.converged;
 }
 
-/// Share of `change` that keeps every node within the settings' most_travel.
-double ImplicitStep::Parts::largest_step(const Task& task) const {
+/// Share of `change` that takes the node that goes farthest as far as the settings' most_travel allows.
+double ImplicitStep::Parts::longest_step(const Task& task) const {
     if (!(task.settings.most_travel > 0.0)) {
-        return 1.0;
+        return HUGE_VAL;
     }
     double most = 0.0;
     for (std::size_t i = 0; i < matrix.solid_size(); i += 3) {
         most = std::max(most, Eigen::Map<const Vec3>(change.data() + i).squaredNorm());
     }
-    const double travel = task.dt * std::sqrt(most);
-    return travel > task.settings.most_travel ? task.settings.most_travel / travel : 1.0;
+    return task.settings.most_travel / (task.dt * std::sqrt(most));
+}
+
+/// Goes that share of `change`; the residual's component along it there.
+double ImplicitStep::Parts::try_step(const Task& task, const std::vector<double>& start, double step) {
+    for (std::size_t i = 0; i < velocity.size(); ++i) {
+        velocity[i] = start[i] + step * change[i];
+    }
+    set_velocity(task, velocity);
+    full_residual(task);
+    return dot(residual, change);
+}
+
+void ImplicitStep::Parts::halve(const Task& task, const std::vector<double>& start, double step, double slope) {
+    for (int halving = 0;; ++halving) {
+        const double left = try_step(task, start, step);
+        if ((std::isfinite(left) && (left >= -descent_left * slope || task.settings.predict_stress)) ||
+            halving == max_halvings) {
+            return;
+        }
+        step *= 0.5;
+    }
+}
+
+/// By false position, kept away from the ends of what is bracketed; farther than the tangent says where it was too
+/// stiff.
+void ImplicitStep::Parts::bracket(const Task& task, const std::vector<double>& start, double longest, double slope) {
+    struct End {
+        double step;
+        double left;
+    };
+    End low{0.0, slope};
+    End high{HUGE_VAL, 0.0};
+    double step = std::min(1.0, longest);
+    for (int tries = 0;; ++tries) {
+        const double left = try_step(task, start, step);
+        const bool beyond = !(left > 0.0);
+        if (std::abs(left) <= task.settings.search_to * slope || tries == max_brackets ||
+            (!beyond && step >= longest)) {
+            return;
+        }
+        (beyond ? high : low) = {step, left};
+        if (high.step == HUGE_VAL) {
+            const double grown = left < slope ? std::min(most_growth, slope / (slope - left)) : most_growth;
+            step = std::min(longest, grown * step);
+            continue;
+        }
+        const double width = high.step - low.step;
+        const double root = std::isfinite(high.left) ? low.left / (low.left - high.left) : 0.5;
+        step = low.step + width * std::clamp(root, inner_low, inner_high);
+    }
 }
 
 /// Goes along `change` until the residual's component along it has fallen; leaves `velocity` and `residual` there.
 void ImplicitStep::Parts::search(const Task& task) {
     const std::vector<double> start = velocity;
     const double slope = dot(residual, change);
-    double step = largest_step(task);
+    const double longest = longest_step(task);
     if (task.settings.predict_stress) {
         for (std::size_t i = 0; i < image.size(); ++i) {
-            image[i] = step * task.dt * change[i];
+            image[i] = std::min(1.0, longest) * task.dt * change[i];
         }
         elastic.predict(x, image);
     }
-    for (int halving = 0;; ++halving) {
-        for (std::size_t i = 0; i < velocity.size(); ++i) {
-            velocity[i] = start[i] + step * change[i];
-        }
-        set_velocity(task, velocity);
-        full_residual(task);
-        const double left = dot(residual, change);
-        if ((std::isfinite(left) && (left >= -descent_left * slope || task.settings.predict_stress)) ||
-            halving == max_halvings) {
-            return;
-        }
-        step *= 0.5;
+    if (task.settings.search_to > 0.0 && slope > 0.0) {
+        bracket(task, start, longest, slope);
+    } else {
+        halve(task, start, std::min(1.0, longest), slope);
     }
 }
 

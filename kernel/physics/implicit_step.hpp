@@ -52,6 +52,10 @@ struct ImplicitSettings {
     /// A consistent tangent that has no factor in single precision is taken as indefinite, without trying double: where
     /// many are, as of a shell that buckles.
     bool quick_to_project = false;
+    /// Share of the residual's component along an iteration's way that may be left at its end, of either sign; the
+    /// place where it vanishes is bracketed. For what meets a spring at every turn, where the tangent says little of
+    /// how far to go. 0: half its way, and again, until it has turned by less than half.
+    double search_to = 0.0;
     double most_travel = 0.0;  ///< of any node in one iteration, so that nothing is jumped over [mm]; 0: no limit
 };
 

@@ -279,7 +279,7 @@ void ShellContacts::meet_sheet() {
     sheet_.look(*partners_.sheet);
     const ShellSamples& on = samples_at(level_of_layers);
     find_points(on);
-    const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer);
+    const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer_sheet);
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
         const double own = 0.5 * on.samples[i].place.thickness;
         const std::array<ShellSheet::Foot, 2> feet = sheet_.nearest(points_[i], front(on, i), own + 2.0 * most_travel_);
@@ -447,8 +447,8 @@ SpringResponse ShellContacts::push(const Contact& contact, const Meeting& now) c
     const double onset = settings_.onset * place(contact).thickness;
     const double depth = -now.gap;
     const double softened = depth < onset ? 0.5 * depth * depth / onset : depth - 0.5 * onset;
-    SpringResponse pushed =
-        spring_contact({contact.stiffness, contact.friction}, -softened, now.normal, offset(contact, now.point), true);
+    SpringResponse pushed = spring_contact({contact.stiffness, contact.friction, settings_.stick}, -softened,
+                                           now.normal, offset(contact, now.point), true);
     if (depth < onset) {
         pushed.stiffness -= (1.0 - depth / onset) * contact.stiffness * now.normal * now.normal.transpose();
     }
@@ -538,8 +538,9 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
         contact.force = pushed.force;
         ++touching_;
         deepest_ = std::max(deepest_, -now.gap / place(contact).thickness);
-        work_.stored += normal_energy(contact, now.gap) + 0.5 * contact.stiffness * stretch.squaredNorm();
-        work_.friction += contact.stiffness * stretch.norm() * (size - stretch.norm());
+        const double sticking = settings_.stick * contact.stiffness;
+        work_.stored += normal_energy(contact, now.gap) + 0.5 * sticking * stretch.squaredNorm();
+        work_.friction += sticking * stretch.norm() * (size - stretch.norm());
         const Pose end = partner_pose(contact, 1.0);
         const Vec3 own = end.to_body(now.point - 0.5 * place(contact).thickness * now.normal);
         const Vec3 way = end.to_world(own) - partner_pose(contact, 0.0).to_world(own);

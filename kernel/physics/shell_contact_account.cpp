@@ -19,7 +19,8 @@ void ShellContacts::account_start() {
         Before& before = at_start_.emplace_back();
         before.depth = std::max(0.0, -then.gap);
         before.stretch = offset(contact, then.point, 0.0);
-        before.energy = normal_energy(contact, then.gap) + 0.5 * contact.stiffness * before.stretch.squaredNorm();
+        before.energy =
+            normal_energy(contact, then.gap) + 0.5 * settings_.stick * contact.stiffness * before.stretch.squaredNorm();
         found += before.energy;
     }
     work_.found = found;
@@ -40,10 +41,10 @@ void ShellContacts::account_end(std::size_t index, const std::vector<Vec3>& poin
     const double normal = pushed.normal_force;
     const Vec3 offset_now = offset(contact, now.point);
     const Vec3 across = offset_now - now.normal.dot(offset_now) * now.normal;
+    const double sticking = settings_.stick * contact.stiffness;
     work_.lost += normal * deeper - (normal_energy(contact, now.gap) - normal_energy(contact, -before.depth)) +
-                  0.5 * contact.stiffness * (stretch - before.stretch).squaredNorm();
-    work_.lost +=
-        contact.stiffness * stretch.dot(slid - (across - before.stretch)) - normal * (now.normal.dot(slid) + deeper);
+                  0.5 * sticking * (stretch - before.stretch).squaredNorm();
+    work_.lost += sticking * stretch.dot(slid - (across - before.stretch)) - normal * (now.normal.dot(slid) + deeper);
 }
 
 }  // namespace rhexis

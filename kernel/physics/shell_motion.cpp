@@ -13,12 +13,15 @@ namespace {
 
 constexpr int most_steps = 128;       // before any is redone
 constexpr double pushed_share = 0.8;  // of what contact allows: what an instrument pushes may go faster than it
-constexpr int pieces = 4;             // of one that is redone
-constexpr int most_cuts = 2;          // of one into pieces, and of those
+constexpr double own_share = 0.9;     // likewise: what moves by itself, if it goes on as it does
+constexpr int most_own = 4;           // steps for that
+constexpr int pieces = 2;             // of one that is redone
+constexpr int most_pieces = 4;        // of one that balances, and goes too far
+constexpr int most_cuts = 4;          // of one into pieces, and of those
 /// What is left over the forces of contact that finer steps are worth while for, and Newton iterations in all of a step
 /// after which none are: a lens that jams can cost twenty times as much by them and come no nearer to balance.
 constexpr double near_balance = 1e-2;
-constexpr int most_iterations = 150;
+constexpr int most_iterations = 400;
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};
@@ -30,7 +33,8 @@ constexpr ImplicitSettings in_contact{.tolerance = 0.1,
                                       .newton_tolerance = 1e-4,
                                       .contact_tolerance = 1e-3,
                                       .predict = true,
-                                      .quick_to_project = true};
+                                      .quick_to_project = true,
+                                      .search_to = 0.2};
 
 /// With a membrane, whose folds never balance to the last: a hundredth of what holds the implant in its bag.
 constexpr double wall_tolerance = 2.0;  // [uN]
@@ -62,6 +66,14 @@ double farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
     return std::sqrt(square);
 }
 
+double fastest(const std::vector<Vec3>& velocity) {
+    double square = 0.0;
+    for (const Vec3& v : velocity) {
+        square = std::max(square, v.squaredNorm());
+    }
+    return std::sqrt(square);
+}
+
 /// How far what carries a tube takes the corners of a box.
 double way_of(const Box& box, const ToolState& carrier) {
     double way = 0.0;
@@ -73,7 +85,8 @@ double way_of(const Box& box, const ToolState& carrier) {
     return way;
 }
 
-/// Steps in which the instruments go no farther near the shell than contact allows, and near its wall.
+/// Steps in which the instruments go no farther near the shell than contact allows, and near its wall, and neither do
+/// both by themselves.
 int steps_for(const ShellContacts& contacts, const ShellTask& task) {
     std::vector<Vec3> places = task.state.position;
     if (task.wall) {
@@ -96,7 +109,10 @@ int steps_for(const ShellContacts& contacts, const ShellTask& task) {
     for (const ToolState& tube : task.partners.tube_states) {
         way = std::max(way, way_of(box, tube));
     }
-    return std::clamp(static_cast<int>(std::ceil(way / (pushed_share * contacts.most_travel()))), 1, most_steps);
+    const double speed = std::max(fastest(task.state.velocity), task.wall ? fastest(task.wall->state.velocity) : 0.0);
+    const double own = std::min(speed * task.dt / (own_share * contacts.most_travel()), 1.0 * most_own);
+    const double pushed = way / (pushed_share * contacts.most_travel());
+    return std::clamp(static_cast<int>(std::ceil(std::max(own, pushed))), 1, most_steps);
 }
 
 /// What moves.
@@ -173,6 +189,9 @@ struct Try {
     bool good = false;
     bool safe = false;  ///< it goes no farther than that
     bool near = false;  ///< to balance
+    bool balanced = false;
+    double way = 0.0;      ///< of what went farthest, over what contact allows
+    double deepest = 0.0;  ///< penetration over thickness
     double residual = 0.0;
 };
 
@@ -190,12 +209,18 @@ Try step_once(Run& run, double from, double to, Bodies& now) {
     const ImplicitReport one = solve(run, from, to, partners, now);
     run.report.newton_iterations += one.newton_iterations;
     run.report.linear_iterations += one.linear_iterations;
-    run.report.deepest = std::max(run.report.deepest, run.contacts.deepest());
     const double residual = std::min(one.newton_residual, one.over_contact);
     const double way = std::max(farthest(before.shell.position, now.shell.position),
                                 farthest(before.wall.position, now.wall.position));
     const bool safe = run.contacts.empty() || way <= run.contacts.most_travel();
-    return {one.converged && safe, safe, run.task.wall && one.over_contact <= near_balance, residual};
+    const bool near = run.task.wall && one.over_contact <= near_balance;
+    return {one.converged && safe,  safe,    near, one.converged, way / run.contacts.most_travel(),
+            run.contacts.deepest(), residual};
+}
+
+/// What goes too far in a step goes a little farther in its pieces together.
+int pieces_for(const Try& tried) {
+    return tried.balanced ? std::clamp(static_cast<int>(std::ceil(1.2 * tried.way)), pieces, most_pieces) : pieces;
 }
 
 /// The same in as many steps as it takes, where it takes them.
@@ -206,6 +231,7 @@ ShellMotion go(Run& run, double from, double to, int cuts, Bodies& now) {
     const bool enough = tried.safe && (tried.near || run.report.newton_iterations > most_iterations);
     if (tried.good || ((enough || cuts == 0) && std::isfinite(tried.residual))) {
         ++run.report.substeps;
+        run.report.deepest = std::max(run.report.deepest, tried.deepest);
         run.report.residual = std::max(run.report.residual, tried.residual);
         return tried.good ? ShellMotion::balanced : ShellMotion::rough;
     }
@@ -217,8 +243,9 @@ ShellMotion go(Run& run, double from, double to, int cuts, Bodies& now) {
     }
     now = start;
     ShellMotion worst = ShellMotion::balanced;
-    for (int i = 0; i < pieces && worst != ShellMotion::failed; ++i) {
-        const double share = (to - from) / pieces;
+    const int parts = pieces_for(tried);
+    for (int i = 0; i < parts && worst != ShellMotion::failed; ++i) {
+        const double share = (to - from) / parts;
         worst = std::max(worst, go(run, from + i * share, from + (i + 1) * share, cuts - 1, now));
     }
     return worst;

@@ -112,7 +112,7 @@ TEST_SUITE("shell contact forces") {
         contacts.look(state, ShellPartners{});
         ShellState moved = state;
         for (std::size_t n = 0; n < moved.position.size(); ++n) {
-            moved.position[n].y() += 1e-3 * std::sin(static_cast<double>(n));
+            moved.position[n].y() += 0.02 * std::sin(static_cast<double>(n));
         }
         contacts.settle(points_of(flat(moved)), moved.touches);
         REQUIRE(moved.touches.size() > 50);
@@ -168,7 +168,7 @@ TEST_SUITE("shell contact forces") {
             ShellPartners partners;
             partners.planes = {&plane, 1};
             const ShellState state = rest_state(model);
-            ShellContacts contacts(model);
+            ShellContacts contacts(model, {.onset = 0.01});
             contacts.look(state, partners);
             std::vector<ContactTerm> terms;
             contacts.terms(points_of(flat(state)), terms);

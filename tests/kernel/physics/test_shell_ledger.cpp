@@ -92,7 +92,8 @@ TEST_SUITE("shell ledger") {
         model.drag = 0.01;
         model.relaxation = ShellRelaxation{.branch_share = 2.0, .time = 0.02};
         scenes::TouchingShell shell(model, accounted());
-        shell.settings = {.tolerance = 1e-6, .max_newton = 100, .newton_tolerance = 1e-10, .most_travel = 0.05};
+        shell.settings = {
+            .tolerance = 1e-6, .max_newton = 100, .newton_tolerance = 1e-10, .search_to = 0.2, .most_travel = 0.05};
         bend(model, 0.9, shell.state);
         TubeModel tube;
         tube.pose.orientation = Quat(Eigen::AngleAxisd(M_PI / 2.0, Vec3::UnitY()));  // its z along x
