@@ -108,26 +108,17 @@ SurfaceDistance tube_distance(const TubeModel& tube, const Vec3& point) {
     const double lip_z = tube.stations.back().z - tube.lip;
     const Section section = section_at(tube, std::min(point.z(), lip_z));
     const Across found = across(section, point.head<2>());
-    const double from_lip = found.distance + tube.lip;
-    SurfaceDistance apart{HUGE_VAL, Vec3::UnitZ()};
+    const double to_middle = found.distance + tube.lip;  // of the wall, negative beyond it
     if (point.z() > lip_z) {
         const double beyond = point.z() - lip_z;
-        if (from_lip < -tube.lip) {
-            return apart;
-        }
-        if (from_lip <= 0.0) {
-            return {beyond - tube.lip, Vec3::UnitZ()};
-        }
-        const double far = std::sqrt(from_lip * from_lip + beyond * beyond);
-        const Vec2 in = -from_lip / far * found.out;
+        const double far = std::sqrt(to_middle * to_middle + beyond * beyond);
+        const Vec2 in = -to_middle / far * found.out;
         return {far - tube.lip, Vec3(in.x(), in.y(), beyond / far)};
     }
-    if (from_lip < 0.0) {
-        return apart;
-    }
+    const double side = to_middle < 0.0 ? -1.0 : 1.0;
     const double cosine = 1.0 / std::sqrt(1.0 + found.growth * found.growth);
-    const Vec2 in = -cosine * found.out;
-    return {cosine * found.distance, Vec3(in.x(), in.y(), cosine * found.growth)};
+    const Vec2 in = -side * cosine * found.out;
+    return {cosine * (side * to_middle - tube.lip), Vec3(in.x(), in.y(), side * cosine * found.growth)};
 }
 
 }  // namespace rhexis
