@@ -139,6 +139,7 @@ ShellModel make_shell(const SceneDescription& scene) {
     const ImplantShape shape = implant_shape(settings);
     ShellModel model = has_instrument(scene, injector_name) ? free_implant(shape) : acrylic_implant(shape);
     model.material.young_modulus = 1e6 * settings.at("implant.modulus_mpa");
+    model.tack = 1e3 * settings.at("implant.tackiness_kpa");
     if (has_tissue(scene, "viscoelastic")) {
         model.drag = disc_drag(sheared_viscosity, 0.5 * shape.optic_diameter);
     }
