@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
 
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
 #include "cli/folded_implant.hpp"
+#include "cli/opening_files.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "cli/scenario_run.hpp"
@@ -17,7 +17,6 @@
 #include "lua/scenario_script.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
-#include "session/torn_opening.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -253,8 +252,6 @@ bool still_good(const std::string& path, const Recipe& recipe) {
     return identity.is_object() && identity.value("/start/fingerprint"_json_pointer, "") == recipe.fingerprint;
 }
 
-constexpr const char* diameter_setting = "capsulorhexis.diameter_mm";
-
 /// The start in starts.lua at which a run begins that names none.
 constexpr const char* first_moment = "begin";
 
@@ -275,43 +272,6 @@ Result<StartRequest> default_start(StartRequest request) {
         request.start = script.value().listing().contains(first_moment) ? first_moment : "";
     }
     return request;
-}
-
-/// "NAME:START" in its two parts, the second empty where it is none.
-std::pair<std::string, std::string> exercise_and_start(const std::string& given) {
-    const std::size_t colon = given.rfind(':');
-    return colon == std::string::npos ? std::pair(given, std::string())
-                                      : std::pair(given.substr(0, colon), given.substr(colon + 1));
-}
-
-/// The file that an opening is read from: one that is there, or what a start of an exercise is kept in.
-Result<std::string> file_of_opening(const std::string& given, const StartRequest& request) {
-    const auto [exercise, start] = exercise_and_start(given);
-    std::error_code ignored;
-    if (start.empty() || fs::exists(given, ignored)) {
-        return recording_path(given);
-    }
-    StartRequest of_exercise{exercise, start, {}, request.root, request.quiet, "", true};
-    for (const auto& [name, value] : request.set) {
-        if (name.starts_with("patient.")) {
-            of_exercise.set[name] = value;
-        }
-    }
-    const Result<Start> made = find_start(of_exercise);
-    return made ? Result<std::string>(made.value().state) : made.error();
-}
-
-/// Radii of the opening that was torn there; none where nothing is given.
-Result<std::vector<double>> opening_from(const std::string& given, const StartRequest& request) {
-    if (given.empty()) {
-        return std::vector<double>();
-    }
-    if (request.set.contains(diameter_setting)) {
-        return Error{"the opening is that of " + given + ", and " + diameter_setting + " is set too", "",
-                     "the one or the other"};
-    }
-    const Result<std::string> file = file_of_opening(given, request);
-    return file ? read_torn_opening(file.value()) : file.error();
 }
 
 /// Finds the opening of a recipe: what is asked for, or what the recipe says, beside its file first.

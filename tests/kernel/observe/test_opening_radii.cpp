@@ -78,7 +78,8 @@ TEST_SUITE("opening radii") {
         CHECK(refusal(ring_radii(polygon(circle(1.0, Vec2(0.9, 0.0)), 40))).empty());
     }
 
-    TEST_CASE("of what was torn: within an edge of the line everywhere, within a quarter of one in the root mean square") {
+    TEST_CASE(
+        "of what was torn: within an edge of the line everywhere, within a quarter of one in the root mean square") {
         for (const auto& [a, b, centre] : {std::tuple(2.6, 2.6, Vec2(0.0, 0.0)), std::tuple(2.9, 2.3, Vec2(0.3, -0.2)),
                                            std::tuple(2.0, 2.8, Vec2(-0.5, 0.1))}) {
             for (const int triangles : {1500, 9600}) {
