@@ -74,7 +74,7 @@ private:
                 return kept;
             }
         }
-        Status status = options_.start.empty() ? success() : writer_.add(session_.copy_state());
+        Status status = options_.start.state.empty() ? success() : writer_.add(session_.copy_state());
         return status ? writer_.add(RecordedStart{session_.observation(), session_.state_hash()}) : status;
     }
 
@@ -217,7 +217,8 @@ Result<AttemptResult> Attempt::write_results() {
     input.surgeon = options_.exercise.surgeon;
     input.set = options_.exercise.set;
     input.seed = options_.exercise.seed;
-    input.start = options_.start;
+    input.start = options_.start.state;
+    input.opening = session_.scene().opening;
     input.patient = session_.scene().patient;
     input.duration_s = session_.time_s();
     input.state_hash = session_.state_hash();
@@ -250,7 +251,8 @@ Result<Session> make_session(const AttemptOptions& options, const ExerciseHost& 
     SceneDescription scene = host.scene();
     scene.threads = options.threads;
     scene.instruction_set = options.instruction_set;
-    return create_session(scene, options.exercise.seed, options.start);
+    scene.opening = options.start.opening;
+    return create_session(scene, options.exercise.seed, options.start.state);
 }
 
 Result<std::optional<PictureBook>> open_book(const AttemptOptions& options, std::string& note) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "cli/starts.hpp"
 #include "lua/exercise_host.hpp"
 
 namespace rhexis::cli {
@@ -30,7 +31,7 @@ struct AttemptOptions {
     std::string folder;  ///< receives everything
     int threads = 1;
     std::string instruction_set;  ///< as SceneDescription has it
-    std::string start;            ///< state file to start from; empty: the eye at rest
+    Start start;
     SaveOptions save;
     Drawing drawing = Drawing::if_possible;
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says

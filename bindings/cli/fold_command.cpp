@@ -27,7 +27,7 @@ constexpr const char* help =
     "  rhexis fold --out thin.rhxs --set implant.centre_mm=0.4 --set cartridge.bore_mm=2.2\n"
     "\n"
     "Settings: cartridge.bore_mm, cartridge.nozzle_mm, cartridge.friction, implant.centre_mm, implant.edge_mm,\n"
-    "implant.haptic_mm, implant.modulus_mpa, implant.triangles (docs/implant.md).";
+    "implant.haptic_mm, implant.modulus_mpa, implant.tackiness_kpa, implant.triangles (docs/implant.md).";
 
 struct FoldArguments {
     std::string out;

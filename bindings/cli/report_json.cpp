@@ -76,6 +76,7 @@ json make_report(const ReportInput& input) {
     report["set"] = json(input.set);
     report["seed"] = input.seed;
     report["start"] = input.start.empty() ? json(nullptr) : json(input.start);
+    report["opening_mm"] = input.opening.empty() ? json(nullptr) : json(input.opening);
     report["patient"] = patient_json(input.patient);
     report["duration_s"] = input.duration_s;
     report["state_hash"] = hex(input.state_hash);

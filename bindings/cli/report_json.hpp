@@ -21,7 +21,8 @@ struct ReportInput {
     std::string surgeon;
     std::map<std::string, std::string> set;  ///< what --set changed, habits of the surgeon included
     std::uint64_t seed = 0;
-    std::string start;  ///< state file that the run began from; empty: the eye at rest
+    std::string start;            ///< state file that the run began from; empty: the eye at rest
+    std::vector<double> opening;  ///< of the bag, as SceneDescription has it
     Patient patient;
     double duration_s = 0.0;
     std::uint64_t state_hash = 0;  ///< after the last step

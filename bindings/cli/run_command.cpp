@@ -23,6 +23,7 @@ constexpr const char* help =
     "  rhexis run my_exercise/ --surgeon none --json > report.json\n"
     "  rhexis run groove --save-state \"half.rhxs@groove.depth_share > 0.3\"\n"
     "  rhexis run groove --surgeon novice --start half.rhxs\n"
+    "  rhexis run iol_injection --opening runs/capsulorhexis-expert-101\n"
     "\n"
     "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.";
 
@@ -36,6 +37,7 @@ struct RunOptions {
     std::string patient;
     std::string out;
     std::string start;
+    std::string opening;
     std::string save_state;
     bool json = false;
     bool video = false;
@@ -147,7 +149,8 @@ int run(const RunOptions& given, const Context& context) {
     if (!kept_in.empty() && !std::filesystem::is_directory(kept_in)) {
         return complain({"there is no such folder", kept_in.string(), "--save-state FILE in a folder that is there"});
     }
-    Result<std::string> start = find_start({given.curriculum, given.start, set.value(), context.root, given.json});
+    Result<Start> start =
+        find_start({given.curriculum, given.start, set.value(), context.root, given.json, given.opening});
     if (!start) {
         return complain(start.error());
     }
@@ -195,6 +198,10 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--seed", given->seed, "Seed of all chance in the run")->capture_default_str();
     command->add_option("--patient", given->patient, "Patient file (JSON), as in assets/patients/");
     command->add_option("--start", given->start, "Begin in a state: a file, or a name in the exercise's starts.lua");
+    command->add_option(
+        "--opening", given->opening,
+        "Of the bag that an implant is laid into: where it was torn. A state, a recording or the folder "
+        "of a run of a capsulorhexis, or EXERCISE:START");
     command->add_option("--save-state", given->save_state,
                         "Keep the state at the end to start from, or FILE@SECONDS, or FILE@CONDITION");
     command->add_option("--out", given->out, "Folder for everything [runs/CURRICULUM-SURGEON-SEED]");

@@ -193,8 +193,7 @@ Status check_scenario(const ScenarioFile& file, const json& scenario, const std:
     return start ? success() : Status(at_scenario(file, scenario, start.error()));
 }
 
-ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const std::string& start,
-                            const std::string& root) {
+ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const Start& start, const std::string& root) {
     const json& scenario = file.scenarios.at(number);
     const double cpu_start = thread_cpu_seconds();
     ScenarioResult result;
@@ -206,7 +205,9 @@ ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const 
     if (!host) {
         return failed(host.error());
     }
-    Result<Session> session = create_session(host.value().scene(), scenario.at("seed"), start);
+    SceneDescription scene = host.value().scene();
+    scene.opening = start.opening;
+    Result<Session> session = create_session(scene, scenario.at("seed"), start.state);
     if (!session) {
         return failed(session.error());
     }

@@ -42,8 +42,7 @@ StartRequest start_of(const ScenarioFile& file, const nlohmann::json& scenario, 
 /// The `set` of a scenario.
 std::map<std::string, std::string> settings_of(const nlohmann::json& scenario);
 
-/// number: from 0. start: path of the prepared state; empty: none.
-ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const std::string& start,
-                            const std::string& root);
+/// number: from 0.
+ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const Start& start, const std::string& root);
 
 }  // namespace rhexis::cli

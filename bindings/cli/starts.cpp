@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
 #include "cli/folded_implant.hpp"
+#include "cli/opening_files.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "cli/scenario_run.hpp"
@@ -27,9 +28,10 @@ using nlohmann::json;
 struct Recipe {
     std::string name;
     CurriculumFiles files;
-    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "folded", "where", "by_hand"}
+    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "folded", "opening", "where", "by_hand"}
     std::map<std::string, std::string> set;
-    std::string fingerprint;  ///< of everything that the state depends on
+    std::vector<double> opening{};  ///< of the bag, as SceneDescription has it
+    std::string fingerprint{};      ///< of everything that the state depends on
 };
 
 bool is_file(const std::string& path) {
@@ -65,7 +67,8 @@ Result<std::string> fingerprint_of(const Recipe& recipe, const std::string& root
     if (!program) {
         return program.error();
     }
-    const json parts = {recipe.files.sha256, scripts.value(), program.value(), build_note(), recipe.text, recipe.set};
+    const json parts = {recipe.files.sha256, scripts.value(), program.value(), build_note(),
+                        recipe.text,         recipe.set,      recipe.opening};
     return sha256_hex(parts.dump());
 }
 
@@ -74,7 +77,7 @@ Result<Recipe> find_recipe(const StartRequest& request) {
     if (!files) {
         return files.error();
     }
-    Recipe recipe{request.start, files.value(), {}, {}, {}};
+    Recipe recipe{request.start, files.value(), {}, {}};
     const std::string path = files.value().folder + "/starts.lua";
     if (!is_file(path)) {
         return Error{"there is no start '" + request.start + "'", files.value().id,
@@ -211,9 +214,8 @@ Result<std::string> before(const Recipe& recipe, const ExerciseHost& host, const
 }
 
 /// Nobody has to do anything for it.
-bool is_only_folded(const Recipe& recipe) {
-    return recipe.text.at("folded").get<bool>() && !recipe.text.at("by_hand").get<bool>() &&
-           !recipe.text.contains("when");
+bool happens_by_itself(const Recipe& recipe) {
+    return !recipe.text.at("by_hand").get<bool>() && !recipe.text.contains("when");
 }
 
 Status make(const Recipe& recipe, const StartRequest& request, const std::string& path) {
@@ -225,8 +227,9 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
     if (!begun) {
         return begun.error();
     }
-    Result<Session> session =
-        create_session(host.value().scene(), recipe.text.at("seed").get<std::uint64_t>(), begun.value());
+    SceneDescription scene = host.value().scene();
+    scene.opening = recipe.opening;
+    Result<Session> session = create_session(scene, recipe.text.at("seed").get<std::uint64_t>(), begun.value());
     if (!session) {
         return session.error();
     }
@@ -271,6 +274,57 @@ Result<StartRequest> default_start(StartRequest request) {
     return request;
 }
 
+/// Finds the opening of a recipe: what is asked for, or what the recipe says, beside its file first.
+Status open_bag(const StartRequest& request, Recipe& recipe) {
+    std::string given = request.opening;
+    if (given.empty()) {
+        given = recipe.text.value("opening", "");
+        const fs::path beside = fs::path(recipe.files.folder) / given;
+        std::error_code ignored;
+        given = !given.empty() && fs::exists(beside, ignored) ? beside.string() : given;
+    }
+    if (request.tears && !given.empty()) {
+        return Error{"start " + recipe.name + " takes its opening from elsewhere: none can be taken from it",
+                     recipe.text.at("where"), "a start in which a capsulorhexis is torn"};
+    }
+    Result<std::vector<double>> opening = opening_from(given, request);
+    if (!opening) {
+        const bool own = request.opening.empty();
+        const std::string where = opening.error().where.empty() ? "" : opening.error().where + ": ";
+        return own ? Error{"start " + recipe.name + ": opening: " + where + opening.error().what,
+                           recipe.text.at("where"), opening.error().allowed}
+                   : opening.error();
+    }
+    recipe.opening = std::move(opening).value();
+    return success();
+}
+
+/// The state of a recipe for which nobody has to do anything: "" or the folded implant.
+Result<std::string> at_once(const Recipe& recipe, const StartRequest& request) {
+    const Result<ExerciseHost> host = load_host(recipe, request);
+    return host ? before(recipe, host.value(), request) : host.error();
+}
+
+/// The state that a recipe's surgeon or hand leaves, made if none is kept that is still good.
+Result<std::string> kept(Recipe& recipe, const StartRequest& request) {
+    const Result<std::string> fingerprint = fingerprint_of(recipe, request.root);
+    if (!fingerprint) {
+        return fingerprint.error();
+    }
+    recipe.fingerprint = fingerprint.value();
+    // one file per exercise, start and set: what was made by older scripts is overwritten
+    const std::string opening = recipe.opening.empty() ? "" : json(recipe.opening).dump();
+    const std::string variant = sha256_hex(recipe.files.script + json(recipe.set).dump() + opening);
+    const std::string path = std::string(folder_of_states) + "/" + recipe.files.id + "-" + request.start + "-" +
+                             variant.substr(0, 12) + ".rhxs";
+    if (!still_good(path, recipe)) {
+        if (Status made = make(recipe, request, path); !made) {
+            return made.error();
+        }
+    }
+    return path;
+}
+
 }  // namespace
 
 Status check_start(const StartRequest& given) {
@@ -287,39 +341,26 @@ Status check_start(const StartRequest& given) {
     return recipe ? success() : Status(recipe.error());
 }
 
-Result<std::string> find_start(const StartRequest& given) {
+Result<Start> find_start(const StartRequest& given) {
     const Result<StartRequest> found = default_start(given);
-    if (!found || found.value().start.empty()) {
-        return found ? Result<std::string>(std::string()) : Result<std::string>(found.error());
+    if (!found) {
+        return found.error();
     }
     const StartRequest& request = found.value();
-    if (!is_name(request.start)) {
-        return request.start;
+    if (request.start.empty() || !is_name(request.start)) {
+        Result<std::vector<double>> opening = opening_from(request.opening, request);
+        return opening ? Result<Start>(Start{request.start, std::move(opening).value()}) : opening.error();
     }
     Result<Recipe> recipe = find_recipe(request);
     if (!recipe) {
         return recipe.error();
     }
-    if (is_only_folded(recipe.value())) {
-        const Result<ExerciseHost> host = load_host(recipe.value(), request);
-        return host ? before(recipe.value(), host.value(), request) : host.error();
+    if (Status open = open_bag(request, recipe.value()); !open) {
+        return open.error();
     }
-    const Result<std::string> fingerprint = fingerprint_of(recipe.value(), request.root);
-    if (!fingerprint) {
-        return fingerprint.error();
-    }
-    recipe.value().fingerprint = fingerprint.value();
-    // one file per exercise, start and set: what was made by older scripts is overwritten
-    const std::string variant = sha256_hex(recipe.value().files.script + json(recipe.value().set).dump());
-    const std::string path = std::string(folder_of_states) + "/" + recipe.value().files.id + "-" + request.start + "-" +
-                             variant.substr(0, 12) + ".rhxs";
-    if (!still_good(path, recipe.value())) {
-        const Status made = make(recipe.value(), request, path);
-        if (!made) {
-            return made.error();
-        }
-    }
-    return path;
+    const Result<std::string> state =
+        happens_by_itself(recipe.value()) ? at_once(recipe.value(), request) : kept(recipe.value(), request);
+    return state ? Result<Start>(Start{state.value(), recipe.value().opening}) : state.error();
 }
 
 }  // namespace rhexis::cli

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 
@@ -14,12 +15,20 @@ struct StartRequest {
     std::string start;  ///< name in starts.lua; with a dot or slash in it, a state file; "": "begin", if it is there
     std::map<std::string, std::string> set;  ///< of the run that is to start; its patient and fixed settings count
     std::string root;
-    bool quiet = false;  ///< no progress
+    bool quiet = false;     ///< no progress
+    std::string opening{};  ///< where that of the bag was torn, as --opening says; "": as the start says
+    bool tears = false;     ///< an opening is to be taken from the start, which so cannot take one itself
 };
 
-/// Path of the state, "" for none: the file itself, or the one kept in runs/states/, which is made again when it is
-/// missing or was made by other scripts, another program or for another patient.
-Result<std::string> find_start(const StartRequest& request);
+/// What a run begins with.
+struct Start {
+    std::string state{};            ///< path; "": the eye at rest
+    std::vector<double> opening{};  ///< of the bag, as SceneDescription has it
+};
+
+/// The state is the file itself, or the one kept in runs/states/, which is made again when it is missing or was made by
+/// other scripts, another program or for another patient.
+Result<Start> find_start(const StartRequest& request);
 
 /// Fails when the exercise has no such start, or the file is no good; makes nothing.
 Status check_start(const StartRequest& request);

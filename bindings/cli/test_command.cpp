@@ -40,7 +40,7 @@ struct TestOptions {
 
 struct Job {
     FinishedScenario scenario;
-    std::string start;  ///< path of the prepared state
+    Start start{};
     bool finished = false;
 };
 
@@ -95,7 +95,7 @@ public:
         for (Job& job : jobs) {
             const ScenarioFile& file = *job.scenario.file;
             const nlohmann::json& scenario = file.scenarios.at(job.scenario.number);
-            const Result<std::string> start = find_start(start_of(file, scenario, root));
+            const Result<Start> start = find_start(start_of(file, scenario, root));
             if (!start) {
                 return start.error();
             }

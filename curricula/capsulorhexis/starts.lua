@@ -9,4 +9,5 @@ return starts {
         ["capsule.toughness"] = 0.6 }, rhexis_hand.begin_flap },
     brittle = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
         ["capsule.toughness"] = 0.2 }, rhexis_hand.begin_flap },
+    round = { surgeon = "expert", seed = 101, when = "rhexis.closed" },
 }

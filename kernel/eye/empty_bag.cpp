@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "base/index.hpp"
@@ -107,7 +108,9 @@ struct Rings {
     int opening = 0;  ///< the ring that is the opening's edge
 };
 
-Rings rings_for(const EmptyBagSettings& settings, double posterior, double anterior) {
+Rings rings_for(const HalfEllipsoids& lens, const EmptyBagSettings& settings) {
+    const double posterior = Meridian(lens.radius, -lens.posterior).length();
+    const double anterior = Meridian(lens.radius, lens.anterior).length_to(mean_opening(settings));
     // 6 n^2 triangles behind; before it those but for the 6 m^2 within the opening, where n - m rings have the spacing
     // of the others
     const double share = std::clamp(anterior / posterior, 0.0, 0.9);
@@ -122,7 +125,7 @@ Rings rings_for(const EmptyBagSettings& settings, double posterior, double anter
 TriMesh bag_mesh(const HalfEllipsoids& lens, const EmptyBagSettings& settings) {
     const Meridian behind(lens.radius, -lens.posterior);
     const Meridian before(lens.radius, lens.anterior);
-    const Rings rings = rings_for(settings, behind.length(), before.length_to(mean_opening(settings)));
+    const Rings rings = rings_for(lens, settings);
     const int n = rings.posterior;
     const TriMesh flat = round_sheet(1.0, 6 * n * n);
     TriMesh mesh;
@@ -183,29 +186,29 @@ MembraneSheet sheet_of(const HalfEllipsoids& lens, double age, const EmptyBagSet
     return sheet;
 }
 
-/// Nodes of the ring of one side that is nearest to where zonules insert: those whose distance from the axis tells from
-/// it by less than any other's, and by as much.
-std::vector<int> insertion(const TriMesh& mesh, bool front, double rho) {
+/// Nodes of the ring of one side that is nearest to where zonules insert, in the mean of its nodes: those before the
+/// equator follow the opening's edge.
+std::vector<int> insertion(const TriMesh& mesh, const Rings& rings, bool front, double rho) {
+    const int before = front ? first_of(rings.posterior + 1) - first_of(rings.opening) : 0;  // as in bag_mesh
     double least = HUGE_VAL;
-    std::vector<int> ring;
-    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
-        const Vec3& place = mesh.nodes[at(node)];
-        if ((place.z() > 1e-9) != front || std::abs(place.z()) < 1e-9) {
-            continue;
+    std::vector<int> nearest;
+    for (int ring = front ? rings.opening : 0; ring < rings.posterior; ++ring) {
+        const int first = before + first_of(ring);
+        const int count = first_of(ring + 1) - first_of(ring);
+        double off = 0.0;
+        for (int i = 0; i < count; ++i) {
+            off += std::abs(across(mesh.nodes[at(first + i)]) - rho) / count;
         }
-        const double off = std::abs(across(place) - rho);
-        if (off < least - 1e-6) {
+        if (off < least) {
             least = off;
-            ring.clear();
-        }
-        if (off < least + 1e-6) {
-            ring.push_back(node);
+            nearest.resize(at(count));
+            std::iota(nearest.begin(), nearest.end(), first);
         }
     }
-    return ring;
+    return nearest;
 }
 
-void hang(const BagModel& bag, MembraneModel& model) {
+void hang(const BagModel& bag, const Rings& rings, MembraneModel& model) {
     const TriMesh& mesh = model.sheet->mesh;
     for (const bool front : {true, false}) {
         double stiffness = 0.0;
@@ -216,7 +219,7 @@ void hang(const BagModel& bag, MembraneModel& model) {
                 inserted = &zonule;
             }
         }
-        const std::vector<int> ring = insertion(mesh, front, across(inserted->on_bag));
+        const std::vector<int> ring = insertion(mesh, rings, front, across(inserted->on_bag));
         for (const int node : ring) {
             const Vec3& place = mesh.nodes[at(node)];
             const Vec3 anchor = ciliary_place(place, *inserted);
@@ -245,12 +248,29 @@ void lay_on_vitreous(MembraneModel& model) {
 
 }  // namespace
 
-Status check_empty_bag(const EmptyBagSettings& settings) {
-    for (std::size_t i = 0; i < settings.opening.size(); ++i) {
+Status check_opening(const std::vector<double>& opening) {
+    constexpr double most_change = 1.0;  // beyond, triangles would be thin
+    for (std::size_t i = 0; i < opening.size(); ++i) {
         const std::string name = "radius " + std::to_string(i) + " of the opening";
-        if (Status status = check_range(name, settings.opening[i], 1.0, 4.0, "bag", " mm"); !status) {
+        if (Status status = check_range(name, opening[i], 1.0, 4.0, "bag", " mm"); !status) {
             return status;
         }
+    }
+    for (std::size_t i = 0; i < opening.size(); ++i) {
+        const double change = std::abs(opening[(i + 1) % opening.size()] - opening[i]);
+        if (change > most_change) {
+            return Error{
+                "the edge of the opening jumps by " + short_number(change) + " mm beside radius " + std::to_string(i),
+                "bag", "at most " + short_number(most_change) + " mm"};
+        }
+    }
+    const double count = static_cast<double>(opening.size());
+    return opening.empty() ? success() : check_range("number of radii of the opening", count, 16.0, 1024.0, "bag");
+}
+
+Status check_empty_bag(const EmptyBagSettings& settings) {
+    if (Status status = check_opening(settings.opening); !status) {
+        return status;
     }
     return check_ranges({{"triangles", static_cast<double>(settings.triangles), 300.0, 8000.0, ""},
                          {"opening_radius", settings.opening_radius, 1.0, 4.0, " mm"},
@@ -270,7 +290,7 @@ MembraneModel make_empty_bag(const HalfEllipsoids& lens, const BagModel& bag, do
     model.damping_mass = viscoelastic_drag;
     model.shell_friction = settings.friction;
     model.rupture_stretch = 1.0 + settings.rim_strength * rupture_strain;
-    hang(bag, model);
+    hang(bag, rings_for(lens, settings), model);
     lay_on_vitreous(model);
     return model;
 }

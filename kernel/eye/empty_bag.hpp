@@ -14,10 +14,14 @@ namespace rhexis {
 struct EmptyBagSettings {
     int triangles = 800;            ///< about so many, 300 to 8,000
     double opening_radius = 2.6;    ///< of an opening that is a circle [mm], 1 to 4
-    std::vector<double> opening{};  ///< or its edge, from +x on evenly: distance from the axis [mm], 1 to 4
+    std::vector<double> opening{};  ///< or its edge, as check_opening says
     double rim_strength = 1.0;      ///< of the opening's edge, share of the stretch that it bears, 0.1 to 2
     double friction = 0.1;          ///< Coulomb coefficient, on what lies in it, 0 to 10
 };
+
+/// The edge of an opening by its distance from the axis in 16 to 1,024 directions, from +x on evenly: 1 to 4 mm, from
+/// one to the next by at most 1 mm more or less. Fails with what is wrong and what is allowed; none is a circle.
+Status check_opening(const std::vector<double>& opening);
 
 /// Fails with the field and what is allowed.
 Status check_empty_bag(const EmptyBagSettings& settings);

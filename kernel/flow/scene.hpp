@@ -16,6 +16,8 @@ struct SceneDescription {
     std::vector<std::string> instruments;    ///< names: tools/instruments.hpp; their order is the index
     double step_s = 0.01;                    ///< [s], 0.001 to 0.02
     Advance advance = Advance::automatic;    ///< of the lens
+    std::vector<double> opening{};           ///< of a bag that an implant is laid into: how far its edge is from the
+                                             ///< axis [mm], eye/empty_bag.hpp; none: capsulorhexis.diameter_mm
     int threads = 1;                         ///< 1 to 64
     std::string instruction_set;             ///< "": the best; "baseline", "avx2", "avx512": same bits; not recorded
     std::map<std::string, double> settings;  ///< "phaco.power_limit" = 0.6, ...; names and ranges: session/settings.hpp

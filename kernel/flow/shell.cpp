@@ -38,7 +38,9 @@ Status check_numbers(const ShellModel& model) {
                          {"temperature", model.temperature, -50.0, 150.0, " C"},
                          {"fluid_density", model.fluid_density, 0.0, 1.0, " g/mm^3"},
                          {"drag", model.drag, 0.0, 1e3, " g/(s mm^2)"},
-                         {"friction", model.friction, 0.0, 10.0, ""}},
+                         {"friction", model.friction, 0.0, 10.0, ""},
+                         {"tack", model.tack, 0.0, 1e6, " Pa"},
+                         {"tack_range", model.tack_range, 1e-4, 0.1, " mm"}},
                         model.name);
 }
 

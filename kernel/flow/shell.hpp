@@ -46,7 +46,11 @@ struct ShellModel {
     double fluid_density = 0.0;                 ///< of what it displaces [g/mm^3], 0 to 1
     double drag = 0.0;                          ///< of fluid at rest, per area and speed [g/(s mm^2)], 0 to 1e3
     double friction = 0.2;                      ///< Coulomb coefficient of its layers on each other, 0 to 10
-    std::vector<ShellHold> holds;               ///< one per node at most, by ascending node
+    /// With which its layers, once pressed together, hold to each other: the pull per area that parts them [Pa], 0 to
+    /// 1e6
+    double tack = 0.0;
+    double tack_range = 0.02;      ///< gap over which that falls to nothing [mm], 1e-4 to 0.1
+    std::vector<ShellHold> holds;  ///< one per node at most, by ascending node
 };
 
 /// Numbers of a triangle's deformation: u, v, then three turns of each corner, in the triangle's own frame.

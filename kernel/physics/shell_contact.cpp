@@ -50,6 +50,7 @@ ShellContacts::ShellContacts(const ShellModel& model, const ShellContactSettings
       thinnest_(*std::min_element(model.thickness.begin(), model.thickness.end())),
       edge_(mean_edge(model.mesh)),
       modulus_(model.material.young_modulus * (model.relaxation ? 1.0 + model.relaxation->branch_share : 1.0)),
+      tack_{model.tack, model.tack_range},
       free_(free_of(model)),
       layers_(model),
       most_travel_(travel_in_thicknesses * thinnest_) {}
@@ -136,6 +137,7 @@ void ShellContacts::add(Contact contact) {
                                         [](const ShellTouch& a, const ShellTouch& b) { return rank(a) < rank(b); });
     if (found != known.end() && rank(*found) == rank(contact.touch)) {
         contact.touch.stretch = found->stretch;
+        contact.stuck = stuck_area(contact);
     }
     contact.anchor -= contact.touch.stretch;
     list_.push_back(std::move(contact));
@@ -442,6 +444,35 @@ Vec3 ShellContacts::offset(const Contact& contact, const Vec3& point, double sha
     return own - partner_pose(contact, share).to_world(contact.anchor);
 }
 
+/// Of a contact that was there at the end of the last step: the area of its spring, half of it for each side.
+double ShellContacts::stuck_area(const Contact& contact) const {
+    const bool sticks = contact.touch.partner == ContactPartner::layer && tack_.traction > 0.0;
+    return sticks ? 0.5 * contact.stiffness * place(contact).thickness / (settings_.stiffer * modulus_) : 0.0;
+}
+
+/// Neither pushed nor held.
+bool ShellContacts::is_apart(const Contact& contact, double gap) const {
+    return !(gap < (contact.stuck > 0.0 ? tack_.range : 0.0));
+}
+
+/// Pushed apart, or held together without friction. Where the pull falls with the gap its stiffness is left at nothing,
+/// so that it stays positive semidefinite.
+SpringResponse ShellContacts::respond(const Contact& contact, const Meeting& now) const {
+    if (now.gap < 0.0) {
+        return push(contact, now);
+    }
+    const TackPull held = tack_at(tack_, now.gap);
+    SpringResponse response;
+    response.normal_force = -contact.stuck * held.pull;
+    response.force = response.normal_force * now.normal;
+    response.stiffness = contact.stuck * std::max(0.0, held.slope) * now.normal * now.normal.transpose();
+    return response;
+}
+
+double ShellContacts::energy_of(const Contact& contact, double gap) const {
+    return gap < 0.0 ? normal_energy(contact, gap) : contact.stuck * tack_at(tack_, gap).energy;
+}
+
 /// The spring of friction.hpp with a soft onset.
 SpringResponse ShellContacts::push(const Contact& contact, const Meeting& now) const {
     const double onset = settings_.onset * place(contact).thickness;
@@ -497,8 +528,8 @@ void ShellContacts::terms(const std::vector<Vec3>& points, std::vector<ContactTe
     set_iterate(points);
     for (const Contact& contact : list_) {
         const Meeting now = meeting(contact);
-        if (now.gap < 0.0) {
-            fill(contact, now, push(contact, now), terms.emplace_back());
+        if (!is_apart(contact, now.gap)) {
+            fill(contact, now, respond(contact, now), terms.emplace_back());
         }
     }
 }
@@ -507,7 +538,7 @@ double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
     set_iterate(points);
     double sum = 0.0;
     for (const Contact& contact : list_) {
-        sum += normal_energy(contact, meeting(contact).gap);
+        sum += energy_of(contact, meeting(contact).gap);
     }
     return sum;
 }
@@ -525,21 +556,21 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
         Contact& contact = list_[i];
         const Meeting now = meeting(contact);
         contact.force.setZero();
-        if (!(now.gap < 0.0)) {
+        if (is_apart(contact, now.gap)) {
             work_.lost += settings_.accounts ? at_start_[i].energy : 0.0;
             continue;
         }
         const Vec3 from_anchor = offset(contact, now.point);
-        const SpringResponse pushed = push(contact, now);
+        const SpringResponse pushed = respond(contact, now);
         const Vec3 tangential = across(from_anchor, now.normal);
         const double size = tangential.norm();
         const double share = size > 0.0 ? std::min(1.0, pushed.stretch / size) : 0.0;
         const Vec3 stretch = share * tangential;
         contact.force = pushed.force;
-        ++touching_;
+        touching_ += now.gap < 0.0 ? 1 : 0;
         deepest_ = std::max(deepest_, -now.gap / place(contact).thickness);
         const double sticking = settings_.stick * contact.stiffness;
-        work_.stored += normal_energy(contact, now.gap) + 0.5 * sticking * stretch.squaredNorm();
+        work_.stored += energy_of(contact, now.gap) + 0.5 * sticking * stretch.squaredNorm();
         work_.friction += sticking * stretch.norm() * (size - stretch.norm());
         const Pose end = partner_pose(contact, 1.0);
         const Vec3 own = end.to_body(now.point - 0.5 * place(contact).thickness * now.normal);
@@ -548,7 +579,7 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
         if (settings_.accounts) {
             account_end(i, points, now, pushed, stretch, way);
         }
-        if (contact.friction > 0.0) {
+        if (contact.friction > 0.0 || stuck_area(contact) > 0.0) {
             contact.touch.stretch = end.orientation.conjugate() * stretch;
             kept.push_back(contact.touch);
         }

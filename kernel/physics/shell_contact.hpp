@@ -9,7 +9,8 @@
 // it stands for (friction.hpp), so that it is the same however finely the surface is sampled; it goes to the nodes by
 // the transposed of the interpolation, forces and moments. Friction acts where the surfaces touch, half a thickness
 // from the middle. Without it the forces are the gradient of the springs' energy but for partners whose distance is not
-// exact.
+// exact. Layers that touched at the end of a step hold to each other from the next on, until they are farther apart
+// than the range of their tack (tack.hpp); each of two layers that face each other bears half of it.
 #pragma once
 
 #include <array>
@@ -29,6 +30,7 @@
 #include "physics/shell_pose.hpp"
 #include "physics/shell_samples.hpp"
 #include "physics/shell_sheet.hpp"
+#include "physics/tack.hpp"
 
 namespace rhexis {
 
@@ -66,7 +68,7 @@ struct ShellContactSettings {
 struct ShellContactWork {
     double brought = 0.0;   ///< by instruments that move
     double friction = 0.0;  ///< taken by it
-    double stored = 0.0;    ///< in the springs at the end
+    double stored = 0.0;    ///< in the springs at the end, and in what holds layers together
     // with accounts
     std::optional<double> found;  ///< in the springs at the start: not all may be those of the end of the step before
     double lost = 0.0;            ///< taken by backward Euler from the springs
@@ -90,7 +92,7 @@ public:
 
     /// Forces and stiffness at an iterate. points: as of ShellBody, turns since the state's rotations.
     void terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms);
-    /// In the springs at an iterate, without friction [nJ].
+    /// In the springs at an iterate and in what holds layers together, without friction [nJ].
     double normal_energy(const std::vector<Vec3>& points);
     /// Ends a step: lets go of what slid or is apart.
     void settle(const std::vector<Vec3>& points, std::vector<ShellTouch>& touches);
@@ -108,6 +110,7 @@ private:
         const ShellSamples* on = nullptr;
         double stiffness = 0.0;  ///< [uN/mm]
         double friction = 0.0;
+        double stuck = 0.0;          ///< area that holds to another layer [mm^2]
         Vec3 lever = Vec3::Zero();   ///< from the middle to the surface that touches, at the start [mm]
         Vec3 anchor = Vec3::Zero();  ///< where friction holds it, in the partner's frame; of layers: the difference
         // of layers and membranes, at the start: nothing goes far in a step
@@ -134,7 +137,7 @@ private:
     };
     /// A contact at the start of a step.
     struct Before {
-        double depth = 0.0;           ///< [mm]
+        double gap = 0.0;             ///< [mm]
         Vec3 stretch = Vec3::Zero();  ///< [mm]
         double energy = 0.0;          ///< [nJ]
     };
@@ -177,6 +180,10 @@ private:
     [[nodiscard]] const ShellPlace& place(const Contact& contact) const;
     [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] double normal_energy(const Contact& contact, double gap) const;
+    [[nodiscard]] double stuck_area(const Contact& contact) const;
+    [[nodiscard]] bool is_apart(const Contact& contact, double gap) const;
+    [[nodiscard]] SpringResponse respond(const Contact& contact, const Meeting& now) const;
+    [[nodiscard]] double energy_of(const Contact& contact, double gap) const;
     void fill(const Contact& contact, const Meeting& now, const SpringResponse& pushed, ContactTerm& term) const;
 
     void account_start();
@@ -188,6 +195,7 @@ private:
     double thinnest_ = 0.0;
     double edge_ = 0.0;               ///< mean, at rest [mm]
     double modulus_ = 0.0;            ///< at once [Pa]
+    Tack tack_;                       ///< of layers
     std::vector<std::uint8_t> free_;  ///< six per node
     ShellLayers layers_;
     ShellSheet sheet_;

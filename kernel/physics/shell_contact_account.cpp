@@ -2,9 +2,8 @@
 // Where the energy of contacts goes in a step, for tests and measurements. Of a spring whose force at the end is f,
 // backward Euler takes what f along its whole way is more than what it gained: of the normal one f_n (depth - depth_0)
 // less the gain, of friction's half its stiffness times the square of the way of its stretch. Both are squares. What
-// the step along straight lines and turned normals add to that is of third order and of either sign.
-#include <algorithm>
-
+// the step along straight lines and turned normals add to that is of third order and of either sign. Of layers
+// that part it takes what was stored when the step began.
 #include "base/index.hpp"
 #include "physics/shell_contact.hpp"
 
@@ -17,10 +16,10 @@ void ShellContacts::account_start() {
     for (const Contact& contact : list_) {
         const Meeting then = meeting(contact, 0.0);
         Before& before = at_start_.emplace_back();
-        before.depth = std::max(0.0, -then.gap);
+        before.gap = then.gap;
         before.stretch = offset(contact, then.point, 0.0);
         before.energy =
-            normal_energy(contact, then.gap) + 0.5 * settings_.stick * contact.stiffness * before.stretch.squaredNorm();
+            energy_of(contact, then.gap) + 0.5 * settings_.stick * contact.stiffness * before.stretch.squaredNorm();
         found += before.energy;
     }
     work_.found = found;
@@ -37,12 +36,12 @@ void ShellContacts::account_end(std::size_t index, const std::vector<Vec3>& poin
     for (const ContactShare& share : term.more) {
         slid += share.share * (points[at(share.node)] - start_[at(share.node)]);
     }
-    const double deeper = std::max(0.0, -now.gap) - before.depth;
+    const double deeper = before.gap - now.gap;
     const double normal = pushed.normal_force;
     const Vec3 offset_now = offset(contact, now.point);
     const Vec3 across = offset_now - now.normal.dot(offset_now) * now.normal;
     const double sticking = settings_.stick * contact.stiffness;
-    work_.lost += normal * deeper - (normal_energy(contact, now.gap) - normal_energy(contact, -before.depth)) +
+    work_.lost += normal * deeper - (energy_of(contact, now.gap) - energy_of(contact, before.gap)) +
                   0.5 * sticking * (stretch - before.stretch).squaredNorm();
     work_.lost += sticking * stretch.dot(slid - (across - before.stretch)) - normal * (now.normal.dot(slid) + deeper);
 }

@@ -89,8 +89,10 @@ AnteriorCapsuleSettings capsule_settings(const std::map<std::string, double>& se
     return capsule;
 }
 
-EmptyBagSettings empty_bag_settings(const std::map<std::string, double>& settings) {
+EmptyBagSettings empty_bag_settings(const SceneDescription& scene) {
+    const std::map<std::string, double> settings = all_settings(scene);
     EmptyBagSettings bag;
+    bag.opening = scene.opening;
     bag.triangles = static_cast<int>(settings.at("bag.triangles"));
     bag.opening_radius = 0.5 * settings.at("capsulorhexis.diameter_mm");
     bag.friction = settings.at("bag.friction");
@@ -137,6 +139,7 @@ ShellModel make_shell(const SceneDescription& scene) {
     const ImplantShape shape = implant_shape(settings);
     ShellModel model = has_instrument(scene, injector_name) ? free_implant(shape) : acrylic_implant(shape);
     model.material.young_modulus = 1e6 * settings.at("implant.modulus_mpa");
+    model.tack = 1e3 * settings.at("implant.tackiness_kpa");
     if (has_tissue(scene, "viscoelastic")) {
         model.drag = disc_drag(sheared_viscosity, 0.5 * shape.optic_diameter);
     }
@@ -192,8 +195,8 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         world->solids.push_back(eye.value().lens);
     }
     if (has_tissue(scene, "bag") && has_tissue(scene, "implant")) {
-        world->membranes.push_back(make_empty_bag(lens_shape(scene.patient), eye.value().bag, scene.patient.age,
-                                                  empty_bag_settings(all_settings(scene))));
+        world->membranes.push_back(
+            make_empty_bag(lens_shape(scene.patient), eye.value().bag, scene.patient.age, empty_bag_settings(scene)));
     } else if (has_tissue(scene, "bag")) {
         BagModel& bag = world->bags.emplace_back(eye.value().bag);
         if (has_tissue(scene, "lens")) {

@@ -70,6 +70,7 @@ void scene_fields(auto& io, auto& scene) {
     io(scene.instruments);
     io(scene.step_s);
     io(scene.advance);
+    io(scene.opening);
     io.limit(scene.advance >= Advance::automatic && scene.advance <= Advance::implicit);
     io(scene.threads);
     io(scene.settings);

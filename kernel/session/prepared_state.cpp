@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/prepared_state.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <optional>
 
 #include "base/text_file.hpp"
@@ -27,6 +29,17 @@ Result<std::string_view> take_chunk(std::string_view& bytes, ChunkKind kind, con
     return chunk.payload;
 }
 
+/// Of a bag.
+std::string text_of(const std::vector<double>& opening) {
+    if (opening.empty()) {
+        return "a circle";
+    }
+    const auto [least, most] = std::minmax_element(opening.begin(), opening.end());
+    char text[64];
+    std::snprintf(text, sizeof text, "torn, %.2f to %.2f mm from the axis", *least, *most);
+    return text;
+}
+
 Status check_same_scene(const PreparedState& state, const SceneDescription& here, const Snapshot& fresh) {
     const SceneDescription& there = state.made.scene;
     SceneDifferences differences;
@@ -39,6 +52,11 @@ Status check_same_scene(const PreparedState& state, const SceneDescription& here
     differences.add("tissues", there.tissues, here.tissues);
     differences.add("instruments", there.instruments, here.instruments);
     differences.add("step_s", there.step_s, here.step_s);
+    if (there.opening != here.opening) {
+        const std::string torn = text_of(there.opening);
+        const bool alike = torn == text_of(here.opening);
+        differences.add("opening", torn, alike ? "another" : text_of(here.opening));
+    }
     differences.add_settings(state.snapshot.settings, fresh.settings, [](const SettingInfo&) { return true; });
     return differences.text().empty()
                ? success()
@@ -103,15 +121,22 @@ Status start_from(Session& session, const PreparedState& state) {
 }
 
 Result<Session> create_session(const SceneDescription& scene, std::uint64_t seed, const std::string& state) {
-    Result<Session> session = Session::create(scene, seed);
-    if (!session || state.empty()) {
-        return session;
+    if (state.empty()) {
+        return Session::create(scene, seed);
     }
-    const Result<PreparedState> read = read_state(state);
+    // what is wrong with the scene comes before what is wrong with the state
+    Result<Session> session = Session::create(scene, seed);
+    const Result<PreparedState> read = session ? read_state(state) : session.error();
     if (!read) {
         return read.error();
     }
-    const Status started = start_from(session.value(), read.value());
+    const SceneDescription& made = read.value().made.scene;
+    if (scene.opening.empty() && !made.opening.empty()) {
+        SceneDescription torn = scene;
+        torn.opening = made.opening;
+        session = Session::create(torn, seed);
+    }
+    const Status started = session ? start_from(session.value(), read.value()) : session.error();
     if (!started) {
         return Error{started.error().what, state, started.error().allowed};
     }

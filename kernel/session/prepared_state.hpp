@@ -27,7 +27,8 @@ Result<PreparedState> read_state(const std::string& path);
 /// or for fixed settings of other values. A folded implant is only laid into the session's injector: folded_start.hpp.
 Status start_from(Session& session, const PreparedState& state);
 
-/// A session that begins in the state of a file; at rest if the path is empty.
+/// A session that begins in the state of a file; at rest if the path is empty. Where the scene gives no opening of its
+/// bag, it is that of the state.
 Result<Session> create_session(const SceneDescription& scene, std::uint64_t seed, const std::string& state);
 
 }  // namespace rhexis

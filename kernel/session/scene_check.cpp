@@ -7,6 +7,7 @@
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "eye/empty_bag.hpp"
 #include "flow/microscope.hpp"
 #include "session/build_world.hpp"
 #include "session/settings.hpp"
@@ -53,6 +54,16 @@ Status check_instruction_set(const std::string& name) {
                                            known_instruction_sets.end();
     return known ? success()
                  : Status(Error{"instruction_set is " + name, "", suggestion(name, known_instruction_sets)});
+}
+
+/// The opening of a bag that is a membrane.
+Status check_bag(const SceneDescription& scene) {
+    const bool soft = has_tissue(scene, "implant") && has_tissue(scene, "bag");
+    if (!scene.opening.empty() && !soft) {
+        return Error{"an opening is given, but the scene has no bag that one is torn in", "",
+                     "a scene with the tissues implant and bag"};
+    }
+    return check_opening(scene.opening);
 }
 
 Status check_settings(const SceneDescription& scene) {
@@ -143,7 +154,7 @@ Status check_scene(const SceneDescription& scene) {
           check_names("instruments", scene.instruments, instrument_names()),
           check_range("step_s", scene.step_s, 0.001, 0.02), check_range("threads", scene.threads, 1.0, 64.0),
           check_instruction_set(scene.instruction_set), check_settings(scene), check_combination(scene),
-          check_microscope(scene)}) {
+          check_microscope(scene), check_bag(scene)}) {
         if (!status) {
             return status;
         }

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 38> table{{
+constexpr std::array<SettingInfo, 39> table{{
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
@@ -34,6 +34,8 @@ constexpr std::array<SettingInfo, 38> table{{
     {"implant.edge_mm", "mm", 0.05, 2.0, 0.25, false, "Thickness of the implant's optic at its edge."},
     {"implant.haptic_mm", "mm", 0.05, 1.0, 0.4, false, "Thickness of the implant's haptics."},
     {"implant.modulus_mpa", "MPa", 0.1, 10.0, 1.0, false, "Young's modulus of the implant in the long run."},
+    {"implant.tackiness_kpa", "kPa", 0.0, 100.0, 0.0, false,
+     "Pull per area that parts layers of the implant which were pressed together."},
     {"implant.triangles", "1", 400.0, 8000.0, 743.0, false, "Of the implant, about so many."},
     {"machine.bottle_cm", "cm", 0.0, 150.0, 75.0, true, "Height of the infusion bottle above the eye."},
     {"machine.flow_ml_min", "ml/min", 0.0, 60.0, 25.0, true, "Flow of the aspiration pump at full pedal."},

@@ -16,6 +16,24 @@ ShellModel flat_strip(double length, double width, double thickness, int along, 
     return model;
 }
 
+ShellModel plates(const std::vector<Plate>& list) {
+    ShellModel all = flat_strip(1.0, 1.0, 0.1, 1, 1);
+    all.mesh = {};
+    all.thickness.clear();
+    for (const Plate& plate : list) {
+        const ShellModel one = flat_strip(plate.size, plate.size, plate.thickness, plate.cuts, plate.cuts);
+        const int first = static_cast<int>(all.mesh.nodes.size());
+        for (const Vec3& node : one.mesh.nodes) {
+            all.mesh.nodes.push_back(node + Vec3(-0.5 * plate.size, -0.5 * plate.size, plate.z));
+        }
+        for (const std::array<int, 3>& n : one.mesh.triangles) {
+            all.mesh.triangles.push_back({n[0] + first, n[1] + first, n[2] + first});
+            all.thickness.push_back(plate.thickness);
+        }
+    }
+    return all;
+}
+
 void hold_line(ShellModel& model, double x) {
     for (int n = 0; n < static_cast<int>(model.mesh.nodes.size()); ++n) {
         if (std::abs(model.mesh.nodes[static_cast<std::size_t>(n)].x() - x) < 1e-9) {

@@ -11,6 +11,17 @@ namespace rhexis::scenes {
 /// Flat in the plane z = 0, from the origin; elastic, without Poisson's effect, so that beams' closed forms hold [mm].
 ShellModel flat_strip(double length, double width, double thickness, int along, int across);
 
+/// A square plate about the z axis.
+struct Plate {
+    double size;       ///< of the square [mm]
+    double thickness;  ///< [mm]
+    int cuts;
+    double z;  ///< of its middle [mm]
+};
+
+/// Unconnected plates as one shell.
+ShellModel plates(const std::vector<Plate>& list);
+
 /// Holds every freedom of the nodes at this x [mm].
 void hold_line(ShellModel& model, double x);
 

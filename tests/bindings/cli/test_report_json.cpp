@@ -39,7 +39,7 @@ TEST_SUITE("report") {
         CHECK(report["curriculum"] == json{{"id", "groove"}, {"version", 1}, {"sha256", "00"}});
         for (const char* key :
              {"surgeon", "set", "seed", "patient", "completed", "duration_s", "steps", "events", "osacss", "measures",
-              "simulated", "performance", "pictures", "video", "log", "state_hash"}) {
+              "simulated", "performance", "pictures", "video", "log", "state_hash", "start", "opening_mm"}) {
             CAPTURE(key);
             CHECK(report.contains(key));
         }

@@ -71,6 +71,30 @@ TEST_SUITE("empty bag") {
         }
     }
 
+    TEST_CASE("with an opening off the axis it hangs all round, and its triangles stay sound") {
+        EmptyBagSettings settings;
+        for (int i = 0; i < 64; ++i) {
+            settings.opening.push_back(i < 32 ? 2.2 : 3.1);  // a step, as where a tear met its beginning
+        }
+        REQUIRE(check_empty_bag(settings).ok());
+        const MembraneModel bag = bag_of(settings);
+        REQUIRE(check_membrane(bag).ok());
+        CHECK(smallest_angle(bag.sheet->mesh) > 12.0 * std::numbers::pi / 180.0);
+        for (const double side : {-1.0, 1.0}) {
+            int zonules = 0;
+            double pull = 0.0;
+            for (const NodeSpring& spring : bag.springs) {
+                const Vec3& place = bag.sheet->mesh.nodes[static_cast<std::size_t>(spring.node)];
+                if (spring.slack > 0.0 && place.z() > 0.0 && place.x() * side > 0.0) {
+                    ++zonules;
+                    pull += spring.stiffness;
+                }
+            }
+            CHECK(zonules > 10);
+            CHECK(pull > 0.0);
+        }
+    }
+
     TEST_CASE("it hangs on as much zonule as the bag has, and lies before the vitreous") {
         const BagModel whole = make_bag(lens, 0.2, 68.0);
         const MembraneModel bag = bag_of({});
@@ -99,6 +123,10 @@ TEST_SUITE("empty bag") {
         CHECK(text({.triangles = 100}).find("triangles") != std::string::npos);
         CHECK(text({.opening_radius = 4.5}).find("opening_radius") != std::string::npos);
         CHECK(text({.opening = {2.5, 0.0}}).find("radius 1 of the opening") != std::string::npos);
+        CHECK(text({.opening = std::vector<double>(10, 2.5)}).find("number of radii") != std::string::npos);
+        std::vector<double> jump(64, 2.0);
+        jump[5] = 3.5;
+        CHECK(text({.opening = jump}).find("jumps by 1.5 mm beside radius 4 (at most 1 mm)") != std::string::npos);
         CHECK(text({.friction = -1.0}).find("friction") != std::string::npos);
     }
 }

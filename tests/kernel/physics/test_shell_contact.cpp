@@ -137,6 +137,30 @@ TEST_SUITE("shell contact forces") {
         CHECK(moment.norm() < 1e-12 * size);
     }
 
+    TEST_CASE("layers that stick: gradient of the energy; what never touched is not held") {
+        ShellModel model = scenes::flat_strip(12.0, 1.0, 0.2, 40, 2);
+        model.friction = 0.0;
+        model.tack = 2e4;
+        const ShellState pressed = scenes::rolled_strip(model, 0.8, 0.19);
+        ShellState apart = scenes::rolled_strip(model, 0.8, 0.208);
+        CHECK(check_gradient(model, apart, ShellPartners{}, 1e-7) == 0);
+        ShellContacts contacts(model);
+        contacts.look(pressed, ShellPartners{});
+        contacts.settle(points_of(flat(pressed)), apart.touches);
+        REQUIRE(apart.touches.size() > 50);
+        CHECK(check_gradient(model, apart, ShellPartners{}, 1e-7) > 50);
+        contacts.look(apart, ShellPartners{});
+        contacts.settle(points_of(flat(apart)), apart.touches);
+        CHECK(contacts.touching() == 0);
+        CHECK(apart.touches.size() > 50);
+        CHECK(contacts.work().stored > 0.0);
+        model.tack = 0.0;
+        ShellContacts bare(model);
+        bare.look(pressed, ShellPartners{});
+        bare.settle(points_of(flat(pressed)), apart.touches);
+        CHECK(apart.touches.empty());
+    }
+
     TEST_CASE("layers that were looked for before are those of a new search, however the shell has moved since") {
         const ShellModel model = scenes::flat_strip(12.0, 1.0, 0.2, 40, 2);
         const ShellState rolled = scenes::rolled_strip(model, 0.8, 0.19);

@@ -19,32 +19,6 @@ ShellContactSettings accounted() {
     return settings;
 }
 
-/// Unconnected plates as one shell, each with its place and thickness.
-struct Plate {
-    double size;       ///< of the square [mm]
-    double thickness;  ///< [mm]
-    int cuts;
-    double z;  ///< of its middle [mm]
-};
-
-ShellModel plates(const std::vector<Plate>& list) {
-    ShellModel all = scenes::flat_strip(1.0, 1.0, 0.1, 1, 1);
-    all.mesh = {};
-    all.thickness.clear();
-    for (const Plate& plate : list) {
-        const ShellModel one = scenes::flat_strip(plate.size, plate.size, plate.thickness, plate.cuts, plate.cuts);
-        const int first = static_cast<int>(all.mesh.nodes.size());
-        for (const Vec3& node : one.mesh.nodes) {
-            all.mesh.nodes.push_back(node + Vec3(-0.5 * plate.size, -0.5 * plate.size, plate.z));
-        }
-        for (const std::array<int, 3>& n : one.mesh.triangles) {
-            all.mesh.triangles.push_back({n[0] + first, n[1] + first, n[2] + first});
-            all.thickness.push_back(plate.thickness);
-        }
-    }
-    return all;
-}
-
 /// A strip bent to an arc in a bore whose axis is x.
 void bend(const ShellModel& model, double radius, ShellState& state) {
     for (std::size_t n = 0; n < state.position.size(); ++n) {
@@ -183,7 +157,7 @@ TEST_SUITE("shell contact gates") {
 
     TEST_CASE("a stack of five, and one a thousand times as heavy as what it lies on, come to rest and stay (T13)") {
         for (const bool heavy : {false, true}) {
-            std::vector<Plate> list;
+            std::vector<scenes::Plate> list;
             if (heavy) {
                 list = {{1.0, 0.1, 4, 0.06}, {10.0, 1.0, 10, 0.62}};
             } else {
@@ -191,7 +165,7 @@ TEST_SUITE("shell contact gates") {
                     list.push_back({2.0, 0.2, 4, 0.11 + 0.21 * i});
                 }
             }
-            ShellModel model = plates(list);
+            ShellModel model = scenes::plates(list);
             model.damping_mass = 1.0;
             scenes::TouchingShell shell(model, accounted());
             shell.settings = {.tolerance = 1e-4, .max_newton = 100, .newton_tolerance = 1e-8, .most_travel = 0.05};
