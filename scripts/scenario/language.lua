@@ -129,7 +129,7 @@ local function read_start(name, recipe, line)
         words.fail(where, owner .. " has a function: neither surgeon nor when goes with it")
     end
     if not play and not read.when and not read.folded and not read.opening then
-        words.fail(where, owner .. " lacks 'when' (or a function(t) ... end, or folded = true)")
+        words.fail(where, owner .. " lacks 'when' (or a function(t) ... end, folded or opening)")
     end
     if read.surgeon and not read.when then
         words.fail(where, owner .. " names a surgeon, but lacks 'when': the moment that is kept")

@@ -80,7 +80,7 @@ sed -i 's/"hook", "injector"/"hook"/; s/implant.delivered > 0.1/time_s > 1/' min
 expect 2 "the scene names no instrument injector" "${run[@]}" --start "$state" --out refused
 
 echo 'return starts { begin = {} }' >mine/starts.lua
-expect 2 "mine/starts.lua:1: start begin lacks 'when' (or a function(t) ... end, or folded = true)" "${run[@]}"
+expect 2 "mine/starts.lua:1: start begin lacks 'when' (or a function(t) ... end, folded or opening)" "${run[@]}"
 echo 'return starts { begin = { folded = true, surgeon = "d" } }' >mine/starts.lua
 expect 2 "start begin names a surgeon, but lacks 'when'" "${run[@]}"
 echo 'return starts { begin = { folded = 3 } }' >mine/starts.lua
