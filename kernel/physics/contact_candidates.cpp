@@ -169,8 +169,8 @@ void set_adhesion(const WorldModel& model, const WorldState& state, const Contac
 }
 
 /// Beyond the wall by more than contact ever lets a point sink in: it left through the opening.
-bool left_bag(const Partner& partner, const Vec3& point, const Gap& gap) {
-    return partner.kind == ContactPartner::bag && gap.gap < -sunk && partner.pose.to_body(point).z() > 0.0;
+bool left_bag(const Partner& partner, const Vec3& point, const SurfaceDistance& gap) {
+    return partner.kind == ContactPartner::bag && gap.distance < -sunk && partner.pose.to_body(point).z() > 0.0;
 }
 
 /// Behind a hole there is no wall to touch.
@@ -204,40 +204,10 @@ void place_tools(std::span<const ToolState> tools, double s, PartnerPoses& poses
     }
 }
 
-bool within_opening(const BagModel& bag, const Vec3& local) {
-    return local.z() > 0.0 && local.head<2>().squaredNorm() < bag.opening_radius * bag.opening_radius;
-}
-
-Gap bag_gap(const BagModel& bag, const Vec3& local, bool outside) {
-    if (within_opening(bag, local)) {
-        return {};
-    }
-    const SurfaceDistance found = bag_distance(bag.shape, local);
-    if (outside) {
-        return {found.distance, found.normal};
-    }
-    return found.distance > bag_wall ? Gap{} : Gap{-found.distance, -found.normal};
-}
-
-Gap measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
-    const ContactPartner partner = candidate.partner;
-    const int index = candidate.index;
-    if (partner == ContactPartner::dome) {
-        const Vec3 out = point - model.domes[index].centre;
-        const double distance = out.norm();
-        return {model.domes[index].radius - distance, Vec3(-out / std::max(distance, 1e-9))};
-    }
-    if (partner == ContactPartner::plane) {
-        const PlaneModel& plane = model.planes[index];
-        return {plane.normal.dot(point - plane.point), plane.normal};
-    }
-    const Vec3 local = pose.to_body(point);
-    if (partner == ContactPartner::tool) {
-        const ShapeDistance found = tool_distance(model.tools[index], local, candidate.least_radius);
-        return {found.distance, pose.orientation * found.normal};
-    }
-    const Gap found = bag_gap(model.bags[index], local, candidate.outside);
-    return {found.gap, pose.orientation * found.normal};
+SurfaceDistance measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose,
+                            const Vec3& point) {
+    return distance_to(rigid_partners(model), candidate.partner, candidate.index, pose, point,
+                       {candidate.least_radius, candidate.outside});
 }
 
 bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
@@ -272,12 +242,12 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             candidate.partner = partner.kind;
             candidate.index = partner.index;
             candidate.least_radius = resolved * vertex.size;
-            Gap start = measure_gap(model, candidate, partner.pose, point);
+            SurfaceDistance start = measure_gap(model, candidate, partner.pose, point);
             candidate.outside = left_bag(partner, point, start);
             if (candidate.outside) {
-                start = {-start.gap, -start.normal};
+                start = {-start.distance, -start.normal};
             }
-            if (!tool && start.gap > partner.margin) {
+            if (!tool && start.distance > partner.margin) {
                 continue;
             }
             candidate.spring.friction = partner.friction;
@@ -285,7 +255,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             if (over_hole(state, partner.kind, candidate.start)) {
                 continue;
             }
-            candidate.start_gap = start.gap;
+            candidate.start_gap = start.distance;
             candidate.anchor = candidate.start;
             recall(state.memory, solid, vertex.vertex, candidate);
             candidates.push_back(candidate);

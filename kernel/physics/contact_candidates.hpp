@@ -11,6 +11,7 @@
 #include "flow/world.hpp"
 #include "physics/contact_surface.hpp"
 #include "physics/friction.hpp"
+#include "physics/rigid_partner.hpp"
 
 namespace rhexis {
 
@@ -51,19 +52,9 @@ struct ContactCandidate {
 
 using ContactCandidates = std::vector<ContactCandidate>;
 
-/// Gap and unit normal (into the solid) of a point against a partner.
-struct Gap {
-    double gap = HUGE_VAL;  ///< [mm]; infinite where there is nothing to touch
-    Vec3 normal = Vec3::UnitZ();
-};
-Gap measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point);
-
-/// Gap and normal of a point in a bag's frame, both in that frame.
-/// A point that has left through the opening meets the wall from outside.
-Gap bag_gap(const BagModel& bag, const Vec3& local, bool outside);
-
-/// Whether a point in a bag's frame is in front of the equator and seen through the opening: there is no wall.
-bool within_opening(const BagModel& bag, const Vec3& local);
+/// Distance of a point from its partner.
+SurfaceDistance measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose,
+                            const Vec3& point);
 
 /// True if the candidate is certainly apart from its partner, found without measuring.
 bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point);
@@ -85,8 +76,5 @@ void report_contacts(const ContactCandidates& candidates, const ContactSurface& 
 /// What the next step must remember: the anchors of contacts that touch now.
 void remember_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid,
                        std::vector<ContactMemory>& memory);
-
-/// Wall of the bag: farther outside than this a point has left through the opening [mm].
-inline constexpr double bag_wall = 0.5;
 
 }  // namespace rhexis

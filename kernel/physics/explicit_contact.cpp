@@ -109,27 +109,28 @@ bool ExplicitContact::asleep(const Watch& watch, const Vec3& point) const {
     return left > 0.0 && (point - watch.start).squaredNorm() < left * left;
 }
 
-Gap ExplicitContact::measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
-                             Watch& watch) const {
+SurfaceDistance ExplicitContact::measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
+                                         Watch& watch) const {
     if (candidate.partner != ContactPartner::bag) {
         return measure_gap(*model_, candidate, pose, point);
     }
     const BagModel& bag = model_->bags[candidate.index];
     const Vec3 local = pose.to_body(point);
     if (!watch.flat || (local - watch.foot).squaredNorm() > flat_square || within_opening(bag, local)) {
-        watch.plane = bag_gap(bag, local, candidate.outside);
+        watch.plane = wall_distance(bag, local, candidate.outside);
         watch.foot = local;
-        watch.flat = std::isfinite(watch.plane.gap);
-        return {watch.plane.gap, pose.orientation * watch.plane.normal};
+        watch.flat = std::isfinite(watch.plane.distance);
+        return {watch.plane.distance, pose.orientation * watch.plane.normal};
     }
-    return {watch.plane.gap + watch.plane.normal.dot(local - watch.foot), pose.orientation * watch.plane.normal};
+    return {watch.plane.distance + watch.plane.normal.dot(local - watch.foot), pose.orientation * watch.plane.normal};
 }
 
 /// Lets a candidate sleep that is farther than `near` from acting.
-void ExplicitContact::rest(const Gap& gap, double near, const Pose& pose, const Vec3& point, Watch& watch) const {
+void ExplicitContact::rest(const SurfaceDistance& gap, double near, const Pose& pose, const Vec3& point,
+                           Watch& watch) const {
     const Drift& drift = drifts_[watch.drift];
     watch.start = point;
-    watch.free = gap.gap - near;
+    watch.free = gap.distance - near;
     watch.shift = drift.shift;
     watch.turn = drift.turn;
     watch.arm = (point - pose.position).norm() + spare_arm;
@@ -145,7 +146,7 @@ void ExplicitContact::set_masses(Active& active) const {
     active.tangent_mass = response > 0.0 ? 1.0 / (response + all_turning) : 0.0;
 }
 
-void ExplicitContact::activate(int index, double dt, const Gap& gap, const Pose& old_pose, const Pose& pose,
+void ExplicitContact::activate(int index, double dt, const SurfaceDistance& gap, const Pose& old_pose, const Pose& pose,
                                const Vec3& point) {
     const ContactCandidate& candidate = (*candidates_)[index];
     const Watch& watch = watches_[index];
@@ -160,7 +161,7 @@ void ExplicitContact::activate(int index, double dt, const Gap& gap, const Pose&
     const bool carried_along = candidate.partner == ContactPartner::tool;
     const Vec3 carried = carried_along ? Vec3(pose.to_world(old_pose.to_body(point)) - point) : Vec3(Vec3::Zero());
     const double advance = gap.normal.dot(carried);
-    active.normal_target = (advance + std::min(-gap.gap - advance, dt * fastest_ejection)) / dt;
+    active.normal_target = (advance + std::min(-gap.distance - advance, dt * fastest_ejection)) / dt;
     Vec3 wanted = carried / dt;
     if (candidate.touching) {
         const Vec3 old_anchor = old_pose.to_world(candidate.anchor);
@@ -193,11 +194,11 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
             continue;
         }
         const Pose pose = after.of(candidate.partner, candidate.index);
-        const Gap gap = measure(candidate, pose, point, watch);
+        const SurfaceDistance gap = measure(candidate, pose, point, watch);
         // Anything that could close within this substep, whatever the others do to it
         const double near =
             std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? kept_seal : 0.0);
-        if (gap.gap < near) {
+        if (gap.distance < near) {
             watch.free = 0.0;
             activate(static_cast<int>(c), dt, gap, before.of(candidate.partner, candidate.index), pose, point);
         } else {

@@ -48,7 +48,7 @@ private:
         double arm = 0.0;   ///< from the partner's centre, with some to spare [mm]
         bool flat = false;  ///< the wall is known as a plane near `foot`, all in the bag's frame
         Vec3 foot = Vec3::Zero();
-        Gap plane;
+        SurfaceDistance plane = nothing_near();
     };
 
     /// How a partner answers an impulse within a substep; what does not answer has no responses.
@@ -82,10 +82,11 @@ private:
     [[nodiscard]] Vec3 place(const Watch& watch) const;
     [[nodiscard]] Vec3 pace(const Watch& watch) const;
     [[nodiscard]] bool asleep(const Watch& watch, const Vec3& point) const;
-    Gap measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point, Watch& watch) const;
-    void rest(const Gap& gap, double near, const Pose& pose, const Vec3& point, Watch& watch) const;
+    SurfaceDistance measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point, Watch& watch) const;
+    void rest(const SurfaceDistance& gap, double near, const Pose& pose, const Vec3& point, Watch& watch) const;
     void collect(double dt, const PartnerPoses& before, const PartnerPoses& after);
-    void activate(int index, double dt, const Gap& gap, const Pose& old_pose, const Pose& pose, const Vec3& point);
+    void activate(int index, double dt, const SurfaceDistance& gap, const Pose& old_pose, const Pose& pose,
+                  const Vec3& point);
     void set_masses(Active& active) const;
     void take_bodies(double dt, const std::vector<BagState>& bags);
     void sweep();

@@ -6,7 +6,7 @@ namespace rhexis {
 namespace {
 
 struct Touch {
-    Gap gap;
+    SurfaceDistance gap = nothing_near();
     SpringResponse response;
 };
 
@@ -18,8 +18,8 @@ Touch touch(const WorldModel& model, const ContactCandidate& candidate, const Po
         return found;
     }
     found.gap = measure_gap(model, candidate, pose, point);
-    if (found.gap.gap < 0.0) {
-        found.response = spring_contact(candidate.spring, found.gap.gap, found.gap.normal,
+    if (found.gap.distance < 0.0) {
+        found.response = spring_contact(candidate.spring, found.gap.distance, found.gap.normal,
                                         point - pose.to_world(candidate.anchor), edge_slides);
     }
     return found;
@@ -46,7 +46,7 @@ void contact_terms(const WorldModel& model, const ContactSurface& surface, const
         const Vec3 point = point_of(vertex, positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
         const Touch now = touch(model, candidate, pose, point, edge_slides);
-        if (!(now.gap.gap < 0.0)) {
+        if (!(now.gap.distance < 0.0)) {
             continue;
         }
         ContactTerm term;
@@ -68,14 +68,14 @@ void settle_contacts(const WorldModel& model, const ContactSurface& surface, con
         const Vec3 point = point_of(surface.vertices()[candidate.vertex], positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
         const Touch now = touch(model, candidate, pose, point, true);
-        candidate.touching = now.gap.gap < 0.0;
+        candidate.touching = now.gap.distance < 0.0;
         candidate.force = now.response.force;
         move_anchor(now, pose, point, candidate);
         if (candidate.touching) {
             candidate.impulse += dt * now.response.force;
             candidate.point = point;
             candidate.normal = now.gap.normal;
-            candidate.gap = now.gap.gap;
+            candidate.gap = now.gap.distance;
             candidate.sliding = now.response.sliding;
         }
     }

@@ -7,6 +7,7 @@
 #include "base/index.hpp"
 #include "mesh/nearest_place.hpp"
 #include "physics/needle.hpp"
+#include "physics/rigid_partner.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -27,14 +28,10 @@ Vec3 point_of(const SheetContact& contact, const std::vector<Vec3>& position) {
 }
 
 double friction_of(const WorldModel& world, const MembraneModel& model, const SheetTouch& touch) {
-    switch (touch.partner) {
-        case ContactPartner::tool:
-            return world.tools[at(touch.index)].friction;
-        case ContactPartner::plane:
-            return world.planes[at(touch.index)].friction;
-        default:
-            return model.support ? model.support->friction : 0.0;
+    if (touch.partner == ContactPartner::support) {
+        return model.support ? model.support->friction : 0.0;
     }
+    return friction_of(rigid_partners(world), touch.partner, touch.index);
 }
 
 /// Of the stiffness of a contact: forceps are about a flap that is slack, which springs as stiff as those of a needle
@@ -67,7 +64,7 @@ bool surely_apart(const RoundedCone& cone, const Pose& pose, const std::array<Ve
 
 /// The tangent of a part of an instrument where it is nearest to a point in its frame.
 void touch_plane(const RoundedCone& cone, const Vec3& point, SheetContact& contact) {
-    const ShapeDistance near = cone_distance(cone, point);
+    const SurfaceDistance near = cone_distance(cone, point);
     contact.out = near.normal;
     contact.foot = point - near.distance * near.normal;
 }

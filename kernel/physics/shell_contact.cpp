@@ -8,7 +8,6 @@
 
 #include "base/index.hpp"
 #include "mesh/nearest_place.hpp"
-#include "physics/contact_candidates.hpp"
 #include "physics/tool_shape.hpp"
 
 namespace rhexis {
@@ -101,33 +100,9 @@ Pose ShellContacts::pose_of(ContactPartner partner, int index, double share) con
 }
 
 /// share: of the step, 0 or 1.
-ShellContacts::Distance ShellContacts::distance(ContactPartner partner, int index, double share,
-                                                const Vec3& point) const {
-    const std::size_t i = at(index);
-    switch (partner) {
-        case ContactPartner::plane:
-            return {partners_.planes[i].normal.dot(point - partners_.planes[i].point), partners_.planes[i].normal};
-        case ContactPartner::dome: {
-            const Vec3 out = point - partners_.domes[i].centre;
-            const double far = out.norm();
-            return {partners_.domes[i].radius - far, far > 0.0 ? Vec3(-out / far) : Vec3(Vec3::UnitZ())};
-        }
-        case ContactPartner::tube: {
-            const Pose pose = pose_of(partner, index, share);
-            const SurfaceDistance found = tube_distance(partners_.tubes[i], pose.to_body(point));
-            return {found.distance, pose.orientation * found.normal};
-        }
-        case ContactPartner::bag: {
-            const Pose& pose = partners_.bag_poses[i];
-            const Gap found = bag_gap(partners_.bags[i], pose.to_body(point), false);
-            return {found.gap, pose.orientation * found.normal};
-        }
-        default: {
-            const Pose pose = pose_of(partner, index, share);
-            const ShapeDistance found = tool_distance(partners_.tools[i], pose.to_body(point));
-            return {found.distance, pose.orientation * found.normal};
-        }
-    }
+SurfaceDistance ShellContacts::distance(ContactPartner partner, int index, double share, const Vec3& point) const {
+    const Pose pose = partner == ContactPartner::bag ? partners_.bag_poses[at(index)] : pose_of(partner, index, share);
+    return distance_to(rigid_, partner, index, pose, point);
 }
 
 /// Takes over what friction knew of a contact at the end of the last step.
@@ -171,7 +146,7 @@ bool ShellContacts::in_tube(const Vec3& point) const {
     return false;
 }
 
-void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
+void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius, double reach,
                                const std::optional<Box>& box) {
     const ShellSamples& on = samples_at(level_for(radius));
     find_points(on);
@@ -180,7 +155,7 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
         if ((box && !box->holds(points_[i])) || (partner == ContactPartner::dome && in_tube(points_[i]))) {
             continue;
         }
-        const Distance start = distance(partner, index, 0.0, points_[i]);
+        const SurfaceDistance start = distance(partner, index, 0.0, points_[i]);
         if (!(start.distance - 0.5 * own.thickness < reach)) {
             continue;
         }
@@ -190,7 +165,7 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
         contact.touch.index = index;
         contact.touch.sample = static_cast<int>(i);
         contact.stiffness = stiffness(on, i, start.normal);
-        contact.friction = friction;
+        contact.friction = friction_of(rigid_, partner, index);
         contact.lever = -0.5 * own.thickness * start.normal;
         contact.anchor = partner_pose(contact, 0.0).to_body(points_[i] + contact.lever);
         add(std::move(contact));
@@ -210,7 +185,7 @@ void ShellContacts::meet_tools() {
         const double around = reach + 0.5 * *std::max_element(model_->thickness.begin(), model_->thickness.end());
         box.low -= Vec3::Constant(around);
         box.high += Vec3::Constant(around);
-        meet_rigid(ContactPartner::tool, i, thinnest(tool), tool.friction, reach, box);
+        meet_rigid(ContactPartner::tool, i, thinnest(tool), reach, box);
     }
 }
 
@@ -309,6 +284,7 @@ void ShellContacts::meet_sheet() {
 
 void ShellContacts::look(const ShellState& state, const ShellPartners& partners) {
     partners_ = partners;
+    rigid_ = {partners.planes, partners.domes, partners.tubes, partners.bags, partners.tools};
     state_ = &state;
     list_.clear();
     start_.resize(2 * state.position.size());
@@ -320,18 +296,15 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
         start_.insert(start_.end(), partners.sheet->position.begin(), partners.sheet->position.end());
     }
     set_iterate(start_);
-    for (int i = 0; i < static_cast<int>(partners.planes.size()); ++i) {
-        meet_rigid(ContactPartner::plane, i, smooth, partners.planes[at(i)].friction, most_travel_, {});
-    }
-    for (int i = 0; i < static_cast<int>(partners.domes.size()); ++i) {
-        meet_rigid(ContactPartner::dome, i, smooth, partners.domes[at(i)].friction, most_travel_, {});
-    }
-    for (int i = 0; i < static_cast<int>(partners.tubes.size()); ++i) {
-        meet_rigid(ContactPartner::tube, i, smooth, partners.tubes[at(i)].friction, most_travel_, {});
-    }
-    for (int i = 0; i < static_cast<int>(partners.bags.size()); ++i) {
-        meet_rigid(ContactPartner::bag, i, smooth, partners.bags[at(i)].friction, most_travel_, {});
-    }
+    const auto meet_all = [this](ContactPartner partner, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            meet_rigid(partner, static_cast<int>(i), smooth, most_travel_, {});
+        }
+    };
+    meet_all(ContactPartner::plane, rigid_.planes.size());
+    meet_all(ContactPartner::dome, rigid_.domes.size());
+    meet_all(ContactPartner::tube, rigid_.tubes.size());
+    meet_all(ContactPartner::bag, rigid_.bags.size());
     meet_tools();
     if (partners.layers) {
         meet_layers();
@@ -416,7 +389,7 @@ ShellContacts::Meeting ShellContacts::meeting(const Contact& contact, double sha
         now.gap = contact.gap + contact.normal.dot(offset(contact, now.point) + contact.anchor);
         return now;
     }
-    const Distance found = distance(contact.touch.partner, contact.touch.index, share, now.point);
+    const SurfaceDistance found = distance(contact.touch.partner, contact.touch.index, share, now.point);
     now.gap = found.distance - 0.5 * own.thickness;
     now.normal = found.normal;
     return now;

@@ -26,6 +26,7 @@
 #include "flow/tube.hpp"
 #include "flow/world.hpp"
 #include "physics/friction.hpp"
+#include "physics/rigid_partner.hpp"
 #include "physics/shell_layers.hpp"
 #include "physics/shell_pose.hpp"
 #include "physics/shell_samples.hpp"
@@ -145,16 +146,12 @@ private:
         Vec3 middle = Vec3::Zero();
         double radius = 0.0;
     };
-    /// Distance of the middle surface from a partner and the normal away from it.
-    using Distance = SurfaceDistance;
-
     [[nodiscard]] std::vector<std::array<int, 2>> pairs(ContactPartner partner, double gap) const;
     [[nodiscard]] int level_for(double radius) const;
     [[nodiscard]] const ShellSamples& samples_at(int level);
     void find_points(const ShellSamples& on);
     [[nodiscard]] bool in_tube(const Vec3& point) const;
-    void meet_rigid(ContactPartner partner, int index, double radius, double friction, double reach,
-                    const std::optional<Box>& box);
+    void meet_rigid(ContactPartner partner, int index, double radius, double reach, const std::optional<Box>& box);
     [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;
     [[nodiscard]] double stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const;
     void meet_tools();
@@ -167,7 +164,7 @@ private:
     [[nodiscard]] Pose partner_pose(const Contact& contact, double share) const {
         return pose_of(contact.touch.partner, contact.touch.index, share);
     }
-    [[nodiscard]] Distance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
+    [[nodiscard]] SurfaceDistance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
     [[nodiscard]] Meeting meeting(const Contact& contact, double share = 1.0) const;
     [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const;
     [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point, double share = 1.0) const;
@@ -201,6 +198,7 @@ private:
     ShellSheet sheet_;
     std::map<int, ShellSamples> samples_;  ///< by level
     ShellPartners partners_;
+    RigidPartners rigid_;  ///< of those
     double most_travel_ = 0.0;
     ShellPose pose_;
     std::vector<Contact> list_;

@@ -7,7 +7,7 @@
 
 namespace rhexis {
 
-ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
+SurfaceDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
     const Vec3 axis = cone.b - cone.a;
     const Vec3 from_a = point - cone.a;
     const double length = axis.norm();
@@ -23,19 +23,19 @@ ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
     }
     const Vec3 from_centre = from_a - s * axis;
     const double distance = from_centre.norm();
-    ShapeDistance result;
+    SurfaceDistance result;
     result.distance = distance - (cone.radius_a - s * taper);
     result.normal = distance > 0.0 ? Vec3(from_centre / distance) : Vec3::UnitZ();
     return result;
 }
 
-ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius) {
-    ShapeDistance nearest;
+SurfaceDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius) {
+    SurfaceDistance nearest;
     nearest.distance = HUGE_VAL;
     for (const RoundedCone& part : tool.parts) {
         const RoundedCone thick{part.a, part.b, std::max(part.radius_a, least_radius),
                                 std::max(part.radius_b, least_radius)};
-        const ShapeDistance distance = cone_distance(thick, point);
+        const SurfaceDistance distance = cone_distance(thick, point);
         if (distance.distance < nearest.distance) {
             nearest = distance;
         }

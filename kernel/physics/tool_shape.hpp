@@ -4,22 +4,17 @@
 
 #include <vector>
 
+#include "flow/bag.hpp"
 #include "flow/tool.hpp"
 
 namespace rhexis {
 
-/// Signed distance to a rigid surface (negative inside it) and its outward unit normal there.
-struct ShapeDistance {
-    double distance = 0.0;  ///< [mm]
-    Vec3 normal = Vec3::UnitZ();
-};
-
 /// Exact distance to a rounded cone: the smallest of |p - c(s)| - r(s) over the balls along its axis.
-ShapeDistance cone_distance(const RoundedCone& cone, const Vec3& point);
+SurfaceDistance cone_distance(const RoundedCone& cone, const Vec3& point);
 
 /// To the nearest part of a tool, for a point in the tool's frame, with parts that are thinner taken to have at least
 /// this radius [mm]. A tool without parts is infinitely far.
-ShapeDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius = 0.0);
+SurfaceDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius = 0.0);
 
 /// Pose at share s of a step, 0: previous_pose, 1: pose. Normalised linear interpolation of the orientation, the short
 /// way round: no trigonometry, so the same bits on every machine.
