@@ -308,7 +308,7 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
             return stepper.error();
         }
         solvers->shells.push_back(std::move(stepper).value());
-        solvers->shell_contacts.emplace_back(shell);
+        solvers->shell_contacts.emplace_back(shell, settings.shell_contact);
     }
     if (before != nullptr) {
         RHEXIS_ASSERT(before->solvers_->zones.size() == model->tools.size());

@@ -13,6 +13,7 @@
 #include "flow/tool.hpp"
 #include "flow/world.hpp"
 #include "physics/membrane_solve.hpp"
+#include "physics/shell_contact_settings.hpp"
 
 namespace rhexis {
 
@@ -22,6 +23,7 @@ struct PhysicsSettings {
     double tolerance = 1e-3;      ///< residual at which an implicit step is done, as a share of all forces on the solid
     int max_newton = 8;           ///< Newton iterations of an implicit step
     MembraneSolve membranes;
+    ShellContactSettings shell_contact;
     bool elastic_energy = false;  ///< fills elastic_energy of the reports, at some 3 % of a step
 };
 

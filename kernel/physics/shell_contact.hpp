@@ -27,6 +27,7 @@
 #include "flow/world.hpp"
 #include "physics/friction.hpp"
 #include "physics/rigid_partner.hpp"
+#include "physics/shell_contact_settings.hpp"
 #include "physics/shell_layers.hpp"
 #include "physics/shell_pose.hpp"
 #include "physics/shell_samples.hpp"
@@ -53,16 +54,6 @@ struct ShellPartners {
     const MembraneModel* sheet_model = nullptr;
     double from = 0.0;
     double to = 1.0;
-};
-
-struct ShellContactSettings {
-    double stiffer = 20.0;         ///< the springs than the shell across its thickness,
-    double stiffer_sheet = 200.0;  ///< but at most so much than a membrane that it meets
-    double onset = 0.1;            ///< penetration over which the springs gain their stiffness, of the thickness
-    double stick = 0.006;          ///< stiffness of what sticks over that
-    std::optional<int> level{};    ///< of sampling; none: by the size of the partner
-    bool turns = true;             ///< contact turns nodes, else it only moves them
-    bool accounts = false;         ///< where energy goes is found in full, for tests and measurements
 };
 
 /// Energy of a step [nJ].

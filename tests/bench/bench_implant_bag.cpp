@@ -15,14 +15,15 @@
 namespace rhexis::bench {
 namespace {
 
-constexpr double speed = 5.0;      // of the plunger [mm/s]
-constexpr double unfolding = 6.0;  // looked at after the hand has come to the end of the stroke [s]
-const Vec3 tip(0.0, -1.0, 1.2);    // in the near half of the opening [mm]
+constexpr double speed = 5.0;    // of the plunger [mm/s]
+const Vec3 tip(0.0, -1.0, 1.2);  // in the near half of the opening [mm]
 
 struct Case {
     double bag = 800.0;      ///< triangles
     double implant = 400.0;  ///< likewise
     double dt = 0.02;        ///< [s]
+    double unfolding = 6.0;  ///< that it is looked at after the hand has come to the end of the stroke [s]
+    ShellContactSettings contact{};
 };
 
 SceneDescription scene_of(const Case& own) {
@@ -62,10 +63,32 @@ double stretched(const MembraneModel& model, const MembraneState& bag) {
     return now / rest;
 }
 
-nlohmann::json row(const Case& own) {
+/// What a run came to.
+struct Injected {
+    int triangles = 0;
+    std::vector<Vec3> places;  ///< of the implant's nodes [mm]
+    std::vector<double> iterations;
+    double deepest = 0.0;
+    double residual = 0.0;
+    double rim = 1.0;
+    int redone = 0;
+    double cpu = 0.0;  ///< a simulated second [s]
+};
+
+Vec3 middle(const std::vector<Vec3>& places) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& place : places) {
+        sum += place;
+    }
+    return sum / static_cast<double>(places.size());
+}
+
+Injected inject(const Case& own) {
     const SceneDescription scene = scene_of(own);
     const std::shared_ptr<const WorldModel> model = std::move(build_world(scene)).value().world;
-    Physics physics = std::move(Physics::create(model, {})).value();
+    PhysicsSettings settings;
+    settings.shell_contact = own.contact;
+    Physics physics = std::move(Physics::create(model, settings)).value();
     WorldState state = rest_state(*model);
     state.shells[0] = folded(scene);
     ToolState hand;
@@ -73,12 +96,8 @@ nlohmann::json row(const Case& own) {
     hand.pose = {tip, held()};
     hand.previous_pose = hand.pose;
     const int pushing = static_cast<int>(model->tools[0].cartridge->stroke / speed / own.dt) + 1;
-    const int steps = pushing + static_cast<int>(unfolding / own.dt);
-    std::vector<double> iterations;
-    double deepest = 0.0;
-    double residual = 0.0;
-    double rim = 1.0;
-    int redone = 0;
+    const int steps = pushing + static_cast<int>(own.unfolding / own.dt);
+    Injected result;
     const double start = thread_cpu_seconds();
     for (int i = 0; i < steps; ++i) {
         hand.previous_jaw = hand.jaw;
@@ -87,38 +106,80 @@ nlohmann::json row(const Case& own) {
         ContactSet contacts;
         Profile profile;
         const StepOutcome outcome = physics.advance(state, {&hand, 1}, own.dt, next, contacts, profile);
-        iterations.push_back(outcome.shells[0].newton_iterations);
-        deepest = std::max(deepest, outcome.shells[0].deepest);
-        residual = std::max(residual, outcome.shells[0].residual);
-        redone += outcome.rollbacks;
+        result.iterations.push_back(outcome.shells[0].newton_iterations);
+        result.deepest = std::max(result.deepest, outcome.shells[0].deepest);
+        result.residual = std::max(result.residual, outcome.shells[0].residual);
+        result.redone += outcome.rollbacks;
         state = std::move(next);
-        rim = std::max(rim, stretched(model->membranes[0], state.membranes[0]));
+        result.rim = std::max(result.rim, stretched(model->membranes[0], state.membranes[0]));
     }
-    const double cpu = thread_cpu_seconds() - start;
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& place : state.shells[0].position) {
-        middle += place / static_cast<double>(state.shells[0].position.size());
-    }
-    std::sort(iterations.begin(), iterations.end());
-    const auto rank = [&](double share) {
-        return iterations[static_cast<std::size_t>(share * static_cast<double>(iterations.size() - 1))];
-    };
-    return {{"name", "implant_bag"},
-            {"elements", model->membranes[0].sheet->mesh.triangles.size() + model->shells[0].mesh.triangles.size()},
+    result.cpu = (thread_cpu_seconds() - start) / (steps * own.dt);
+    result.triangles =
+        static_cast<int>(model->membranes[0].sheet->mesh.triangles.size() + model->shells[0].mesh.triangles.size());
+    result.places = state.shells[0].position;
+    std::sort(result.iterations.begin(), result.iterations.end());
+    return result;
+}
+
+double rank(const std::vector<double>& sorted, double share) {
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+nlohmann::json row(const char* name, const Case& own, const Injected& run) {
+    return {{"name", name},
+            {"elements", run.triangles},
             {"bag", own.bag},
             {"implant", own.implant},
             {"step_ms", 1e3 * own.dt},
-            {"x_mm", middle.x()},
-            {"y_mm", middle.y()},
-            {"z_mm", middle.z()},
-            {"rim_stretch", rim},
-            {"redone", redone},
-            {"residual", residual},
-            {"iterations_p50", rank(0.5)},
-            {"iterations_p99", rank(0.99)},
-            {"cpu_s_per_s", cpu / (steps * own.dt)},
-            {"error", deepest},
+            {"stiffer", own.contact.stiffer},
+            {"onset", own.contact.onset},
+            {"stick", own.contact.stick},
+            {"x_mm", middle(run.places).x()},
+            {"y_mm", middle(run.places).y()},
+            {"z_mm", middle(run.places).z()},
+            {"rim_stretch", run.rim},
+            {"redone", run.redone},
+            {"residual", run.residual},
+            {"iterations_p50", rank(run.iterations, 0.5)},
+            {"iterations_p99", rank(run.iterations, 0.99)},
+            {"cpu_s_per_s", run.cpu},
+            {"deepest", run.deepest},
+            {"error", run.deepest},
             {"error_kind", "deepest penetration over thickness"}};
+}
+
+double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sum += (a[i] - b[i]).norm();
+    }
+    return sum / static_cast<double>(a.size());
+}
+
+/// Ways to press and to stick, against hard springs that hardly give way: how far the implant's nodes end from where
+/// they end then, in the mean.
+nlohmann::json springs() {
+    constexpr double looked_at = 3.0;  // after the end of the stroke: later all of them creep the same way [s]
+    const auto of = [](double stiffer, double onset, double stick) {
+        return Case{.unfolding = looked_at,
+                    .contact = {.stiffer = stiffer, .stiffer_sheet = 10.0 * stiffer, .onset = onset, .stick = stick}};
+    };
+    const std::vector<Case> cases{
+        of(80.0, 0.1, 1.0),   of(5.0, 0.01, 1.0),   of(20.0, 0.1, 1.0),   of(20.0, 0.1, 0.1),   of(20.0, 0.1, 0.02),
+        of(20.0, 0.1, 0.006), of(20.0, 0.1, 0.002), of(80.0, 0.1, 0.006), of(40.0, 0.2, 0.006), of(10.0, 0.05, 0.01)};
+    nlohmann::json rows = nlohmann::json::array();
+    std::vector<Vec3> reference;
+    for (const Case& own : cases) {
+        const Injected run = inject(own);
+        if (reference.empty()) {
+            reference = run.places;
+        }
+        nlohmann::json one = row("implant_bag_springs", own, run);
+        one["error"] = apart(run.places, reference);
+        one["error_kind"] = "mean distance of nodes from where hard springs bring them [mm]";
+        rows.push_back(std::move(one));
+    }
+    return rows;
 }
 
 }  // namespace
@@ -129,10 +190,12 @@ std::vector<BenchCase> implant_bag_cases() {
              [cases](const BenchOptions& options) {
                  nlohmann::json rows = nlohmann::json::array();
                  for (std::size_t i = 0; i < (options.quick ? 1 : cases.size()); ++i) {
-                     rows.push_back(row(cases[i]));
+                     rows.push_back(row("implant_bag", cases[i], inject(cases[i])));
                  }
                  return rows;
-             }}};
+             }},
+            {"implant_bag_springs", "the same by springs of contact: how hard they press and how hard they stick",
+             [](const BenchOptions&) { return springs(); }}};
 }
 
 }  // namespace rhexis::bench
