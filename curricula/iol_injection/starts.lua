@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- States of this exercise to start from. They are made when they are asked for. It begins with the implant folded in its
--- injector; in the others it has been let out: before the capsule; in the bag upside down; in the bag on its side.
+-- States of this exercise to start from. They are made when they are asked for. It begins with the implant folded in
+-- its injector; in the others it has been let out: before the capsule; in the bag upside down; in the bag on its side.
 
 local implant_hand = require "implant_hand"
 

@@ -1,24 +1,30 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- An implant that comes out into a chamber with too little viscoelastic, and into a full one.
 
+local implant_hand = require "implant_hand"
+
+local function chamber(fill)
+    local set = { ["viscoelastic.fill"] = fill }
+    for name, value in pairs(implant_hand.thin) do set[name] = value end
+    return set
+end
+
 -- The mouth under the rim, and the plunger until a little of the implant is out.
 local function begin(t)
-    t.injector:enter({ speed = 20 })
-    t.injector:move_to({ 0, 0.2, 1.1 }, { speed = 8 })
-    t.injector:jaw(0.55)
-    t:wait_until("implant.delivered > 0.03", 8)
+    implant_hand.bring(t, { 0, -1.0, 1.0 })
+    implant_hand.push(t, function() return t:value("implant.delivered") > 0.05 end)
 end
 
 return scenarios {
     scenario "injected without viscoelastic, and left so" {
-        set = { ["viscoelastic.fill"] = 0.5 },
+        set = chamber(0.5),
         function(t)
             begin(t)
             t:expect_event("Injected without viscoelastic", { recovered = false, within = 32 })
         end },
 
     scenario "injected without viscoelastic, then filled" {
-        set = { ["viscoelastic.fill"] = 0.6 },
+        set = chamber(0.6),
         function(t)
             begin(t)
             t:wait(0.5)
@@ -31,7 +37,7 @@ return scenarios {
         end },
 
     scenario "injected into a chamber that is nearly full" {
-        set = { ["viscoelastic.fill"] = 0.8 },
+        set = chamber(0.8),
         silent_twin_of = "Injected without viscoelastic",
         function(t)
             begin(t)
