@@ -20,7 +20,7 @@ return exercise {
         "See an implant that lies upside down or with a haptic outside before you leave",
     },
 
-    patient = { age = 68, pupil_mm = 7.5 },
+    patient = { age = 68, pupil_mm = 8 },
     tissues = { "implant", "bag", "viscoelastic", "iris", "cornea" },
     instruments = { "injector", "hook", "cannula" },
     settings = {

@@ -13,7 +13,7 @@ local Hand = {}
 Hand.__index = Hand
 
 --- What a scenario may ask of it.
-Hand.public = { "enter", "withdraw", "move_to", "move_by", "path", "pedal", "jaw", "tip" }
+Hand.public = { "enter", "withdraw", "move_to", "move_by", "path", "pedal", "jaw", "turn", "tip" }
 
 local main_entry = "incision"  -- of an instrument whose own wound the eye does not have
 
@@ -45,7 +45,7 @@ end
 --- index: of the instrument, from 0; landmarks: name -> { position }.
 function Hand.new(name, index, landmarks, test)
     local self = setmetatable({ name = name, index = index, test = test, landmarks = landmarks, inside = false,
-        place = { 0, 0, 0 }, pedal_now = 0, jaw_now = 0, hold = instruments.held(name) }, Hand)
+        place = { 0, 0, 0 }, pedal_now = 0, jaw_now = 0, turned = 0, hold = instruments.held(name) }, Hand)
     self:go_through(landmarks[self.hold.wound] and self.hold.wound or main_entry)
     return self
 end
@@ -190,6 +190,13 @@ function Hand:jaw(opening)
     self.jaw_now = opening
 end
 
+--- About its own shaft, so far from how it is held otherwise, anticlockwise as seen from the hand [degrees]. At once.
+function Hand:turn(angle)
+    local where = self.test:where()
+    fields.check_value({ kind = "number", from = -180, to = 180 }, angle, where, self.name .. ":turn")
+    self.turned = angle
+end
+
 --- Where the tip is: { x, y, z } [mm].
 function Hand:tip() return { table.unpack(self.place) } end
 
@@ -204,7 +211,8 @@ function Hand:sample(dt)
         self.place = move.path(move.share)
     end
     local sample = { instrument = self.index, present = self.inside, position = self.place,
-        orientation = self.hold.orientation(shaft_at(self, self.place)), jaw = self.jaw_now, pedal = self.pedal_now }
+        orientation = vector.turned(self.hold.orientation(shaft_at(self, self.place)), self.turned),
+        jaw = self.jaw_now, pedal = self.pedal_now }
     if move and move.elapsed >= move.duration - 1e-9 then self.axis, self.move = move.axis_to, nil end
     return sample
 end

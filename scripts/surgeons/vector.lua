@@ -63,4 +63,11 @@ function vector.bent(shaft)
     return quaternion(x, y, vector.cross(x, y))
 end
 
+--- An orientation turned about its own z axis, anticlockwise as seen from where that points [degrees].
+function vector.turned(q, angle)
+    if angle == 0 then return q end
+    local c, s = math.cos(math.rad(angle) / 2), math.sin(math.rad(angle) / 2)
+    return { q[1] * c - q[4] * s, q[2] * c + q[3] * s, q[3] * c - q[2] * s, q[4] * c + q[1] * s }
+end
+
 return vector

@@ -1,0 +1,47 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- An implant that comes out into a chamber with too little viscoelastic, and into a full one.
+
+local implant_hand = require "implant_hand"
+
+local function chamber(fill)
+    local set = { ["viscoelastic.fill"] = fill }
+    for name, value in pairs(implant_hand.thin) do set[name] = value end
+    return set
+end
+
+-- The mouth under the rim, and the plunger until a little of the implant is out.
+local function begin(t)
+    implant_hand.bring(t, { 0, -1.0, 1.0 })
+    implant_hand.push(t, function() return t:value("implant.delivered") > 0.05 end)
+end
+
+return scenarios {
+    scenario "injected without viscoelastic, and left so" {
+        set = chamber(0.5),
+        function(t)
+            begin(t)
+            t:expect_event("Injected without viscoelastic", { recovered = false, within = 32 })
+        end },
+
+    scenario "injected without viscoelastic, then filled" {
+        set = chamber(0.6),
+        function(t)
+            begin(t)
+            t:wait(0.5)
+            t:expect_event("Injected without viscoelastic")
+            t.cannula:enter({ speed = 20 })
+            t.cannula:move_to({ 0, -1.5, 3 }, { speed = 12 })
+            t.cannula:jaw(0.7)
+            t:wait_until("viscoelastic.fill > 0.95", 15)
+            t:expect_event("Injected without viscoelastic", { recovered = true })
+        end },
+
+    scenario "injected into a chamber that is nearly full" {
+        set = chamber(0.8),
+        silent_twin_of = "Injected without viscoelastic",
+        function(t)
+            begin(t)
+            t:wait(0.5)
+            t:expect("viscoelastic.fill < 0.85")
+        end },
+}

@@ -1,0 +1,33 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Haptics before the capsule, or in the bag, when the hook leaves.
+
+local implant_hand = require "implant_hand"
+
+local function hook_comes_and_goes(t)
+    t.hook:enter({ speed = 20 })
+    t:wait(0.2)
+    t.cannula:enter({ speed = 20 })  -- the attempt is over where nothing is in the eye for long
+    t.hook:withdraw({ speed = 20 })
+end
+
+return scenarios {
+    scenario "implant left before the capsule" {
+        set = implant_hand.thin,
+        start = "before_capsule",
+        function(t)
+            hook_comes_and_goes(t)
+            t:wait(1.2)
+            t:expect_event("Haptic not in the bag")
+            t:expect_event("Haptic not in the bag", { recovered = false, within = 62 })
+        end },
+
+    scenario "both haptics in the bag when the hook leaves" {
+        set = implant_hand.thin,
+        start = "upside_down",
+        silent_twin_of = "Haptic not in the bag",
+        function(t)
+            hook_comes_and_goes(t)
+            t:wait(1.5)
+            t:expect("implant.haptics_in_bag >= 2")
+        end },
+}

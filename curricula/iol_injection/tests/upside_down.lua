@@ -1,0 +1,40 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- An implant that came out with its front to the back of the eye, because the injector was turned about its shaft.
+
+local implant_hand = require "implant_hand"
+
+-- The optic stands on its edge, its front to the left: its upper edge is pushed to the right, over the top, and down.
+local function turn_over(t)
+    t.hook:enter({ speed = 20 })
+    t.hook:move_to({ -2.6, 0.8, 1.5 }, { speed = 10 })
+    t.hook:move_to({ 2.9, 0.8, 1.5 }, { speed = 2, motion = "even" })
+    t.hook:move_to({ 2.9, 0.8, -0.5 }, { speed = 2, motion = "even" })
+end
+
+return scenarios {
+    scenario "on its side with its front to the back, and turned over with the hook" {
+        set = implant_hand.thin,
+        start = "on_its_side",
+        function(t)
+            t:wait(2.2)
+            t:expect_event("Upside down")
+            turn_over(t)
+            t:expect_event("Upside down", { recovered = true, within = 3 })
+        end },
+
+    scenario "upside down in the bag, and left so" {
+        set = implant_hand.thin,
+        start = "upside_down",
+        function(t)
+            t.cannula:enter({ speed = 20 })  -- the attempt is over where nothing is in the eye for long
+            t:expect_event("Upside down", { recovered = false, within = 95 })
+        end },
+
+    scenario "the right way up" {
+        set = implant_hand.thin,
+        start = "before_capsule",
+        silent_twin_of = "Upside down",
+        function(t)
+            t:wait(3)
+        end },
+}
