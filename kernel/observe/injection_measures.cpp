@@ -28,7 +28,7 @@ public:
         schema.push_back({"implant.delivered", "1", "Share of the implant that is out of the injector."});
         schema.push_back({"injector.plunger_mm", "mm", "How far the plunger is, which gives way when it jams."});
         schema.push_back({"injector.force_mN", "mN", "Force of the plunger on the implant, along the bore."});
-        schema.push_back({"injector.jammed", "bool", "The plunger has needed all the force of a hand, 30 N."});
+        schema.push_back({"injector.jammed", "bool", "The plunger has needed nine tenths of all the force of a hand."});
     }
 
     [[nodiscard]] std::size_t memory_size() const override { return 1; }  // whether it has jammed

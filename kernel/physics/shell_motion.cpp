@@ -21,7 +21,7 @@ constexpr int most_cuts = 4;          // of one into pieces, and of those
 /// What is left over the forces of contact that finer steps are worth while for, and Newton iterations in all of a step
 /// after which none are: a lens that jams can cost twenty times as much by them and come no nearer to balance.
 constexpr double near_balance = 1e-2;
-constexpr int most_iterations = 400;
+constexpr int most_iterations = 300;
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 39> table{{
+constexpr std::array<SettingInfo, 40> table{{
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
@@ -37,6 +37,7 @@ constexpr std::array<SettingInfo, 39> table{{
     {"implant.tackiness_kpa", "kPa", 0.0, 100.0, 0.0, false,
      "Pull per area that parts layers of the implant which were pressed together."},
     {"implant.triangles", "1", 400.0, 8000.0, 743.0, false, "Of the implant, about so many."},
+    {"injector.push_n", "N", 1.0, 100.0, 30.0, false, "Most that a hand presses the plunger of the injector with."},
     {"machine.bottle_cm", "cm", 0.0, 150.0, 75.0, true, "Height of the infusion bottle above the eye."},
     {"machine.flow_ml_min", "ml/min", 0.0, 60.0, 25.0, true, "Flow of the aspiration pump at full pedal."},
     {"machine.infusion", "1", 0.0, 1.0, 1.0, true,

@@ -16,7 +16,6 @@ constexpr double plunger_gap = 0.5;     // before an implant of that length [mm]
 constexpr double plunger_out = 1.0;     // of the tip at the end of its stroke [mm]
 constexpr double plunger_play = 0.8;    // radius of the plunger, share of the nozzle's
 constexpr double plunger_friction = 0.2;
-constexpr double hand = 3e7;           // most that a hand presses a plunger with; 5 to 30 N are spoken of [uN]
 constexpr double hand_speed = 40.0;    // that it can push it with [mm/s]
 constexpr double shaft_radius = 3.0;   // of the hand piece [mm]
 constexpr double shaft_length = 60.0;  // [mm]
@@ -26,7 +25,8 @@ constexpr double shaft_length = 60.0;  // [mm]
 Status check_injector(const InjectorShape& shape) {
     return check_ranges({{"chamber", shape.chamber, 1.0, 4.0, " mm"},
                          {"nozzle", shape.nozzle, 1.0, shape.chamber, " mm"},
-                         {"friction", shape.friction, 0.0, 2.0, ""}},
+                         {"friction", shape.friction, 0.0, 2.0, ""},
+                         {"push", shape.push, 1.0, 100.0, " N"}},
                         "cartridge");
 }
 
@@ -54,7 +54,7 @@ ToolModel injector(const InjectorShape& shape) {
     cartridge.plunger_radius = plunger_play * nozzle;
     cartridge.plunger_from = cartridge.loaded_at - 0.5 * room - plunger_gap;
     cartridge.stroke = plunger_out - cartridge.plunger_from;
-    cartridge.most_force = hand;
+    cartridge.most_force = 1e6 * shape.push;
     cartridge.fastest = hand_speed;
     return tool;
 }

@@ -1,0 +1,30 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A lens whose surfaces stick to each other: its haptics stay folded on the optic.
+
+local implant_hand = require "implant_hand"
+
+local function tacky(kpa)
+    local set = { ["implant.tackiness_kpa"] = kpa }
+    for name, value in pairs(implant_hand.thin) do set[name] = value end
+    return set
+end
+
+return scenarios {
+    scenario "haptics stuck to the optic, and left so" {
+        set = tacky(50),
+        function(t)
+            implant_hand.inject(t, { 0, -1.2, 2.2 })
+            t.cannula:enter({ speed = 20 })  -- the attempt is over where nothing is in the eye for long
+            t:expect_event("Haptic stuck to the optic", { within = 25 })
+            t:expect_event("Haptic stuck to the optic", { recovered = false, within = 62 })
+        end },
+
+    scenario "haptics that come off the optic by themselves" {
+        set = tacky(0),
+        start = "upside_down",
+        silent_twin_of = "Haptic stuck to the optic",
+        function(t)
+            t.cannula:enter({ speed = 20 })
+            t:wait(22)
+        end },
+}
