@@ -140,6 +140,10 @@ function Instrument:pedal(position) end
 ---@param opening number
 function Instrument:jaw(opening) end
 
+---Turns it about its own shaft, so far from how it is held otherwise, anticlockwise as the hand sees it. At once.
+---@param angle number degrees, -180 to 180
+function Instrument:turn(angle) end
+
 ---Where the tip is.
 ---@return rhexis.Vec3
 function Instrument:tip() end
