@@ -158,8 +158,9 @@ ImplantShape implant_shape(const std::map<std::string, double>& settings) {
 }
 
 InjectorShape injector_shape(const std::map<std::string, double>& settings) {
-    return {settings.at("cartridge.bore_mm"), settings.at("cartridge.nozzle_mm"), settings.at("cartridge.friction"),
-            settings.at("cartridge.tucked") >= 0.5, settings.at("injector.push_n")};
+    return {settings.at("cartridge.bore_mm"),         settings.at("cartridge.nozzle_mm"),
+            settings.at("cartridge.friction"),        settings.at("cartridge.tucked") >= 0.5,
+            settings.at("cartridge.inverted") >= 0.5, settings.at("injector.push_n")};
 }
 
 std::map<std::string, double> all_settings(const SceneDescription& scene) {

@@ -93,11 +93,12 @@ Status check_laid_in(const Cartridge& cartridge, const ShellModel& model, const 
 
 std::span<const FoldingStage> folding_stages() { return table; }
 
-FoldingDevice::FoldingDevice(const ImplantShape& shape, double bore, double friction, bool tucked)
+FoldingDevice::FoldingDevice(const ImplantShape& shape, const InjectorShape& cartridge)
     : shape_(shape),
-      bore_(bore),
-      friction_(friction),
-      tucked_(tucked),
+      bore_(cartridge.chamber),
+      friction_(cartridge.friction),
+      tucked_(cartridge.tucked),
+      inverted_(cartridge.inverted),
       tools_{jaw("upper front jaw"), jaw("upper back jaw"), jaw("lower front jaw"), jaw("lower back jaw")} {}
 
 bool FoldingDevice::has(int stage) const { return tucked_ || stage == roll || stage >= close; }
@@ -154,12 +155,18 @@ TubeModel FoldingDevice::wings(double radius) const {
     return tube;
 }
 
+ShellState FoldingDevice::laid_out(ShellState flat) const {
+    const Quat onto_front(0.0, 0.0, 1.0, 0.0);  // half a turn about y, along which the haptics lie
+    return inverted_ ? moved(std::move(flat), {Vec3::Zero(), onto_front}) : flat;
+}
+
 ShellState FoldingDevice::laid_in(const Cartridge& cartridge, const ShellState& folded) const {
     const Pose& from = wings(0.5 * bore_).pose;
     Pose to = cartridge.bore.pose;
     to.position += to.orientation * Vec3(0.0, 0.0, cartridge.loaded_at);
     Pose by;
-    by.orientation = to.orientation * from.orientation.conjugate();
+    const Quat turned = inverted_ ? Quat(0.0, 0.0, 0.0, 1.0) : Quat(1.0, 0.0, 0.0, 0.0);  // half a turn about the bore
+    by.orientation = to.orientation * turned * from.orientation.conjugate();
     by.position = to.position - by.orientation * from.position;
     ShellState state = folded;
     state.loads.clear();

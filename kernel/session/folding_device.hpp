@@ -13,6 +13,7 @@
 #include "eye/implant.hpp"
 #include "flow/tool.hpp"
 #include "flow/tube.hpp"
+#include "tools/injector.hpp"
 
 namespace rhexis {
 
@@ -40,8 +41,8 @@ Status check_laid_in(const Cartridge& cartridge, const ShellModel& model, const 
 
 class FoldingDevice {
 public:
-    /// bore: inner diameter of the closed cartridge [mm]; friction: of its wall.
-    FoldingDevice(const ImplantShape& shape, double bore, double friction, bool tucked);
+    /// Both must have passed their checks.
+    FoldingDevice(const ImplantShape& shape, const InjectorShape& cartridge);
 
     /// Whether a stage is gone through: without tucking there are no forceps.
     [[nodiscard]] bool has(int stage) const;
@@ -52,6 +53,8 @@ public:
     [[nodiscard]] FoldingPose pose(int stage, double share) const;
     /// Trough or bore of that radius: its floor always where the lens lay at first.
     [[nodiscard]] TubeModel wings(double radius) const;
+    /// A lens at rest on its back as it lies in the device.
+    [[nodiscard]] ShellState laid_out(ShellState flat) const;
     /// The folded lens as it lies in a cartridge of the bore, in the injector's frame; free of loads and at rest.
     [[nodiscard]] ShellState laid_in(const Cartridge& cartridge, const ShellState& folded) const;
 
@@ -62,6 +65,7 @@ private:
     double bore_;
     double friction_;
     bool tucked_;
+    bool inverted_;
     std::vector<ToolModel> tools_;
 };
 

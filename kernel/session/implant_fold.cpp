@@ -74,7 +74,7 @@ struct ImplantFold::Parts {
           stepper(std::move(own_stepper)),
           contacts(world->shells[0]),
           ledger(world->shells[0]),
-          state(rest_state(world->shells[0])),
+          state(device.laid_out(rest_state(world->shells[0]))),
           tools(device.tools().size()) {
         skip_stages();
     }
@@ -150,7 +150,7 @@ Result<ImplantFold> ImplantFold::create(const SceneDescription& scene) {
                          .append(", too small for the implant"),
                      "", std::string("at least ").append(short_number(least)).append(" for this lens")};
     }
-    FoldingDevice device(shape, cartridge.chamber, cartridge.friction, cartridge.tucked);
+    FoldingDevice device(shape, cartridge);
     std::shared_ptr<const WorldModel> own = folding_world(world, shape, device);
     Result<ShellStepper> stepper = ShellStepper::create(own->shells[0]);
     if (!stepper) {

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 40> table{{
+constexpr std::array<SettingInfo, 41> table{{
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
@@ -25,6 +25,9 @@ constexpr std::array<SettingInfo, 40> table{{
     {"capsulorhexis.diameter_mm", "mm", 3.0, 8.0, 5.25, false, "Diameter of the opening in the anterior capsule."},
     {"cartridge.bore_mm", "mm", 1.0, 4.0, 2.8, false, "Inner diameter of the cartridge where the implant is laid."},
     {"cartridge.friction", "1", 0.0, 2.0, 0.1, false, "Of the cartridge's wall, Coulomb coefficient."},
+    {"cartridge.inverted", "1", 0.0, 1.0, 0.0, false,
+     "1: the implant is folded lying on its front and the injector held turned by half a turn, so that haptics on its "
+     "optic come out behind it."},
     {"cartridge.nozzle_mm", "mm", 1.0, 4.0, 2.8, false,
      "Inner diameter of the cartridge at its tip; at most that where the implant is laid."},
     {"cartridge.tucked", "1", 0.0, 1.0, 1.0, false,

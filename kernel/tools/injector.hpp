@@ -15,7 +15,9 @@ struct InjectorShape {
     double nozzle = 2.8;    ///< at the tip: 1 to that of the chamber
     double friction = 0.1;  ///< 0 to 2
     bool tucked = true;     ///< the implant's haptics lie on its optic; false: before and behind it, which takes room
-    double push = 30.0;     ///< most that a hand presses the plunger with [N], 1 to 100; 5 to 30 are spoken of
+    bool inverted =
+        false;           ///< folded lying on its front, and held turned by half a turn: tucked haptics come out behind
+    double push = 30.0;  ///< most that a hand presses the plunger with [N], 1 to 100; 5 to 30 are spoken of
 };
 
 /// Fails with the field and what is allowed.

@@ -3,6 +3,7 @@
 // it.
 #include <doctest/doctest.h>
 
+#include "session/folding_device.hpp"
 #include "session/implant_fold.hpp"
 
 using namespace rhexis;
@@ -48,5 +49,31 @@ TEST_SUITE("implant fold") {
         const Result<PreparedState> result = fold.result();
         REQUIRE_FALSE(result.ok());
         CHECK(holds(result.error().text(), "sticks out of the cartridge's chamber by "));
+    }
+
+    TEST_CASE(
+        "inverted, a lens lies on its front in the folding device and comes to lie the same way up in its injector") {
+        const auto device_of = [](bool inverted) {
+            InjectorShape cartridge;
+            cartridge.inverted = inverted;
+            return FoldingDevice(ImplantShape{}, cartridge);
+        };
+        const Cartridge cartridge = *injector(InjectorShape{}).cartridge;
+        ShellState flat;
+        flat.position = {Vec3(1.0, 2.0, 0.1), Vec3(-0.5, 3.0, 0.0), Vec3(2.0, -1.0, -0.1)};
+        flat.rotation.assign(3, Quat::Identity());
+        flat.velocity.assign(3, Vec3::Zero());
+        flat.spin.assign(3, Vec3::Zero());
+        const ShellState on_front = device_of(true).laid_out(flat);
+        CHECK(on_front.position[0].isApprox(Vec3(-1.0, 2.0, -0.1)));
+        CHECK((on_front.rotation[0] * Vec3::UnitZ()).isApprox(-Vec3::UnitZ()));
+        CHECK(device_of(false).laid_out(flat).position == flat.position);
+        const ShellState plain = device_of(false).laid_in(cartridge, flat);
+        const ShellState inverted = device_of(true).laid_in(cartridge, on_front);
+        const Vec3 apart = inverted.position[0] - plain.position[0];
+        for (std::size_t n = 0; n < 3; ++n) {
+            CHECK(inverted.rotation[n].toRotationMatrix().isApprox(plain.rotation[n].toRotationMatrix()));
+            CHECK((inverted.position[n] - plain.position[n]).isApprox(apart));
+        }
     }
 }
