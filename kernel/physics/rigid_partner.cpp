@@ -31,7 +31,7 @@ SurfaceDistance wall_distance(const BagModel& bag, const Vec3& local, bool outsi
     if (within_opening(bag, local)) {
         return nothing_near();
     }
-    const SurfaceDistance found = bag_distance(bag.shape, local);
+    SurfaceDistance found = bag_distance(bag.shape, local);
     if (outside) {
         return found;
     }

@@ -72,7 +72,7 @@ Result<std::vector<double>> read_torn_opening(const std::string& path) {
         return Error{"this is neither a state nor a recording", path, "a file written by rhexis run (.rhxs, .rhx)"};
     }
     const Result<Session> session = recorded ? session_of_recording(path) : session_of_state(path);
-    const Result<std::vector<double>> radii = session ? torn_opening(session.value()) : session.error();
+    Result<std::vector<double>> radii = session ? torn_opening(session.value()) : session.error();
     if (!radii && radii.error().where != path) {
         const std::string where = radii.error().where.empty() ? path : path + ": " + radii.error().where;
         return Error{radii.error().what, where, radii.error().allowed};
