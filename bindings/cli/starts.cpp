@@ -15,6 +15,7 @@
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/scenario_script.hpp"
+#include "session/build_world.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
 
@@ -28,7 +29,7 @@ using nlohmann::json;
 struct Recipe {
     std::string name;
     CurriculumFiles files;
-    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "folded", "opening", "where", "by_hand"}
+    json text;  ///< {"surgeon", "seed", "set", "when", "limit_s", "opening", "where", "by_hand"}
     std::map<std::string, std::string> set;
     std::vector<double> opening{};  ///< of the bag, as SceneDescription has it
     std::string fingerprint{};      ///< of everything that the state depends on
@@ -47,6 +48,11 @@ bool builds_the_scene(const std::string& name) {
     const SettingInfo* setting = find_setting(name);
     return name.starts_with("patient.") || name == "step_s" || name == "advance" ||
            (setting != nullptr && !setting->live);
+}
+
+std::map<std::string, std::string> of_the_scene(std::map<std::string, std::string> set) {
+    std::erase_if(set, [](const auto& entry) { return !builds_the_scene(entry.first); });
+    return set;
 }
 
 std::vector<std::string> names_of(const json& starts) {
@@ -93,12 +99,8 @@ Result<Recipe> find_recipe(const StartRequest& request) {
                      suggestion(request.start, names_of(starts))};
     }
     recipe.text = starts.at(request.start);
-    recipe.set = recipe.text.at("set").get<std::map<std::string, std::string>>();
-    for (const auto& [name, value] : request.set) {
-        if (builds_the_scene(name)) {
-            recipe.set[name] = value;
-        }
-    }
+    recipe.set = of_the_scene(request.set);
+    recipe.set.merge(recipe.text.at("set").get<std::map<std::string, std::string>>());
     return recipe;
 }
 
@@ -202,15 +204,9 @@ Result<ExerciseHost> load_host(const Recipe& recipe, const StartRequest& request
     return host;
 }
 
-/// What the recipe begins with: the implant in its injector, or "", the eye at rest.
-Result<std::string> before(const Recipe& recipe, const ExerciseHost& host, const StartRequest& request) {
-    if (!recipe.text.at("folded").get<bool>()) {
-        return std::string();
-    }
-    const Result<std::string> path = find_folded_implant(host.scene(), request.quiet);
-    return path ? path
-                : Error{"start " + recipe.name + ": " + path.error().what, recipe.text.at("where"),
-                        path.error().allowed};
+/// What a scene begins with: the implant in its injector, or "", the eye at rest.
+Result<std::string> before(const SceneDescription& scene, bool quiet) {
+    return injects(scene) ? find_folded_implant(scene, quiet) : Result<std::string>(std::string());
 }
 
 /// Nobody has to do anything for it.
@@ -223,7 +219,7 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
     if (!host) {
         return host.error();
     }
-    const Result<std::string> begun = before(recipe, host.value(), request);
+    const Result<std::string> begun = before(host.value().scene(), request.quiet);
     if (!begun) {
         return begun.error();
     }
@@ -302,7 +298,14 @@ Status open_bag(const StartRequest& request, Recipe& recipe) {
 /// The state of a recipe for which nobody has to do anything: "" or the folded implant.
 Result<std::string> at_once(const Recipe& recipe, const StartRequest& request) {
     const Result<ExerciseHost> host = load_host(recipe, request);
-    return host ? before(recipe, host.value(), request) : host.error();
+    return host ? before(host.value().scene(), request.quiet) : host.error();
+}
+
+/// The same of a run that names no start. What is wrong with its exercise is found when it is loaded.
+Result<std::string> at_rest(const StartRequest& request) {
+    const Result<ExerciseHost> host =
+        ExerciseHost::load({request.curriculum, "none", 1, of_the_scene(request.set), request.root});
+    return host ? before(host.value().scene(), request.quiet) : Result<std::string>(std::string());
 }
 
 /// The state that a recipe's surgeon or hand leaves, made if none is kept that is still good.
@@ -349,7 +352,11 @@ Result<Start> find_start(const StartRequest& given) {
     const StartRequest& request = found.value();
     if (request.start.empty() || !is_name(request.start)) {
         Result<std::vector<double>> opening = opening_from(request.opening, request);
-        return opening ? Result<Start>(Start{request.start, std::move(opening).value()}) : opening.error();
+        if (!opening) {
+            return opening.error();
+        }
+        const Result<std::string> state = request.start.empty() ? at_rest(request) : request.start;
+        return state ? Result<Start>(Start{state.value(), std::move(opening).value()}) : state.error();
     }
     Result<Recipe> recipe = find_recipe(request);
     if (!recipe) {

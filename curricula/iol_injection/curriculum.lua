@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- A folded implant pushed out of its injector into the capsular bag, turned in and centred. It begins in the state
--- `begin` of starts.lua.
+-- A folded implant pushed out of its injector into the capsular bag, turned in and centred.
 
 local implant_events = require "implant_events"
 local rhexis_events = require "rhexis_events"

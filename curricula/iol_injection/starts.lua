@@ -1,18 +1,17 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- States of this exercise to start from. They are made when they are asked for. It begins with the implant folded in
--- its injector; torn: the bag's opening is the one that the expert tears. In the others it has been let out: before the
--- capsule; in the bag upside down; in the bag on its side.
+-- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one that
+-- the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the bag
+-- on its side.
 
 local implant_hand = require "implant_hand"
 
 -- Let out with the mouth at a place, the injector turned so far [degrees].
 local function let_out(place, turned)
-    return { folded = true, set = implant_hand.thin, function(t) implant_hand.inject(t, place, turned) end }
+    return { set = implant_hand.thin, function(t) implant_hand.inject(t, place, turned) end }
 end
 
 return starts {
-    begin = { folded = true },
-    torn = { folded = true, opening = "capsulorhexis:round" },
+    torn = { opening = "capsulorhexis:round" },
     before_capsule = let_out({ 0, -1.2, 2.2 }, 0),
     upside_down = let_out({ 0, -0.8, 0.8 }, 180),
     on_its_side = let_out({ 0, -1.0, 0.9 }, 70),

@@ -137,7 +137,7 @@ constexpr double sheared_viscosity = 10.0;
 ShellModel make_shell(const SceneDescription& scene) {
     const std::map<std::string, double> settings = all_settings(scene);
     const ImplantShape shape = implant_shape(settings);
-    ShellModel model = has_instrument(scene, injector_name) ? free_implant(shape) : acrylic_implant(shape);
+    ShellModel model = injects(scene) ? free_implant(shape) : acrylic_implant(shape);
     model.material.young_modulus = 1e6 * settings.at("implant.modulus_mpa");
     model.tack = 1e3 * settings.at("implant.tackiness_kpa");
     if (has_tissue(scene, "viscoelastic")) {
@@ -178,6 +178,10 @@ bool has_tissue(const SceneDescription& scene, const std::string& name) {
     return std::find(scene.tissues.begin(), scene.tissues.end(), name) != scene.tissues.end();
 }
 
+bool injects(const SceneDescription& scene) {
+    return has_tissue(scene, "implant") && has_instrument(scene, injector_name);
+}
+
 Result<BuiltWorld> build_world(const SceneDescription& scene) {
     // a bag alone takes its damping from the lens that it was made for
     const bool solid_lens = has_tissue(scene, "lens") || (has_tissue(scene, "bag") && !has_tissue(scene, "implant"));
@@ -210,8 +214,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "chamber")) {
         world->chamber = make_chamber(all_settings(scene));
     }
-    const bool injected = has_tissue(scene, "implant") && has_instrument(scene, injector_name);
-    if ((has_tissue(scene, "chamber") || injected) && has_tissue(scene, "cornea")) {
+    if ((has_tissue(scene, "chamber") || injects(scene)) && has_tissue(scene, "cornea")) {
         world->domes.push_back(inner_wall(eye.value().anatomy));
     }
     if (has_tissue(scene, "capsule")) {

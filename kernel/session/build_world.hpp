@@ -30,6 +30,9 @@ InjectorShape injector_shape(const std::map<std::string, double>& settings);
 /// True when the scene names a tissue.
 bool has_tissue(const SceneDescription& scene, const std::string& name);
 
+/// Whether an implant comes into the eye through an injector, in which it lies folded at first.
+bool injects(const SceneDescription& scene);
+
 /// The description has passed check_scene.
 Result<BuiltWorld> build_world(const SceneDescription& scene);
 

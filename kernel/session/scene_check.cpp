@@ -116,6 +116,10 @@ Status check_combination(const SceneDescription& scene) {
         return Error{"tissues names implant with capsule", "",
                      "implant with bag: the wall of a bag that holds an implant is all simulated"};
     }
+    if (named("implant") && named("bag") && !injects(scene)) {
+        return Error{"tissues names implant with bag, but instruments no injector", "",
+                     "all three: an implant comes into a bag through an injector"};
+    }
     if (named("viscoelastic") && named("chamber")) {
         return Error{"tissues names viscoelastic with chamber", "",
                      "viscoelastic that stays, or chamber: fluid that flows"};

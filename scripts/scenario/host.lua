@@ -29,7 +29,7 @@ function host.listing()
     if host.declared.kind == "starts" then
         for name, start in pairs(host.declared.starts) do
             list[name] = { surgeon = start.surgeon, seed = start.seed, set = start.set, when = start.when,
-                limit_s = start.limit_s, folded = start.folded, opening = start.opening,
+                limit_s = start.limit_s, opening = start.opening,
                 where = start.where, by_hand = start.play ~= nil }
         end
         return words.as_object(list)

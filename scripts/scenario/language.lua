@@ -29,7 +29,6 @@ local start_rules = {
     surgeon = { kind = "text" },           -- d, unless a function(t) leads the instruments; then its end is kept
     seed = scenario_rules.seed,
     set = scenario_rules.set,
-    folded = { kind = "yes_no", default = false },  -- it begins with the implant folded into its injector
     opening = { kind = "text" },           -- where the bag's opening was torn: a state (.rhxs), a recording (.rhx), the
                                            -- folder of a run, or "EXERCISE:START"
     when = { kind = "text" },              -- the moment that is kept: a condition, as in the exercise
@@ -128,8 +127,8 @@ local function read_start(name, recipe, line)
     if play and (read.surgeon or read.when) then
         words.fail(where, owner .. " has a function: neither surgeon nor when goes with it")
     end
-    if not play and not read.when and not read.folded and not read.opening then
-        words.fail(where, owner .. " lacks 'when' (or a function(t) ... end, folded or opening)")
+    if not play and not read.when and not read.opening then
+        words.fail(where, owner .. " lacks 'when' (or a function(t) ... end, or opening)")
     end
     if read.surgeon and not read.when then
         words.fail(where, owner .. " names a surgeon, but lacks 'when': the moment that is kept")
@@ -141,8 +140,8 @@ local function read_start(name, recipe, line)
 end
 
 --- starts { name = { surgeon, seed, when, ... } } or { name = { function(t) ... end } }: the file starts.lua of an
---- exercise. folded = true: it begins with the implant folded into its injector; opening = "...": the bag is open as
---- a capsulorhexis left it; with neither moment nor function: that is the start.
+--- exercise. opening = "...": the bag is open as a capsulorhexis left it; with neither moment nor function: that is the
+--- start.
 function language.starts(given)
     if type(given) ~= "table" then words.fail(words.where(), "starts must be followed by a table { ... }") end
     local line = words.line_here()

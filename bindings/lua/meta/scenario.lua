@@ -32,7 +32,6 @@ function starts(list) end
 ---@field set? table # as in a scenario
 ---@field when? string # the moment that is kept: a condition, as in the exercise
 ---@field limit_s? number # simulated time in which it must come; default 300
----@field folded? boolean # it begins with the implant folded into its injector
 ---@field opening? string # where the bag's opening was torn: a state, a recording, a run's folder, or "EXERCISE:START"
 ---@field [1]? fun(t: rhexis.ScenarioTest) # instead of surgeon and moment: leads the instruments; its end is kept
 

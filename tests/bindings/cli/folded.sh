@@ -20,8 +20,7 @@ sed 's/"hook", "injector"/"injector"/; s/"iris", "cornea", "viscoelastic"/"iris"
     mine/curriculum.lua >other/curriculum.lua
 cat >mine/starts.lua <<'L'
 return starts {
-    begin = { folded = true },
-    brought = { folded = true, function(t)
+    brought = { function(t)
         t.injector:enter()
         t.injector:move_to({ 0, -2, 1.5 }, { speed = 20 })
         t:wait(0.1)
@@ -44,7 +43,7 @@ return scenarios {
 L
 
 run=("$rhexis" run mine --no-pictures --surgeon none --limit 0.1)
-expect 2 "mine/starts.lua:2: start begin: cartridge.bore_mm is 1.8, too small for the implant (at least 2." "${run[@]}" \
+expect 2 "cartridge.bore_mm is 1.8, too small for the implant (at least 2." "${run[@]}" \
     --set cartridge.bore_mm=1.8 --set cartridge.nozzle_mm=1.8 --out refused
 [ ! -e refused ] || fail "a run that could not start left something"
 [ -z "$(ls runs/states/*.rhxs 2>/dev/null)" ] || fail "a lens that cannot be folded was kept"
@@ -80,9 +79,7 @@ sed -i 's/"hook", "injector"/"hook"/; s/implant.delivered > 0.1/time_s > 1/' min
 expect 2 "the scene names no instrument injector" "${run[@]}" --start "$state" --out refused
 
 echo 'return starts { begin = {} }' >mine/starts.lua
-expect 2 "mine/starts.lua:1: start begin lacks 'when' (or a function(t) ... end, folded or opening)" "${run[@]}"
-echo 'return starts { begin = { folded = true, surgeon = "d" } }' >mine/starts.lua
+expect 2 "mine/starts.lua:1: start begin lacks 'when' (or a function(t) ... end, or opening)" "${run[@]}"
+echo 'return starts { begin = { opening = "a.rhxs", surgeon = "d" } }' >mine/starts.lua
 expect 2 "start begin names a surgeon, but lacks 'when'" "${run[@]}"
-echo 'return starts { begin = { folded = 3 } }' >mine/starts.lua
-expect 2 "start begin: folded must be true or false, not 3" "${run[@]}"
 finished

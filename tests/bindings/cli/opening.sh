@@ -19,7 +19,7 @@ cat >mine/curriculum.lua <<'L'
 return exercise {
     title = "Look at the bag",
     tissues = { "implant", "bag", "viscoelastic" },
-    instruments = { "hook" },
+    instruments = { "injector", "hook" },
     settings = { ["implant.triangles"] = 400 },
     step_s = 0.02,
     steps = { step "look" { done = "time_s > 10" } },

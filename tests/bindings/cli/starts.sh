@@ -121,7 +121,7 @@ expect 2 "half.rhxs: the state is cut short" "$rhexis" test mine
 echo 'return starts { begun = { when = 3 } }' >mine/starts.lua
 expect 2 "mine/starts.lua:1: start begun: when must be a text in quotes, not 3" "$rhexis" run mine "${small[@]}" --start begun
 echo 'return starts { begun = { seed = 3 } }' >mine/starts.lua
-expect 2 "mine/starts.lua:1: start begun lacks 'when' (or a function(t) ... end, folded or opening)" "$rhexis" run mine --start begun
+expect 2 "mine/starts.lua:1: start begun lacks 'when' (or a function(t) ... end, or opening)" "$rhexis" run mine --start begun
 echo 'return starts { begun = { when = "time_s > 1", function(t) end } }' >mine/starts.lua
 expect 2 "start begun has a function: neither surgeon nor when goes with it" "$rhexis" run mine --start begun
 echo 'return starts { begun = { when = "lens.removed_mm3 >" } }' >mine/starts.lua

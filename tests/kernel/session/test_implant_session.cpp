@@ -70,6 +70,8 @@ TEST_SUITE("implant session") {
     TEST_CASE("with the tissue bag its wall is a membrane, and nothing else of the bag is built") {
         SceneDescription scene = implant_scene();
         scene.tissues.emplace_back("bag");
+        CHECK(refusal(scene).find("instruments no injector") != std::string::npos);
+        scene.instruments = {"injector"};
         const Session session = make_session(scene);
         REQUIRE(session.world().membranes.size() == 1);
         CHECK(session.world().membranes[0].name == empty_bag_name);
