@@ -73,7 +73,7 @@ return exercise {
         step "centre" {
             title = "Centre the implant",
             hint = "Push the optic to the middle, let go, and look whether it stays there.",
-            done = in_place .. " and implant.decentration_mm <= goal.decentration_mm "
+            done = in_place .. " and implant.unfolded > 0.98 and implant.decentration_mm <= goal.decentration_mm "
                 .. "and implant.tilt_deg <= goal.tilt_deg",
             time_limit_s = 60,
         },
@@ -94,7 +94,9 @@ return exercise {
         error_event "Rim split" (implant_events.rim_split { items = { "T13", "G4" } }),
         error_event "Posterior capsule struck" (implant_events.capsule_struck { items = { "T13", "G4" } }),
         error_event "Cornea touched" (implant_events.cornea_touched { items = { "T13", "G3", "G4" } }),
-        error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" } }),
+        -- A cartridge of 3 mm rests on the iris by the wound on its way under the rim. That counts as a touch, not as an error.
+        error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" },
+            when = "iris.gap_mm < -1 or (iris.touch and not injector.present)" }),
     },
 
     -- The attempt is over when no instrument has come back for longer than it takes to change them.

@@ -17,6 +17,7 @@ constexpr double travel_in_thicknesses = 0.5;  // of shell and partner in a step
 constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in between samples, if they are rigid
 constexpr int finest_level = 3;
 constexpr int level_of_layers = 1;
+constexpr double edge_spacing = 0.6;  // of samples that meet a membrane, in thicknesses: it sinks in by a twentieth
 constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
 
 auto rank(const ShellTouch& touch) {
@@ -254,7 +255,10 @@ void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool f
 /// meets.
 void ShellContacts::meet_sheet() {
     sheet_.look(*partners_.sheet);
-    const ShellSamples& on = samples_at(level_of_layers);
+    if (samples_of_sheet_.samples.empty()) {
+        samples_of_sheet_ = shell_samples(*model_, level_of_layers, edge_spacing);
+    }
+    const ShellSamples& on = samples_of_sheet_;
     find_points(on);
     const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer_sheet);
     for (std::size_t i = 0; i < on.samples.size(); ++i) {

@@ -188,6 +188,7 @@ private:
     ShellLayers layers_;
     ShellSheet sheet_;
     std::map<int, ShellSamples> samples_;  ///< by level
+    ShellSamples samples_of_sheet_;        ///< that meet a membrane
     ShellPartners partners_;
     RigidPartners rigid_;  ///< of those
     double most_travel_ = 0.0;

@@ -138,23 +138,65 @@ Vec3 at_rest(const ShellModel& model, const ShellPlace& place) {
     return sum;
 }
 
-/// Half of every side that belongs to one facet goes to each of its ends.
-void find_edge(const ShellModel& model, ShellSamples& on) {
-    std::map<std::pair<int, int>, int> facets;
-    for (const std::array<int, 3>& n : on.facets) {
+/// A side of one facet only.
+struct Side {
+    std::size_t facet = 0;
+    std::size_t from = 0;  ///< corner of it; the side goes to the next
+};
+
+std::vector<Side> find_border(const ShellSamples& on) {
+    std::map<std::pair<int, int>, std::pair<Side, int>> sides;
+    for (std::size_t f = 0; f < on.facets.size(); ++f) {
         for (std::size_t k = 0; k < 3; ++k) {
-            ++facets[std::minmax(n[k], n[(k + 1) % 3])];
+            auto& [side, count] = sides[std::minmax(on.facets[f][k], on.facets[f][(k + 1) % 3])];
+            side = {f, k};
+            ++count;
         }
     }
-    for (const auto& [ends, count] : facets) {
-        if (count > 1) {
-            continue;
+    std::vector<Side> border;
+    for (const auto& [ends, found] : sides) {
+        if (found.second == 1) {
+            border.push_back(found.first);
         }
-        ShellSamples::Sample& a = on.samples[at(ends.first)];
-        ShellSamples::Sample& b = on.samples[at(ends.second)];
-        const double half = 0.5 * (at_rest(model, a.place) - at_rest(model, b.place)).norm();
-        a.edge += half * a.place.thickness;
-        b.edge += half * b.place.thickness;
+    }
+    return border;
+}
+
+/// Samples along a side from one end to the other, new ones between them where they would be too far apart.
+std::vector<int> samples_along(const ShellModel& model, const std::vector<double>& thickness, const Side& side,
+                               double spacing, ShellSamples& on) {
+    const std::size_t to = (side.from + 1) % 3;
+    const std::array<ShellPlace, 3>& corner = on.corners[side.facet];
+    const double length = (at_rest(model, corner[side.from]) - at_rest(model, corner[to])).norm();
+    const double thinner = std::min(corner[side.from].thickness, corner[to].thickness);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / (spacing * thinner))));
+    const std::size_t triangle = side.facet / at(on.facets_each);
+    std::vector<int> along{on.facets[side.facet][side.from]};
+    for (int i = 1; i < pieces; ++i) {
+        const double far = static_cast<double>(i) / pieces;
+        std::array<double, 3> share{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            share[k] = (1.0 - far) * corner[side.from].blend[k] + far * corner[to].blend[k];
+        }
+        along.push_back(static_cast<int>(on.samples.size()));
+        on.samples.push_back({trimmed(place_in(model, thickness, triangle, share)), 0.0, 0.0, static_cast<int>(triangle)});
+    }
+    along.push_back(on.facets[side.facet][to]);
+    return along;
+}
+
+/// Half of the way between two samples along the edge goes to each of them. spacing: at most, in thicknesses.
+void find_edge(const ShellModel& model, double spacing, ShellSamples& on) {
+    const std::vector<double> thickness = thickness_of_nodes(model);
+    for (const Side& side : find_border(on)) {
+        const std::vector<int> along = samples_along(model, thickness, side, spacing, on);
+        for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+            ShellSamples::Sample& a = on.samples[at(along[i])];
+            ShellSamples::Sample& b = on.samples[at(along[i + 1])];
+            const double half = 0.5 * (at_rest(model, a.place) - at_rest(model, b.place)).norm();
+            a.edge += half * a.place.thickness;
+            b.edge += half * b.place.thickness;
+        }
     }
 }
 
@@ -174,7 +216,7 @@ ShellPlace place_between(const std::array<ShellPlace, 3>& places, const std::arr
     return result;
 }
 
-ShellSamples shell_samples(const ShellModel& model, int level) {
+ShellSamples shell_samples(const ShellModel& model, int level, double edge_spacing) {
     RHEXIS_ASSERT(level >= 0 && level <= 4);
     const int cuts = 1 << level;
     ShellSamples result;
@@ -191,7 +233,7 @@ ShellSamples shell_samples(const ShellModel& model, int level) {
             }
         }
     }
-    find_edge(model, result);
+    find_edge(model, edge_spacing, result);
     return result;
 }
 

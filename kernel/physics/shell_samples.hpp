@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "flow/shell.hpp"
@@ -36,14 +37,15 @@ struct ShellSamples {
         double edge = 0.0;  ///< likewise of the edge's face: its length times thickness; 0: not on the edge [mm^2]
         int triangle = 0;   ///< one that it belongs to
     };
-    std::vector<Sample> samples;             ///< nodes first, then others, each once
+    std::vector<Sample> samples;             ///< nodes first, then others, each once; last what only the edge has
     std::vector<std::array<int, 3>> facets;  ///< by triangles, facets_each of each; indices of samples
     int facets_each = 1;
     /// The corners of a facet as places of its own triangle's nodes, in their order.
     std::vector<std::array<ShellPlace, 3>> corners;
 };
 
-/// level 0 to 4.
-ShellSamples shell_samples(const ShellModel& model, int level);
+/// level 0 to 4. edge_spacing: along the edge samples are at most so far apart, in thicknesses: what is thinner than the
+/// shell and stands on its edge slips in between two of them otherwise.
+ShellSamples shell_samples(const ShellModel& model, int level, double edge_spacing = HUGE_VAL);
 
 }  // namespace rhexis

@@ -33,9 +33,9 @@ MembraneModel drum(double height) {
     return model;
 }
 
-/// A strip of 1.5 x 1 mm, 0.2 thick, about the origin.
-ShellModel plate() {
-    ShellModel model = scenes::flat_strip(1.5, 1.0, 0.2, 6, 4);
+/// A strip of 1.5 x 1 mm about the origin.
+ShellModel plate(double thickness = 0.2) {
+    ShellModel model = scenes::flat_strip(1.5, 1.0, thickness, 6, 4);
     Vec3 middle = Vec3::Zero();
     for (const Vec3& node : model.mesh.nodes) {
         middle += node / static_cast<double>(model.mesh.nodes.size());
@@ -233,6 +233,30 @@ TEST_SUITE("shell and membrane") {
             CHECK(moved > 0.05);
             CHECK(moved < 1.0);
         }
+    }
+
+    TEST_CASE("a membrane that stands on a plate's edge does not slip in between its samples") {
+        const ShellModel shell = plate(0.1);
+        const ShellState state = rest_state(shell);
+        const MembraneModel sheet = drum(0.0);
+        const double depth = 0.025;  // half of what the edge sticks out
+        double least = HUGE_VAL;
+        double most = 0.0;
+        for (int i = -20; i <= 20; ++i) {
+            MembraneState wall = rest_state(sheet);
+            for (Vec3& node : wall.position) {  // upright, at right angles to the plate's edge at x = 0.75
+                node = {0.75 + 0.05 - depth + node.x() + 2.0, 0.02 * i, node.y()};
+            }
+            ShellContacts contacts(shell);
+            ShellPartners partners;
+            partners.sheet = &wall;
+            partners.sheet_model = &sheet;
+            contacts.look(state, partners);
+            const double stored = contacts.normal_energy(points_of(flat(state, wall)));
+            least = std::min(least, stored);
+            most = std::max(most, stored);
+        }
+        CHECK(least > 0.3 * most);
     }
 
     TEST_CASE("a drum that nothing touches stays as it was") {
