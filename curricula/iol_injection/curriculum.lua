@@ -94,7 +94,7 @@ return exercise {
         error_event "Rim split" (implant_events.rim_split { items = { "T13", "G4" } }),
         error_event "Posterior capsule struck" (implant_events.capsule_struck { items = { "T13", "G4" } }),
         error_event "Cornea touched" (implant_events.cornea_touched { items = { "T13", "G3", "G4" } }),
-        -- A cartridge of 3 mm rests on the iris by the wound on its way under the rim. That counts as a touch, not as an error.
+        -- A cartridge of 3 mm rests on the iris by the wound on its way under the rim: a touch, but no error.
         error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" },
             when = "iris.gap_mm < -1 or (iris.touch and not injector.present)" }),
     },
