@@ -9,6 +9,12 @@ local implant_hand = {}
 implant_hand.thin = { ["implant.centre_mm"] = 0.6, ["implant.edge_mm"] = 0.2, ["cartridge.tucked"] = 1,
     ["cartridge.bore_mm"] = 2.35, ["cartridge.nozzle_mm"] = 2.35 }
 
+--- The same with other settings besides.
+function implant_hand.thin_with(set)
+    for name, value in pairs(implant_hand.thin) do set[name] = value end
+    return set
+end
+
 local stroke = 0.18    -- of the plunger, share per second
 local at_once = 0.3    -- of its stroke: before that it does not meet the implant
 local look_s = 0.02

@@ -26,8 +26,9 @@ constexpr const char* help =
     "  rhexis fold --out lens.rhxs --pictures folding\n"
     "  rhexis fold --out thin.rhxs --set implant.centre_mm=0.4 --set cartridge.bore_mm=2.2\n"
     "\n"
-    "Settings: cartridge.bore_mm, cartridge.nozzle_mm, cartridge.friction, implant.centre_mm, implant.edge_mm,\n"
-    "implant.haptic_mm, implant.modulus_mpa, implant.tackiness_kpa, implant.triangles (docs/implant.md).";
+    "Settings: cartridge.bore_mm, cartridge.nozzle_mm, cartridge.friction, cartridge.tucked, cartridge.inverted,\n"
+    "implant.centre_mm, implant.edge_mm, implant.haptic_mm, implant.modulus_mpa, implant.tackiness_kpa,\n"
+    "implant.triangles (docs/implant.md).";
 
 struct FoldArguments {
     std::string out;

@@ -4,6 +4,18 @@
 local implant_events = require "implant_events"
 local rhexis_events = require "rhexis_events"
 
+-- A sequence in the report: a picture each time that a measure of the implant, 0 to 1, passes one of these.
+local function pictures_as(measure, shares, caption)
+    return function(eye, act)
+        for _, share in ipairs(shares) do
+            if eye.implant[measure] <= share then
+                act.wait_until(("implant.%s > %g"):format(measure, share))
+                act.picture(("%s_%d"):format(measure, 100 * share), caption:format(100 * share))
+            end
+        end
+    end
+end
+
 local in_place = "implant.haptics_in_bag >= 2 and not implant.upside_down"
 
 return exercise {
@@ -54,6 +66,7 @@ return exercise {
             title = "Push the leading haptic into the bag",
             hint = "Slowly: the leading haptic comes first. Point it down, under the far rim.",
             done = "implant.haptic_leading_in_bag or implant.released",
+            script = pictures_as("delivered", { 0.05, 0.3, 0.6, 0.9 }, "%.0f %% of the implant are out of the nozzle."),
             time_limit_s = 60,
         },
         step "release" {
@@ -61,6 +74,7 @@ return exercise {
             hint = "Push on evenly. When the optic is half out, draw the mouth back to the near edge, still under the "
                 .. "rim.",
             done = "implant.released and implant.unfolded > 0.9",
+            script = pictures_as("unfolded", { 0.6, 0.7, 0.8 }, "Unfolded to %.0f %%."),
             time_limit_s = 60,
         },
         step "dial" {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "math/longest.hpp"
 #include "physics/mouth.hpp"
 #include "physics/tool_shape.hpp"
 
@@ -23,14 +24,6 @@ constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this 
 constexpr double sunk = 0.1;       ///< [mm]
 constexpr double resolved = 0.38;  ///< radius of the thinnest part that cannot slip between vertices, in their size
 constexpr double reach = 0.2;      ///< candidates are sought this far beyond what can move in a step [mm]
-
-double fastest(const SolidState& state) {
-    double square = 0.0;
-    for (const Vec3& velocity : state.velocity) {
-        square = std::max(square, velocity.squaredNorm());
-    }
-    return std::sqrt(square);
-}
 
 double spring_stiffness(const SurfaceVertex& vertex, ContactPartner partner, double dt) {
     const double factor = (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt;
@@ -226,7 +219,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
         box.add(point_of(vertex, nodes), 0.0);
         largest = std::max(largest, vertex.size);
     }
-    const double moved = 2.0 * fastest(state.solids[solid]) * dt;
+    const double moved = 2.0 * longest(state.solids[solid].velocity) * dt;
     const std::vector<Partner> partners = partners_of(model, state, tools, moved, resolved * largest, box);
     for (std::size_t v = 0; v < surface.vertices().size(); ++v) {
         const SurfaceVertex& vertex = surface.vertices()[v];

@@ -103,7 +103,7 @@ Pose ShellContacts::pose_of(ContactPartner partner, int index, double share) con
 /// share: of the step, 0 or 1.
 SurfaceDistance ShellContacts::distance(ContactPartner partner, int index, double share, const Vec3& point) const {
     const Pose pose = partner == ContactPartner::bag ? partners_.bag_poses[at(index)] : pose_of(partner, index, share);
-    return distance_to(rigid_, partner, index, pose, point);
+    return distance_to(partners_, partner, index, pose, point);
 }
 
 /// Takes over what friction knew of a contact at the end of the last step.
@@ -166,7 +166,7 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
         contact.touch.index = index;
         contact.touch.sample = static_cast<int>(i);
         contact.stiffness = stiffness(on, i, start.normal);
-        contact.friction = friction_of(rigid_, partner, index);
+        contact.friction = friction_of(partners_, partner, index);
         contact.lever = -0.5 * own.thickness * start.normal;
         contact.anchor = partner_pose(contact, 0.0).to_body(points_[i] + contact.lever);
         add(std::move(contact));
@@ -288,7 +288,6 @@ void ShellContacts::meet_sheet() {
 
 void ShellContacts::look(const ShellState& state, const ShellPartners& partners) {
     partners_ = partners;
-    rigid_ = {partners.planes, partners.domes, partners.tubes, partners.bags, partners.tools};
     state_ = &state;
     list_.clear();
     start_.resize(2 * state.position.size());
@@ -305,10 +304,10 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
             meet_rigid(partner, static_cast<int>(i), smooth, most_travel_, {});
         }
     };
-    meet_all(ContactPartner::plane, rigid_.planes.size());
-    meet_all(ContactPartner::dome, rigid_.domes.size());
-    meet_all(ContactPartner::tube, rigid_.tubes.size());
-    meet_all(ContactPartner::bag, rigid_.bags.size());
+    meet_all(ContactPartner::plane, partners_.planes.size());
+    meet_all(ContactPartner::dome, partners_.domes.size());
+    meet_all(ContactPartner::tube, partners_.tubes.size());
+    meet_all(ContactPartner::bag, partners_.bags.size());
     meet_tools();
     if (partners.layers) {
         meet_layers();

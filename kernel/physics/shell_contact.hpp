@@ -37,16 +37,11 @@
 namespace rhexis {
 
 /// What a shell may touch in a step, from share `from` to share `to` of the instruments' way. Bags stay as they are.
-struct ShellPartners {
-    std::span<const PlaneModel> planes;
-    std::span<const DomeModel> domes;  ///< it stays inside
-    std::span<const TubeModel> tubes;
+struct ShellPartners : RigidPartners {
     std::span<const ToolState> tube_states;  ///< of what carries each; none: they stand still
     std::span<const int> tube_tools;         ///< of each: the number of the tool that pushes in it; or none: then
                                              ///< what lies in one begins its steps as it went
-    std::span<const BagModel> bags;
     std::span<const Pose> bag_poses;
-    std::span<const ToolModel> tools;
     std::span<const ToolState> tool_states;
     bool layers = true;  ///< of itself
     /// A membrane that is solved for with the shell: its node n is point 2 x (nodes of the shell) + n. Or null.
@@ -190,7 +185,6 @@ private:
     std::map<int, ShellSamples> samples_;  ///< by level
     ShellSamples samples_of_sheet_;        ///< that meet a membrane
     ShellPartners partners_;
-    RigidPartners rigid_;  ///< of those
     double most_travel_ = 0.0;
     ShellPose pose_;
     std::vector<Contact> list_;

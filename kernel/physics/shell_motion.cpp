@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/longest.hpp"
 #include "physics/sheet_contact.hpp"
 #include "physics/shell_carry.hpp"
 #include "physics/tool_shape.hpp"
@@ -66,14 +67,6 @@ double farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
     return std::sqrt(square);
 }
 
-double fastest(const std::vector<Vec3>& velocity) {
-    double square = 0.0;
-    for (const Vec3& v : velocity) {
-        square = std::max(square, v.squaredNorm());
-    }
-    return std::sqrt(square);
-}
-
 /// How far what carries a tube takes the corners of a box.
 double way_of(const Box& box, const ToolState& carrier) {
     double way = 0.0;
@@ -109,7 +102,7 @@ int steps_for(const ShellContacts& contacts, const ShellTask& task) {
     for (const ToolState& tube : task.partners.tube_states) {
         way = std::max(way, way_of(box, tube));
     }
-    const double speed = std::max(fastest(task.state.velocity), task.wall ? fastest(task.wall->state.velocity) : 0.0);
+    const double speed = std::max(longest(task.state.velocity), task.wall ? longest(task.wall->state.velocity) : 0.0);
     const double own = std::min(speed * task.dt / (own_share * contacts.most_travel()), 1.0 * most_own);
     const double pushed = way / (pushed_share * contacts.most_travel());
     return std::clamp(static_cast<int>(std::ceil(std::max(own, pushed))), 1, most_steps);

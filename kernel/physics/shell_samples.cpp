@@ -179,7 +179,8 @@ std::vector<int> samples_along(const ShellModel& model, const std::vector<double
             share[k] = (1.0 - far) * corner[side.from].blend[k] + far * corner[to].blend[k];
         }
         along.push_back(static_cast<int>(on.samples.size()));
-        on.samples.push_back({trimmed(place_in(model, thickness, triangle, share)), 0.0, 0.0, static_cast<int>(triangle)});
+        on.samples.push_back(
+            {trimmed(place_in(model, thickness, triangle, share)), 0.0, 0.0, static_cast<int>(triangle)});
     }
     along.push_back(on.facets[side.facet][to]);
     return along;

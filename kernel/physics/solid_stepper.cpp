@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/longest.hpp"
 #include "physics/bag_motion.hpp"
 #include "physics/capsule_wall.hpp"
 #include "physics/fluid_step.hpp"
@@ -47,13 +48,7 @@ std::vector<Vec3> node_forces(const StepTask& task, int solid) {
 }
 
 /// Farthest that two points of a solid may come nearer to each other in a step [mm].
-double moved_in(const StepTask& task, int solid) {
-    double square = 0.0;
-    for (const Vec3& velocity : task.state.solids[solid].velocity) {
-        square = std::max(square, velocity.squaredNorm());
-    }
-    return 2.0 * std::sqrt(square) * task.dt;
-}
+double moved_in(const StepTask& task, int solid) { return 2.0 * longest(task.state.solids[solid].velocity) * task.dt; }
 
 /// Substeps that keep tools from passing through what they could meet.
 int substeps_for_tools(const StepTask& task, const ContactCandidates& candidates) {

@@ -135,7 +135,7 @@ function Instrument:pedal(position) end
 
 ---The jaws of the forceps: 0 closed to 1 open. Of a cannula: how hard the hand presses its syringe, 0 to 1.
 ---Of an injector: how far the hand pushes its plunger, share of its stroke; it goes there at up to 40 mm/s, unless
----that takes more than 30 N. At once.
+---that takes more than `injector.push_n`. At once.
 ---@param opening number
 function Instrument:jaw(opening) end
 

@@ -3,11 +3,7 @@
 
 local implant_hand = require "implant_hand"
 
-local function chamber(fill)
-    local set = { ["viscoelastic.fill"] = fill }
-    for name, value in pairs(implant_hand.thin) do set[name] = value end
-    return set
-end
+local function chamber(fill) return implant_hand.thin_with { ["viscoelastic.fill"] = fill } end
 
 -- The mouth under the rim, and the plunger until a little of the implant is out.
 local function begin(t)

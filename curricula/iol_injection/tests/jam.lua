@@ -4,10 +4,11 @@
 
 local implant_hand = require "implant_hand"
 
-local dry = { ["cartridge.tucked"] = 1, ["cartridge.nozzle_mm"] = 2.6, ["cartridge.friction"] = 0.6,
-    ["injector.push_n"] = 3 }
-local coated = { ["cartridge.tucked"] = 1, ["cartridge.nozzle_mm"] = 2.6, ["cartridge.friction"] = 0.1,
-    ["injector.push_n"] = 3 }
+local function rubbing(friction)
+    return { ["cartridge.tucked"] = 1, ["cartridge.nozzle_mm"] = 2.6, ["cartridge.friction"] = friction,
+        ["injector.push_n"] = 3 }
+end
+local dry, coated = rubbing(0.6), rubbing(0.1)
 
 local function push_until_it_jams(t)
     implant_hand.bring(t, { 0, -1.0, 1.0 })

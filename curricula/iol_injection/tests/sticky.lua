@@ -3,11 +3,7 @@
 
 local implant_hand = require "implant_hand"
 
-local function tacky(kpa)
-    local set = { ["implant.tackiness_kpa"] = kpa }
-    for name, value in pairs(implant_hand.thin) do set[name] = value end
-    return set
-end
+local function tacky(kpa) return implant_hand.thin_with { ["implant.tackiness_kpa"] = kpa } end
 
 return scenarios {
     scenario "haptics stuck to the optic, and left so" {
