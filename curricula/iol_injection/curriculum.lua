@@ -87,7 +87,7 @@ return exercise {
         step "centre" {
             title = "Centre the implant",
             hint = "Push the optic to the middle, let go, and look whether it stays there.",
-            done = in_place .. " and implant.unfolded > 0.98 and implant.decentration_mm <= goal.decentration_mm "
+            done = in_place .. " and implant.unfolded > 0.995 and implant.decentration_mm <= goal.decentration_mm "
                 .. "and implant.tilt_deg <= goal.tilt_deg",
             time_limit_s = 60,
         },

@@ -13,13 +13,13 @@ local free_speed = 10         -- where nothing is near [mm/s]
 local careful_speed = 2.5     -- where something is
 local back_speed = 5          -- of the injector, beside the optic that comes out of it: as fast as that does
 local push_speed = 0.18       -- of the plunger, strokes per second: some 5 mm/s
-local beyond = 0.2            -- the mouth goes so far past the middle of the opening,
+local short_of = 0.2          -- the mouth stays so far short of the middle of the opening,
 local under_rim = 0.8         -- and so far under its plane: what comes out higher unfolds before the capsule
 local half_out = 1.0          -- short of the middle of the opening, where the optic's middle is when one draws back
 local near_edge = 1.7         -- back so far on this side of the middle: the mouth stays in the opening,
-local still_under = 0.8       -- and under the rim, until the trailing haptic has come out under it too
+local still_under = 1.0       -- and under the rim, until the trailing haptic has come out under it too
 local push_longest = 12       -- until the optic is half out [s]
-local let_unfold = 3          -- from then on, before one leaves [s]
+local let_unfold = 0.3        -- from then on, before one leaves: a nozzle that stays leaves it off the middle [s]
 local full, shallow = 0.97, 0.9
 local heed = 0.3              -- how much a new look counts against those before
 
@@ -72,7 +72,7 @@ function implanting.inject(me, eye)
     me.take_up(instruments.outside(eye.wound), "injector")
     me.wait(0.5)
     me.go(eye.wound, free_speed)
-    me.go(vector.add(eye.rim, { 0, beyond, -under_rim }), careful_speed)
+    me.go(vector.add(eye.rim, { 0, -short_of, -under_rim }), careful_speed)
     me.jaw(1, push_speed * me.about(1))
     me.wait_until(function(seen)
         local optic = seen.landmarks.optic
