@@ -19,7 +19,8 @@ local half_out = 1.0          -- short of the middle of the opening, where the o
 local near_edge = 1.7         -- back so far on this side of the middle: the mouth stays in the opening,
 local still_under = 1.0       -- and under the rim, until the trailing haptic has come out under it too
 local push_longest = 12       -- until the optic is half out [s]
-local let_unfold = 0.3        -- from then on, before one leaves: a nozzle that stays leaves it off the middle [s]
+local let_unfold = 0.6        -- from then on, before one leaves: a nozzle that stays keeps it off the middle, one that
+                              -- leaves at once draws the trailing haptic out of the bag again [s]
 local full, shallow = 0.97, 0.9
 local heed = 0.3              -- how much a new look counts against those before
 
