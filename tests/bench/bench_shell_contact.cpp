@@ -67,9 +67,9 @@ nlohmann::json pressed_row(double stiffer, int level, bool turns) {
 
 /// How the lens is pressed.
 struct Roll {
-    double stiffer = 5.0;   ///< as of ShellContactSettings
-    double friction = 0.1;  ///< of layers and wall
-    double speed = 0.5;     ///< of the wall [mm/s]
+    double stiffer = ShellContactSettings{}.stiffer;  ///< as of ShellContactSettings
+    double friction = 0.1;                            ///< of layers and wall
+    double speed = 0.5;                               ///< of the wall [mm/s]
 };
 
 /// Share of a bore's section that the lens takes where it is thickest.
@@ -113,7 +113,7 @@ nlohmann::json rolled_rows(const BenchOptions& options, const Roll& roll) {
     int rollbacks = 0;
     int rough = 0;
     double iterations = 0.0;
-    for (double radius = 3.7; radius > 1.1 && !marks.empty() && seconds < (options.quick ? 5.0 : 400.0);) {
+    for (double radius = 4.5; radius > 1.1 && !marks.empty() && seconds < (options.quick ? 5.0 : 400.0);) {
         radius -= roll.speed * dt;
         tube.stations = {{100.0, radius, radius}};
         ShellStepReport report;
@@ -174,8 +174,8 @@ std::vector<BenchCase> shell_contact_cases() {
             {"implant_roll_chart", "the same by stiffness of contact, friction and speed of the wall",
              [](const BenchOptions& options) {
                  nlohmann::json rows = nlohmann::json::array();
-                 for (const Roll& roll : {Roll{}, Roll{20.0, 0.1, 0.5}, Roll{80.0, 0.1, 0.5}, Roll{5.0, 0.1, 0.1},
-                                          Roll{5.0, 0.0, 0.5}, Roll{5.0, 0.3, 0.5}}) {
+                 for (const Roll& roll : {Roll{}, Roll{5.0, 0.1, 0.5}, Roll{80.0, 0.1, 0.5}, Roll{20.0, 0.1, 0.1},
+                                          Roll{20.0, 0.0, 0.5}, Roll{20.0, 0.3, 0.5}}) {
                      for (nlohmann::json& row : rolled_rows(options, roll)) {
                          rows.push_back(std::move(row));
                      }
