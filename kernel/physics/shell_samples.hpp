@@ -44,8 +44,8 @@ struct ShellSamples {
     std::vector<std::array<ShellPlace, 3>> corners;
 };
 
-/// level 0 to 4. edge_spacing: along the edge samples are at most so far apart, in thicknesses: what is thinner than the
-/// shell and stands on its edge slips in between two of them otherwise.
+/// level 0 to 4. edge_spacing: along the edge samples are at most so far apart, in thicknesses: what is thinner than
+/// the shell and stands on its edge slips in between two of them otherwise.
 ShellSamples shell_samples(const ShellModel& model, int level, double edge_spacing = HUGE_VAL);
 
 }  // namespace rhexis
