@@ -110,7 +110,8 @@ return exercise {
         error_event "Cornea touched" (implant_events.cornea_touched { items = { "T13", "G3", "G4" } }),
         -- A cartridge of 3 mm rests on the iris by the wound on its way under the rim: a touch, but no error.
         error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" },
-            when = "iris.gap_mm < -1 or (iris.touch and not injector.present)" }),
+            when = "iris.gap_mm < -1 or (iris.touch and not injector.present)",
+            recovered = "iris.gap_mm > 0.1 or (injector.present and iris.gap_mm > -0.8)" }),
     },
 
     -- The attempt is over when no instrument has come back for longer than it takes to change them.

@@ -157,6 +157,9 @@ Session::Parts::Parts(const SceneDescription& description, std::uint64_t session
       observer(*world, tissues_of(scene), scene.step_s),
       samples(scene.instruments.size()),
       was_refused(scene.instruments.size(), 0) {
+    if (injects(scene)) {
+        state.shells[0].loaded = true;  // until it is laid into its injector it lies flat beside the eye
+    }
     cut_into_segments();
     observer_memory.assign(observer.memory_size(), 0.0);
     look_without_remembering();

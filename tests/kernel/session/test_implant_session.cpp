@@ -77,6 +77,7 @@ TEST_SUITE("implant session") {
         CHECK(session.world().membranes[0].name == empty_bag_name);
         CHECK(session.world().bags.empty());
         CHECK(session.world().solids.empty());
+        CHECK(session.state().shells[0].loaded);  // flat, it would reach through the wall
         scene.tissues.emplace_back("capsule");
         CHECK(refusal(scene).find("implant with capsule") != std::string::npos);
     }
