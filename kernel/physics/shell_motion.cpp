@@ -23,6 +23,9 @@ constexpr int most_cuts = 4;          // of one into pieces, and of those
 /// after which none are: a lens that jams can cost twenty times as much by them and come no nearer to balance.
 constexpr double near_balance = 1e-2;
 constexpr int most_iterations = 300;
+/// After so many the whole step is given up, and all stays where it was: an instrument that is thrust through a lens
+/// can ask for a hundred times as many.
+constexpr int hopeless = 2500;
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};
@@ -231,7 +234,7 @@ ShellMotion go(Run& run, double from, double to, int cuts, Bodies& now) {
     ++run.rollbacks;
     run.found.resize(found);
     run.stepper.drop_factor();
-    if (cuts == 0) {
+    if (cuts == 0 || run.report.newton_iterations > hopeless) {
         return ShellMotion::failed;
     }
     now = start;

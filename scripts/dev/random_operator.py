@@ -31,7 +31,6 @@ RUNS = [
     ("phaco_sculpt", "brunescent"),
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
-    ("iol_injection", None),
 ]
 
 
