@@ -209,6 +209,14 @@ Result<std::string> before(const SceneDescription& scene, bool quiet) {
     return injects(scene) ? find_folded_implant(scene, quiet) : Result<std::string>(std::string());
 }
 
+/// The same of a recipe, with its name and line where it cannot be.
+Result<std::string> before(const Recipe& recipe, const ExerciseHost& host, const StartRequest& request) {
+    const Result<std::string> path = before(host.scene(), request.quiet);
+    return path ? path
+                : Error{"start " + recipe.name + ": " + path.error().what, recipe.text.at("where"),
+                        path.error().allowed};
+}
+
 /// Nobody has to do anything for it.
 bool happens_by_itself(const Recipe& recipe) {
     return !recipe.text.at("by_hand").get<bool>() && !recipe.text.contains("when");
@@ -219,7 +227,7 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
     if (!host) {
         return host.error();
     }
-    const Result<std::string> begun = before(host.value().scene(), request.quiet);
+    const Result<std::string> begun = before(recipe, host.value(), request);
     if (!begun) {
         return begun.error();
     }
@@ -298,7 +306,7 @@ Status open_bag(const StartRequest& request, Recipe& recipe) {
 /// The state of a recipe for which nobody has to do anything: "" or the folded implant.
 Result<std::string> at_once(const Recipe& recipe, const StartRequest& request) {
     const Result<ExerciseHost> host = load_host(recipe, request);
-    return host ? before(host.value().scene(), request.quiet) : host.error();
+    return host ? before(recipe, host.value(), request) : host.error();
 }
 
 /// The same of a run that names no start. What is wrong with its exercise is found when it is loaded.

@@ -45,6 +45,8 @@ L
 run=("$rhexis" run mine --no-pictures --surgeon none --limit 0.1)
 expect 2 "cartridge.bore_mm is 1.8, too small for the implant (at least 2." "${run[@]}" \
     --set cartridge.bore_mm=1.8 --set cartridge.nozzle_mm=1.8 --out refused
+expect 2 "mine/starts.lua:2: start brought: cartridge.bore_mm is 1.8, too small for the implant" "${run[@]}" \
+    --start brought --set cartridge.bore_mm=1.8 --set cartridge.nozzle_mm=1.8 --out refused
 [ ! -e refused ] || fail "a run that could not start left something"
 [ -z "$(ls runs/states/*.rhxs 2>/dev/null)" ] || fail "a lens that cannot be folded was kept"
 
