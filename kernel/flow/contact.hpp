@@ -9,8 +9,8 @@
 
 namespace rhexis {
 
-/// The other side of a contact: rigid, another layer of the same shell, or a membrane.
-enum class ContactPartner { tool, bag, plane, dome, support, tube, layer, sheet };
+/// The other side of a contact: rigid, another layer of the same shell, a membrane, or the jaws of a tool that hold it.
+enum class ContactPartner { tool, bag, plane, dome, support, tube, layer, sheet, jaws };
 
 /// A surface point of a solid or a membrane against a rigid partner. The point is a weighted mean of up to three nodes.
 struct Contact {

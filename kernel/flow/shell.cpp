@@ -159,11 +159,17 @@ ShellState moved(ShellState state, const Pose& by) {
         load.total = by.orientation * load.total;
     }
     for (ShellTouch& touch : state.touches) {
-        if (touch.partner != ContactPartner::tool && touch.partner != ContactPartner::tube) {
+        if (touch.partner != ContactPartner::tool && touch.partner != ContactPartner::tube &&
+            touch.partner != ContactPartner::jaws) {
             touch.stretch = by.orientation * touch.stretch;
         }
     }
     return state;
+}
+
+void stop(ShellState& state) {
+    std::fill(state.velocity.begin(), state.velocity.end(), Vec3(Vec3::Zero()));
+    std::fill(state.spin.begin(), state.spin.end(), Vec3(Vec3::Zero()));
 }
 
 double relaxation_time(const ShellRelaxation& relaxation, double temperature) {

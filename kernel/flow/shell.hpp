@@ -62,13 +62,13 @@ struct ShellPull {
     Vec3 total = Vec3::Zero();  ///< [uN]
 };
 
-/// A place of the surface that friction holds: what the next step must know of it.
+/// A place of the surface that friction or jaws hold: what the next step must know of it.
 struct ShellTouch {
     ContactPartner partner = ContactPartner::tool;
     int index = 0;                ///< of the partner
     int sample = 0;               ///< of the surface
     bool front = true;            ///< of another layer: it lies before the sample, else behind it
-    Vec3 stretch = Vec3::Zero();  ///< from where friction holds it to where it is [mm]; tools, tubes: in their frame
+    Vec3 stretch = Vec3::Zero();  ///< from where it is held to where it is [mm]; tools, jaws, tubes: in their frame
 };
 
 /// Changes from step to step; by nodes unless said.
@@ -108,6 +108,9 @@ ShellState rest_state(const ShellModel& model);
 
 /// As a rigid body, with all that it remembers of planes, tubes and bags.
 ShellState moved(ShellState state, const Pose& by);
+
+/// Leaves it where it is, without velocities.
+void stop(ShellState& state);
 
 /// At the model's temperature [s]; time exp(activation_energy / R (1 / T - 1 / T_reference)) [Arrhenius1889].
 double relaxation_time(const ShellRelaxation& relaxation, double temperature);

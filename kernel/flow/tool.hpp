@@ -12,9 +12,12 @@
 namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
-/// one; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger pushes an implant
+/// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger pushes an implant
 /// out of a cartridge.
 enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector };
+
+/// Opening from which on the jaws of forceps are closed, 0 to 1.
+inline constexpr double closed_jaw = 0.25;
 
 /// A cone with round ends, in the tool's frame; equal ends make a ball.
 struct RoundedCone {

@@ -185,6 +185,7 @@ Pose PartnerPoses::of(ContactPartner partner, int index) const {
         case ContactPartner::tube:
         case ContactPartner::layer:
         case ContactPartner::sheet:
+        case ContactPartner::jaws:
             break;
     }
     return Pose{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.hpp"
 #include "physics/aspiration.hpp"
 #include "physics/bag_motion.hpp"
 #include "physics/capsule_wall.hpp"
@@ -15,6 +16,7 @@
 #include "physics/puncture.hpp"
 #include "physics/rim_rupture.hpp"
 #include "physics/sculpt.hpp"
+#include "physics/shell_carry.hpp"
 #include "physics/shell_motion.hpp"
 #include "physics/shell_tools.hpp"
 #include "physics/solid_stepper.hpp"
@@ -91,7 +93,10 @@ struct Physics::Solvers {
     [[nodiscard]] int brought_by(const StepTask& task, std::size_t shell) const;
     [[nodiscard]] ShellState taken_out(const StepTask& task, std::size_t shell) const;
     [[nodiscard]] bool goes_with_shell(const StepTask& task, std::size_t membrane) const;
-    void step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
+    [[nodiscard]] int carried_by(const StepTask& task, std::size_t shell) const;
+    ShellMotion step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
+                           StepOutcome& outcome);
+    bool take_along(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
                     StepOutcome& outcome);
     void step_shells(const StepTask& task, WorldState& next, ContactSet& contacts, StepOutcome& outcome,
                      Profile& profile);
@@ -152,7 +157,8 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
                                      StepOutcome& outcome) {
     const std::size_t index = static_cast<std::size_t>(membrane);
     const MembraneModel& own = model->membranes[index];
-    MembraneStepReport& report = outcome.membranes.emplace_back();
+    MembraneStepReport& report = outcome.membranes[index];
+    report = {};
     const int before = outcome.rollbacks;
     if (!membranes[index].advance({*model, membrane, task.state.membranes[index], task.tools, task.dt},
                                   next.membranes[index], report, contacts, outcome.rollbacks)) {
@@ -197,25 +203,64 @@ void Physics::Solvers::report_shell(const StepTask& task, const ShellContacts& o
         contact.nodes = {-1, -1, -1};
         contact.partner_index = i;
         contact.point = task.tools[i].pose.position;
-        contact.force = own.force_of(ContactPartner::tool, i);
+        contact.force = own.force_of(ContactPartner::tool, i) + own.force_of(ContactPartner::jaws, i);
         if (task.tools[i].present && !contact.force.isZero()) {
             contacts.push_back(contact);
         }
     }
 }
 
-/// Whether the step of a membrane is that of the shell that may touch it.
+/// Whether the step of a membrane is that of the shell that may touch it: not while that is shut in.
 bool Physics::Solvers::goes_with_shell(const StepTask& task, std::size_t membrane) const {
-    return membrane == 0 && !shells.empty() && (!task.state.shells[0].loaded || brought_by(task, 0) >= 0);
+    if (membrane != 0 || shells.empty() || (task.state.shells[0].loaded && brought_by(task, 0) < 0)) {
+        return false;
+    }
+    const ShellState shell = taken_out(task, 0);
+    for (std::size_t i = 0; i < task.tools.size(); ++i) {
+        if (task.tools[i].present && model->tools[i].cartridge &&
+            is_shut_in(model->tools[i].cartridge->bore, task.tools[i].previous_pose, shell)) {
+            return false;
+        }
+    }
+    return true;
 }
 
-void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
+/// The injector in which the greater part of a shell lies; or -1.
+int Physics::Solvers::carried_by(const StepTask& task, std::size_t shell) const {
+    for (std::size_t i = 0; i < task.tools.size(); ++i) {
+        if (task.tools[i].present && model->tools[i].cartridge &&
+            lies_in(model->tools[i].cartridge->bore, task.tools[i].previous_pose, taken_out(task, shell))) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+/// Where a step cannot be solved: what lies in an injector goes with it as it is, and its wall goes by itself.
+bool Physics::Solvers::take_along(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
+                                  StepOutcome& outcome) {
+    const int tool = carried_by(task, shell);
+    if (tool < 0) {
+        return false;
+    }
+    const ToolState& carrier = task.tools[at(tool)];
+    next.shells[shell] = moved(taken_along(taken_out(task, shell), carrier.previous_pose), carrier.pose);
+    next.shells[shell].loaded = false;
+    if (!membranes.empty() && goes_with_shell(task, 0)) {
+        step_membrane(task, 0, next, contacts, outcome);
+    }
+    outcome.notes.push_back(model->shells[shell].name + ": does not come to balance, goes as it is with " +
+                            model->tools[at(tool)].name);
+    return true;
+}
+
+ShellMotion Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
                                   StepOutcome& outcome) {
     ShellStepReport& report = outcome.shells.emplace_back();
     const int before = outcome.rollbacks;
     const ShellState state = taken_out(task, shell);
     if (state.loaded) {
-        return;
+        return ShellMotion::balanced;
     }
     ShellPartners partners;
     partners.planes = model->planes;
@@ -237,34 +282,37 @@ void Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, World
         outcome.membranes[0].tears = propose_tears(model->membranes[0], next.membranes[0]);
         outcome.membranes[0].notches = propose_notches(model->membranes[0], next.membranes[0]);
     }
-    if (motion == ShellMotion::failed) {
-        outcome.failure = StepFailure::not_finite;
-    } else if (outcome.rollbacks > before) {
+    if (motion != ShellMotion::failed && outcome.rollbacks > before) {
         outcome.notes.push_back(model->shells[shell].name + ": step redone in steps " +
                                 std::to_string(report.substeps) + " times smaller" +
                                 (motion == ShellMotion::rough ? ", which do not balance either" : ""));
     }
+    return motion;
 }
 
-/// All of them, again where a plunger pressed harder than a hand.
+/// All of them, again where a plunger pressed harder than a hand, or a step could not be solved while one moved.
 void Physics::Solvers::step_shells(const StepTask& task, WorldState& next, ContactSet& contacts, StepOutcome& outcome,
                                    Profile& profile) {
     shell_tools.place(task.tools, task.state.plungers, task.dt);
     const StepOutcome before = outcome;
     const std::size_t met = contacts.size();
     std::vector<Vec3> forces;
+    std::vector<std::size_t> failed;
     for (;;) {
         forces.assign(task.tools.size(), Vec3::Zero());
+        failed.clear();
         double residual = 0.0;
         for (std::size_t shell = 0; shell < shells.size(); ++shell) {
             const ProfileScope scope(profile, model->shells[shell].name.c_str());
-            step_shell(task, shell, next, contacts, outcome);
+            if (step_shell(task, shell, next, contacts, outcome) == ShellMotion::failed) {
+                failed.push_back(shell);
+            }
             residual = std::max(residual, outcome.shells.back().residual);
             for (int i = 0; !next.shells[shell].loaded && i < static_cast<int>(forces.size()); ++i) {
                 forces[i] += shell_contacts[shell].force_of(ContactPartner::tool, i);
             }
         }
-        if (shell_tools.stands(forces, residual)) {
+        if (failed.empty() ? shell_tools.stands(forces, residual) : shell_tools.held_still()) {
             break;
         }
         const int thrown = outcome.rollbacks + 1;
@@ -273,6 +321,11 @@ void Physics::Solvers::step_shells(const StepTask& task, WorldState& next, Conta
         contacts.resize(met);
     }
     next.plungers.assign(shell_tools.plungers().begin(), shell_tools.plungers().end());
+    for (const std::size_t shell : failed) {
+        if (!take_along(task, shell, next, contacts, outcome)) {
+            outcome.failure = StepFailure::not_finite;
+        }
+    }
 }
 
 Physics::Physics(std::unique_ptr<Solvers> solvers) : solvers_(std::move(solvers)) {}
@@ -348,9 +401,9 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
         s.cracks[solid].find(s.model->solids[solid], next.solids[solid], s.steppers[solid].surface(), contacts, solid,
                              outcome.solids.back().broken);
     }
+    outcome.membranes.resize(s.membranes.size());
     for (int membrane = 0; membrane < static_cast<int>(s.membranes.size()); ++membrane) {
         if (s.goes_with_shell(task, static_cast<std::size_t>(membrane))) {
-            outcome.membranes.emplace_back();
             continue;
         }
         const ProfileScope scope(profile, s.model->membranes[membrane].name.c_str());

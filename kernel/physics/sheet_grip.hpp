@@ -13,9 +13,6 @@
 
 namespace rhexis {
 
-/// Opening from which on jaws are closed, 0 to 1.
-constexpr double closed_jaw = 0.25;
-
 /// Takes hold and lets go. Jaws: by how they moved in the step, of what lies between them at its start; where some of
 /// that is folded over, only of that: it lies on top. A needle that is through the sheet pushes the end or the lip of
 /// the tear that it has gone past, as long as it has.

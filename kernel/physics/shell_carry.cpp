@@ -12,6 +12,7 @@
 namespace rhexis {
 namespace {
 
+constexpr double from_end = 1.0;       // of the tube: what comes no nearer is shut in [mm]
 constexpr double carried_share = 0.6;  // of its nodes in the tube: then the rest goes with it too
 
 struct RigidMotion {
@@ -29,6 +30,10 @@ std::vector<std::size_t> nodes_within(const TubeModel& tube, const Pose& carrier
         }
     }
     return inside;
+}
+
+bool is_carried(const std::vector<std::size_t>& inside, const ShellState& state) {
+    return static_cast<double>(inside.size()) >= carried_share * static_cast<double>(state.position.size());
 }
 
 /// That takes the most out of the nodes' velocities, by least squares.
@@ -75,7 +80,7 @@ std::vector<Vec3> carried_velocity(const ShellState& state, const ShellPartners&
         const ToolState& carrier = touches_tool(state, tool) ? partners.tool_states[at(tool)] : partners.tube_states[t];
         const std::vector<std::size_t> inside =
             nodes_within(partners.tubes[t], pose_within(partners.tube_states[t], partners.from), state.position);
-        if (static_cast<double>(inside.size()) < carried_share * static_cast<double>(state.position.size())) {
+        if (!is_carried(inside, state)) {
             continue;
         }
         if (result.empty()) {
@@ -93,6 +98,25 @@ std::vector<Vec3> carried_velocity(const ShellState& state, const ShellPartners&
         }
     }
     return result;
+}
+
+bool lies_in(const TubeModel& tube, const Pose& carrier, const ShellState& state) {
+    return is_carried(nodes_within(tube, carrier, state.position), state);
+}
+
+bool is_shut_in(const TubeModel& tube, const Pose& carrier, const ShellState& state) {
+    return std::all_of(state.position.begin(), state.position.end(), [&](const Vec3& place) {
+        return within_bore(tube, tube.pose.to_body(carrier.to_body(place)) + from_end * Vec3::UnitZ());
+    });
+}
+
+ShellState taken_along(const ShellState& state, const Pose& carrier) {
+    const Quat back = carrier.orientation.conjugate();
+    ShellState out = moved(state, {-(back * carrier.position), back});
+    stop(out);
+    out.touches.clear();
+    out.loaded = true;
+    return out;
 }
 
 }  // namespace rhexis

@@ -15,4 +15,13 @@ namespace rhexis {
 /// the greater part of the shell lies in no tube.
 std::vector<Vec3> carried_velocity(const ShellState& state, const ShellPartners& partners, double dt);
 
+/// Whether the greater part of a shell lies in a tube that something in this pose carries.
+bool lies_in(const TubeModel& tube, const Pose& carrier, const ShellState& state);
+
+/// Whether it comes nowhere near the end of the tube: nothing outside can touch it in a step.
+bool is_shut_in(const TubeModel& tube, const Pose& carrier, const ShellState& state);
+
+/// A shell that leaves the eye in a tube: loaded, at rest, in the frame of what carries it, free of all it touched.
+ShellState taken_along(const ShellState& state, const Pose& carrier);
+
 }  // namespace rhexis

@@ -18,6 +18,8 @@ constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in
 constexpr int finest_level = 3;
 constexpr int level_of_layers = 1;
 constexpr double edge_spacing = 0.6;  // of samples that meet a membrane, in thicknesses: it sinks in by a twentieth
+constexpr double through = 0.5;  // of the thickness: what is so deep when it is first met is on the other side
+constexpr double lost_at = 2.0;  // times the reach of jaws from their middle: it has slipped out
 constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
 
 auto rank(const ShellTouch& touch) {
@@ -86,7 +88,7 @@ const ShellPlace& ShellContacts::place(const Contact& contact) const {
 /// Frame in which friction remembers a partner; share: of the step, 0 or 1.
 Pose ShellContacts::pose_of(ContactPartner partner, int index, double share) const {
     const double when = partners_.from + share * (partners_.to - partners_.from);
-    if (partner == ContactPartner::tool) {
+    if (partner == ContactPartner::tool || partner == ContactPartner::jaws) {
         return pose_within(partners_.tool_states[at(index)], when);
     }
     if (partner == ContactPartner::tube) {
@@ -151,6 +153,9 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
                                const std::optional<Box>& box) {
     const ShellSamples& on = samples_at(level_for(radius));
     find_points(on);
+    // what hangs out of an injector may be outside the eye still, and jaws that lose what they held have it about them
+    const bool one_sided = partner == ContactPartner::dome ||
+                           (partner == ContactPartner::tool && partners_.tools[at(index)].kind == ToolKind::forceps);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const ShellPlace& own = on.samples[i].place;
         if ((box && !box->holds(points_[i])) || (partner == ContactPartner::dome && in_tube(points_[i]))) {
@@ -158,6 +163,9 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
         }
         const SurfaceDistance start = distance(partner, index, 0.0, points_[i]);
         if (!(start.distance - 0.5 * own.thickness < reach)) {
+            continue;
+        }
+        if (one_sided && start.distance < -through * own.thickness) {
             continue;
         }
         Contact contact;
@@ -177,7 +185,8 @@ void ShellContacts::meet_tools() {
     for (int i = 0; i < static_cast<int>(partners_.tools.size()); ++i) {
         const ToolModel& tool = partners_.tools[at(i)];
         const ToolState& state = partners_.tool_states[at(i)];
-        if (!state.present || tool.parts.empty()) {
+        if (!state.present || tool.parts.empty() ||
+            (tool.kind == ToolKind::forceps && (state.jaw > closed_jaw || holds(i)))) {
             continue;
         }
         const ToolState meanwhile = part_of_step(state, partners_.from, partners_.to);
@@ -187,6 +196,59 @@ void ShellContacts::meet_tools() {
         box.low -= Vec3::Constant(around);
         box.high += Vec3::Constant(around);
         meet_rigid(ContactPartner::tool, i, thinnest(tool), reach, box);
+    }
+}
+
+bool ShellContacts::holds(int tool) const {
+    return std::any_of(list_.begin(), list_.end(),
+                       [tool](const Contact& contact) { return is_held(contact) && contact.touch.index == tool; });
+}
+
+/// Samples that jaws close on in this step, or have held since an earlier one.
+std::vector<std::size_t> ShellContacts::between_jaws(int tool, const ShellSamples& on) const {
+    std::vector<std::size_t> samples;
+    if (partners_.tool_states[at(tool)].previous_jaw > closed_jaw && partners_.from == 0.0) {
+        const Vec3 middle = pose_of(ContactPartner::jaws, tool, 0.0).position;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if ((points_[i] - middle).norm() < partners_.tools[at(tool)].reach) {
+                samples.push_back(i);
+            }
+        }
+        return samples;
+    }
+    for (const ShellTouch& touch : state_->touches) {
+        if (touch.partner == ContactPartner::jaws && touch.index == tool && at(touch.sample) < on.samples.size()) {
+            samples.push_back(at(touch.sample));
+        }
+    }
+    return samples;
+}
+
+void ShellContacts::take(int tool, const ShellSamples& on, std::size_t sample) {
+    Contact contact;
+    contact.on = &on;
+    contact.touch.partner = ContactPartner::jaws;
+    contact.touch.index = tool;
+    contact.touch.sample = static_cast<int>(sample);
+    contact.stiffness = settings_.stiffer * modulus_ / on.samples[sample].place.thickness * on.samples[sample].area;
+    contact.anchor = partner_pose(contact, 0.0).to_body(points_[sample]);
+    contact.gap = HUGE_VAL;
+    add(std::move(contact));
+}
+
+void ShellContacts::meet_jaws() {
+    for (int i = 0; i < static_cast<int>(partners_.tools.size()); ++i) {
+        const ToolState& state = partners_.tool_states[at(i)];
+        if (partners_.tools[at(i)].kind != ToolKind::forceps || !state.present || state.jaw > closed_jaw) {
+            continue;
+        }
+        const ShellSamples& on = samples_at(level_of_layers);
+        find_points(on);
+        const std::vector<std::size_t> held = between_jaws(i, on);
+        for (const std::size_t sample : held) {
+            take(i, on, sample);
+            list_.back().most = partners_.tools[at(i)].hold / static_cast<double>(held.size());
+        }
     }
 }
 
@@ -262,6 +324,9 @@ void ShellContacts::meet_sheet() {
     find_points(on);
     const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer_sheet);
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
+        if (in_tube(points_[i])) {
+            continue;
+        }
         const double own = 0.5 * on.samples[i].place.thickness;
         const std::array<ShellSheet::Foot, 2> feet = sheet_.nearest(points_[i], front(on, i), own + 2.0 * most_travel_);
         for (std::size_t side = 0; side < 2; ++side) {
@@ -308,6 +373,7 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     meet_all(ContactPartner::dome, partners_.domes.size());
     meet_all(ContactPartner::tube, partners_.tubes.size());
     meet_all(ContactPartner::bag, partners_.bags.size());
+    meet_jaws();
     meet_tools();
     if (partners.layers) {
         meet_layers();
@@ -387,6 +453,9 @@ ShellContacts::Meeting ShellContacts::meeting(const Contact& contact, double sha
     Meeting now;
     const ShellPlace& own = place(contact);
     now.point = pose_.at(own);
+    if (is_held(contact)) {
+        return now;
+    }
     if (is_flat(contact)) {
         now.normal = contact.normal;
         now.gap = contact.gap + contact.normal.dot(offset(contact, now.point) + contact.anchor);
@@ -428,12 +497,15 @@ double ShellContacts::stuck_area(const Contact& contact) const {
 
 /// Neither pushed nor held.
 bool ShellContacts::is_apart(const Contact& contact, double gap) const {
-    return !(gap < (contact.stuck > 0.0 ? tack_.range : 0.0));
+    return !is_held(contact) && !(gap < (contact.stuck > 0.0 ? tack_.range : 0.0));
 }
 
 /// Pushed apart, or held together without friction. Where the pull falls with the gap its stiffness is left at nothing,
 /// so that it stays positive semidefinite.
 SpringResponse ShellContacts::respond(const Contact& contact, const Meeting& now) const {
+    if (is_held(contact)) {
+        return lead(contact, now);
+    }
     if (now.gap < 0.0) {
         return push(contact, now);
     }
@@ -445,8 +517,49 @@ SpringResponse ShellContacts::respond(const Contact& contact, const Meeting& now
     return response;
 }
 
-double ShellContacts::energy_of(const Contact& contact, double gap) const {
-    return gap < 0.0 ? normal_energy(contact, gap) : contact.stuck * tack_at(tack_, gap).energy;
+/// By jaws.
+SpringResponse ShellContacts::lead(const Contact& contact, const Meeting& now) const {
+    const Vec3 way = offset(contact, now.point);
+    const double length = way.norm();
+    SpringResponse led;
+    led.stretch = std::min(length, contact.most / contact.stiffness);
+    led.sliding = led.stretch < length;
+    led.force = -contact.stiffness * way;
+    led.stiffness = contact.stiffness * Mat3::Identity();
+    if (led.sliding) {
+        const Vec3 ahead = way / length;
+        led.force = -contact.most * ahead;
+        led.stiffness = contact.most / length * (Mat3::Identity() - ahead * ahead.transpose());
+    }
+    return led;
+}
+
+/// Stiffness of what friction or jaws hold [uN/mm].
+double ShellContacts::sticking(const Contact& contact) const {
+    return (is_held(contact) ? 1.0 : settings_.stick) * contact.stiffness;
+}
+
+/// Without friction.
+double ShellContacts::energy_of(const Contact& contact, const Meeting& now, double share) const {
+    if (is_held(contact)) {
+        const double length = offset(contact, now.point, share).norm();
+        const double kept = std::min(length, contact.most / contact.stiffness);
+        return contact.stiffness * kept * (length - 0.5 * kept);
+    }
+    return now.gap < 0.0 ? normal_energy(contact, now.gap) : contact.stuck * tack_at(tack_, now.gap).energy;
+}
+
+/// From the middle surface to where something rigid touches it.
+Vec3 ShellContacts::arm(const Contact& contact, const Meeting& now) const {
+    return is_held(contact) ? Vec3(Vec3::Zero()) : Vec3(-0.5 * place(contact).thickness * now.normal);
+}
+
+/// Whether the next step must know of it. place: in the frame of what it touches.
+bool ShellContacts::is_kept(const Contact& contact, const Vec3& place) const {
+    if (is_held(contact)) {
+        return place.norm() < lost_at * partners_.tools[at(contact.touch.index)].reach;
+    }
+    return contact.friction > 0.0 || stuck_area(contact) > 0.0;
 }
 
 /// The spring of friction.hpp with a soft onset.
@@ -488,7 +601,7 @@ void ShellContacts::fill(const Contact& contact, const Meeting& now, const Sprin
             term.more.push_back({first + contact.foot.nodes[k], -contact.foot.weights[k] * Mat3::Identity()});
         }
     } else {
-        pose_.add_shares(own, -0.5 * own.thickness * now.normal, false, 1.0, free_, term.more);
+        pose_.add_shares(own, arm(contact, now), false, 1.0, free_, term.more);
     }
     if (!settings_.turns) {
         const int first = 2 * static_cast<int>(state_->position.size());
@@ -514,7 +627,7 @@ double ShellContacts::normal_energy(const std::vector<Vec3>& points) {
     set_iterate(points);
     double sum = 0.0;
     for (const Contact& contact : list_) {
-        sum += energy_of(contact, meeting(contact).gap);
+        sum += energy_of(contact, meeting(contact));
     }
     return sum;
 }
@@ -538,24 +651,25 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
         }
         const Vec3 from_anchor = offset(contact, now.point);
         const SpringResponse pushed = respond(contact, now);
-        const Vec3 tangential = across(from_anchor, now.normal);
+        const Vec3 tangential = is_held(contact) ? from_anchor : across(from_anchor, now.normal);
         const double size = tangential.norm();
         const double share = size > 0.0 ? std::min(1.0, pushed.stretch / size) : 0.0;
         const Vec3 stretch = share * tangential;
         contact.force = pushed.force;
         touching_ += now.gap < 0.0 ? 1 : 0;
         deepest_ = std::max(deepest_, -now.gap / place(contact).thickness);
-        const double sticking = settings_.stick * contact.stiffness;
-        work_.stored += energy_of(contact, now.gap) + 0.5 * sticking * stretch.squaredNorm();
-        work_.friction += sticking * stretch.norm() * (size - stretch.norm());
+        const double stiff = sticking(contact);
+        const double slid = size - stretch.norm();
+        work_.stored += (is_held(contact) ? 0.0 : energy_of(contact, now)) + 0.5 * stiff * stretch.squaredNorm();
+        work_.friction += stiff * stretch.norm() * slid;
         const Pose end = partner_pose(contact, 1.0);
-        const Vec3 own = end.to_body(now.point - 0.5 * place(contact).thickness * now.normal);
+        const Vec3 own = end.to_body(now.point + arm(contact, now));
         const Vec3 way = end.to_world(own) - partner_pose(contact, 0.0).to_world(own);
         work_.brought += pushed.force.dot(way);
         if (settings_.accounts) {
             account_end(i, points, now, pushed, stretch, way);
         }
-        if (contact.friction > 0.0 || stuck_area(contact) > 0.0) {
+        if (is_kept(contact, own)) {
             contact.touch.stretch = end.orientation.conjugate() * stretch;
             kept.push_back(contact.touch);
         }

@@ -10,7 +10,9 @@
 // the transposed of the interpolation, forces and moments. Friction acts where the surfaces touch, half a thickness
 // from the middle. Without it the forces are the gradient of the springs' energy but for partners whose distance is not
 // exact. Layers that touched at the end of a step hold to each other from the next on, until they are farther apart
-// than the range of their tack (tack.hpp); each of two layers that face each other bears half of it.
+// than the range of their tack (tack.hpp); each of two layers that face each other bears half of it. Jaws that close
+// take hold of the samples between them: each is led by a spring, slips when that pulls harder than its share of what
+// the jaws bear, and is lost when it has slipped out. Open jaws, and those that hold something, push nothing.
 #pragma once
 
 #include <array>
@@ -98,6 +100,7 @@ private:
         double stiffness = 0.0;  ///< [uN/mm]
         double friction = 0.0;
         double stuck = 0.0;          ///< area that holds to another layer [mm^2]
+        double most = 0.0;           ///< of jaws: force that they bear here [uN]
         Vec3 lever = Vec3::Zero();   ///< from the middle to the surface that touches, at the start [mm]
         Vec3 anchor = Vec3::Zero();  ///< where friction holds it, in the partner's frame; of layers: the difference
         // of layers and membranes, at the start: nothing goes far in a step
@@ -141,6 +144,10 @@ private:
     [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;
     [[nodiscard]] double stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const;
     void meet_tools();
+    void meet_jaws();
+    void take(int tool, const ShellSamples& on, std::size_t sample);
+    [[nodiscard]] std::vector<std::size_t> between_jaws(int tool, const ShellSamples& on) const;
+    [[nodiscard]] bool holds(int tool) const;
     void bound_facets(const ShellSamples& on);
     void meet_layers();
     void meet_sheet();
@@ -160,13 +167,18 @@ private:
     static bool is_flat(const Contact& contact) {
         return contact.touch.partner == ContactPartner::layer || contact.touch.partner == ContactPartner::sheet;
     }
+    static bool is_held(const Contact& contact) { return contact.touch.partner == ContactPartner::jaws; }
     [[nodiscard]] const ShellPlace& place(const Contact& contact) const;
+    [[nodiscard]] Vec3 arm(const Contact& contact, const Meeting& now) const;
+    [[nodiscard]] bool is_kept(const Contact& contact, const Vec3& place) const;
+    [[nodiscard]] double sticking(const Contact& contact) const;
+    [[nodiscard]] SpringResponse lead(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] double normal_energy(const Contact& contact, double gap) const;
     [[nodiscard]] double stuck_area(const Contact& contact) const;
     [[nodiscard]] bool is_apart(const Contact& contact, double gap) const;
     [[nodiscard]] SpringResponse respond(const Contact& contact, const Meeting& now) const;
-    [[nodiscard]] double energy_of(const Contact& contact, double gap) const;
+    [[nodiscard]] double energy_of(const Contact& contact, const Meeting& now, double share = 1.0) const;
     void fill(const Contact& contact, const Meeting& now, const SpringResponse& pushed, ContactTerm& term) const;
 
     void account_start();

@@ -18,8 +18,10 @@ void ShellContacts::account_start() {
         Before& before = at_start_.emplace_back();
         before.gap = then.gap;
         before.stretch = offset(contact, then.point, 0.0);
-        before.energy =
-            energy_of(contact, then.gap) + 0.5 * settings_.stick * contact.stiffness * before.stretch.squaredNorm();
+        before.energy = energy_of(contact, then, 0.0);
+        if (!is_held(contact)) {
+            before.energy += 0.5 * sticking(contact) * before.stretch.squaredNorm();
+        }
         found += before.energy;
     }
     work_.found = found;
@@ -36,14 +38,23 @@ void ShellContacts::account_end(std::size_t index, const std::vector<Vec3>& poin
     for (const ContactShare& share : term.more) {
         slid += share.share * (points[at(share.node)] - start_[at(share.node)]);
     }
+    if (is_held(contact)) {
+        const double stiff = sticking(contact);
+        const double slip = offset(contact, now.point).norm() - stretch.norm();
+        work_.lost -= pushed.force.dot(slid) + 0.5 * stiff * stretch.squaredNorm() - before.energy +
+                      stiff * stretch.norm() * slip;
+        return;
+    }
+    Meeting then = now;
+    then.gap = before.gap;
     const double deeper = before.gap - now.gap;
     const double normal = pushed.normal_force;
     const Vec3 offset_now = offset(contact, now.point);
     const Vec3 across = offset_now - now.normal.dot(offset_now) * now.normal;
-    const double sticking = settings_.stick * contact.stiffness;
-    work_.lost += normal * deeper - (energy_of(contact, now.gap) - energy_of(contact, before.gap)) +
-                  0.5 * sticking * (stretch - before.stretch).squaredNorm();
-    work_.lost += sticking * stretch.dot(slid - (across - before.stretch)) - normal * (now.normal.dot(slid) + deeper);
+    const double stiff = sticking(contact);
+    work_.lost += normal * deeper - (energy_of(contact, now) - energy_of(contact, then)) +
+                  0.5 * stiff * (stretch - before.stretch).squaredNorm();
+    work_.lost += stiff * stretch.dot(slid - (across - before.stretch)) - normal * (now.normal.dot(slid) + deeper);
 }
 
 }  // namespace rhexis

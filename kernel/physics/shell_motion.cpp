@@ -57,11 +57,6 @@ ShellLoad load_of(const ShellState& state) {
     return load;
 }
 
-void stop(ShellState& state) {
-    std::fill(state.velocity.begin(), state.velocity.end(), Vec3(Vec3::Zero()));
-    std::fill(state.spin.begin(), state.spin.end(), Vec3(Vec3::Zero()));
-}
-
 double farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
     double square = 0.0;
     for (std::size_t n = 0; n < from.size(); ++n) {

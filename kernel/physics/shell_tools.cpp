@@ -104,4 +104,17 @@ bool ShellTools::stands(std::span<const Vec3> forces, double residual) {
     return good;
 }
 
+bool ShellTools::held_still() {
+    bool still = true;
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        if (pushes(i)) {
+            still = still && goal_[i] == before_[i].pushed;
+            goal_[i] = before_[i].pushed;
+        }
+    }
+    after_ = before_;
+    move_plungers();
+    return still;
+}
+
 }  // namespace rhexis

@@ -22,6 +22,9 @@ public:
     /// placed for a shorter way, and the step must be made again.
     bool stands(std::span<const Vec3> forces, double residual);
 
+    /// Whether no plunger moved in a step. If one did, it is placed where it was, and the step must be made again.
+    bool held_still();
+
     [[nodiscard]] std::span<const ToolModel> tools() const { return tools_; }
     [[nodiscard]] std::span<const ToolState> states() const { return states_; }
     /// Bores of the injectors that are in the eye, in the frames of what carries them.

@@ -274,7 +274,7 @@ void shell_fields(auto& io, auto& shell) {
     });
     io.list(shell.touches, 37, [](auto& inner, auto& touch) {
         inner(touch.partner);
-        inner.limit(touch.partner >= ContactPartner::tool && touch.partner <= ContactPartner::sheet);
+        inner.limit(touch.partner >= ContactPartner::tool && touch.partner <= ContactPartner::jaws);
         inner(touch.index);
         inner(touch.sample);
         inner(touch.front);

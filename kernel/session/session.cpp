@@ -8,6 +8,7 @@
 #include "input/sample_check.hpp"
 #include "observe/observer.hpp"
 #include "physics/physics.hpp"
+#include "physics/shell_carry.hpp"
 #include "session/build_world.hpp"
 #include "session/denormals.hpp"
 #include "session/recording.hpp"
@@ -62,6 +63,7 @@ struct Session::Parts {
 
     void obey(std::span<const Command> commands);
     void read_input(std::span<const DeviceSample> given);
+    void leave(int tool);
     void move_tools();
     void move_microscope();
     StepOutcome advance_physics();
@@ -213,6 +215,17 @@ void Session::Parts::read_input(std::span<const DeviceSample> given) {
     }
 }
 
+/// An implant that still lies in an injector leaves the eye with it.
+void Session::Parts::leave(int tool) {
+    const ToolModel& model = world->tools[tool];
+    for (ShellState& shell : state.shells) {
+        if (model.cartridge && !shell.loaded && lies_in(model.cartridge->bore, tools[tool].pose, shell)) {
+            shell = taken_along(shell, tools[tool].pose);
+            note(LogLevel::info, model.name + " leaves the eye, and what lies in it with it");
+        }
+    }
+}
+
 void Session::Parts::move_tools() {
     const ToolSettings limits = tool_settings(settings);
     for (int i = 0; i < static_cast<int>(tools.size()); ++i) {
@@ -221,6 +234,9 @@ void Session::Parts::move_tools() {
             continue;
         }
         ToolStep step_of_tool = next_tool(world->tools[i], tools[i], *samples[i], scene.step_s, limits);
+        if (tools[i].present && !step_of_tool.state.present) {
+            leave(i);
+        }
         tools[i] = step_of_tool.state;
         if (step_of_tool.rejected.empty()) {
             was_refused[i] = 0;
@@ -255,8 +271,7 @@ void Session::Parts::keep_state_of_failed_step(StepFailure failure) {
         std::fill(membrane.velocity.begin(), membrane.velocity.end(), Vec3(Vec3::Zero()));
     }
     for (ShellState& shell : next.shells) {
-        std::fill(shell.velocity.begin(), shell.velocity.end(), Vec3(Vec3::Zero()));
-        std::fill(shell.spin.begin(), shell.spin.end(), Vec3(Vec3::Zero()));
+        stop(shell);
     }
     for (BagState& bag : next.bags) {
         bag.velocity.setZero();

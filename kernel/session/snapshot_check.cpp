@@ -41,6 +41,7 @@ std::size_t partners(const WorldModel& world, ContactPartner partner) {
             return 1;
         case ContactPartner::tube:
         case ContactPartner::sheet:
+        case ContactPartner::jaws:
             return 0;
     }
     return 0;
