@@ -70,7 +70,7 @@ local exercise_rules = {
     tissues = { kind = "texts", required = true, choices = { "lens", "bag", "capsule", "anterior_capsule",
         "iris", "cornea", "chamber", "viscoelastic", "implant" } },
     instruments = { kind = "texts", required = true, choices = { "cannula", "cystotome", "forceps",
-        "hook", "injector", "phaco", "probe", "spatula", "microscope" } },
+        "hook", "injector", "lens_forceps", "phaco", "probe", "spatula", "microscope" } },
     settings = { kind = "table", default = {} },
     goals = { kind = "table", default = {} },
     steps = { kind = "table", required = true },

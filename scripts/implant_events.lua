@@ -55,10 +55,11 @@ function implant_events.upside_down(own)
     }, own)
 end
 
---- The hook has left, and a haptic is still before the rim.
+--- Hook or forceps have left, and a haptic is still before the rim.
 function implant_events.haptic_out(own)
     return with({
-        when = { "implant.released and hook.present", "not hook.present and implant.haptics_in_bag < 2" },
+        when = { "implant.released and (hook.present or lens_forceps.present)",
+            "not hook.present and not lens_forceps.present and implant.haptics_in_bag < 2" },
         hold_s = 1,
         recovered = "implant.haptics_in_bag >= 2 and implant.decentration_mm <= 0.5",
         deadline_s = 60,
@@ -66,8 +67,8 @@ function implant_events.haptic_out(own)
         quiet_s = 5,
         severity = "critical",
         cue = "A haptic lies in front of the rim, the optic is off the middle.",
-        advice = "A haptic is not in the bag: go back with the hook to where it leaves the optic, press it down behind "
-            .. "the rim and turn until its end is under it.",
+        advice = "A haptic is not in the bag: go back with lens forceps. Draw its arm into the opening hand over hand, "
+            .. "until its elbow is within the rim, press it down, and lead it back behind the rim.",
         evidence = { "implant.haptic_leading_in_bag", "implant.haptic_trailing_in_bag", "implant.decentration_mm" },
     }, own)
 end
@@ -84,7 +85,8 @@ function implant_events.haptic_stuck(own)
         quiet_s = 5,
         severity = "critical",
         cue = "A haptic stays folded on the optic, which is tilted.",
-        advice = "The haptic sticks to the optic: free it with the hook, under viscoelastic.",
+        advice = "The haptic sticks to the optic: take its arm with lens forceps, lift it off, and lead it behind the "
+            .. "rim.",
         evidence = { "implant.haptics_on_optic", "implant.tilt_deg", "implant.unfolded" },
     }, own)
 end

@@ -46,4 +46,55 @@ function implant_hand.inject(t, place, turned)
     t.injector:withdraw({ speed = 10 })
 end
 
+--- All of it from two places: until half of it is out with the mouth at the first, the rest at the second, where the
+--- mouth stays so long [s] before the injector leaves.
+function implant_hand.inject_from_two(t, first, second, stays)
+    implant_hand.bring(t, first)
+    implant_hand.push(t, function() return t:value("implant.delivered") > 0.63 end)
+    t.injector:move_to(second, { speed = 5 })
+    implant_hand.push(t, function() return t:value("implant.released") end)
+    t:wait(stays)
+    t.injector:jaw(0)
+    t.injector:withdraw({ speed = 10 })
+end
+
+local free = { speed = 6, motion = "even" }
+local slow = { speed = 3, motion = "even" }
+
+-- Lens forceps on a place, from above; what they hold is lifted a little.
+local function take(t, place)
+    local x, y, z = table.unpack(place)
+    t.lens_forceps:jaw(1)
+    t.lens_forceps:move_to({ x, y, z + 0.8 }, free)
+    t.lens_forceps:move_to(place, free)
+    t.lens_forceps:jaw(0)
+    t:wait(0.3)
+    t.lens_forceps:move_by({ 0, 0, 0.6 }, slow)
+end
+
+local function let_go(t)
+    t.lens_forceps:jaw(1)
+    t:wait(0.2)
+    t.lens_forceps:move_by({ 0, 0, 1 }, free)
+end
+
+--- The arm of a trailing haptic that lies before the rim, as in the start "trailing_out": drawn in by its middle, then
+--- by its elbow until all of it is within the rim, pressed down there and led back behind the rim. middle, elbow: where
+--- it is taken; the elbow after it has been drawn in.
+function implant_hand.tuck_in(t, middle, elbow)
+    t.lens_forceps:enter({ speed = 20 })
+    take(t, middle)
+    t.lens_forceps:move_to({ 0.2, 1.2, 0.7 }, slow)
+    t:wait(2)
+    let_go(t)
+    take(t, elbow)
+    t.lens_forceps:move_to({ 0.3, 1.2, 0.6 }, slow)
+    t.lens_forceps:move_to({ 0.3, 1.2, -1.7 }, slow)
+    t:wait(2)
+    t.lens_forceps:move_to({ 0.4, -0.7, -1.7 }, slow)
+    let_go(t)
+    t.lens_forceps:move_to({ 0, 0, 1.6 }, free)
+    t.lens_forceps:withdraw({ speed = 10 })
+end
+
 return implant_hand

@@ -33,7 +33,7 @@ return exercise {
 
     patient = { age = 68, pupil_mm = 8 },
     tissues = { "implant", "bag", "viscoelastic", "iris", "cornea" },
-    instruments = { "injector", "hook", "cannula", "forceps" },
+    instruments = { "injector", "hook", "cannula", "lens_forceps" },
     settings = {
         ["viscoelastic.fill"] = 1,
         ["implant.triangles"] = 400,  -- docs/implant.md, "Injection", what it costs

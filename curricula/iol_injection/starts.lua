@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one that
 -- the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the bag
--- on its side.
+-- on its side; in the bag but for its trailing haptic, which the injector has drawn out again because it left at once.
 
 local implant_hand = require "implant_hand"
 
@@ -14,5 +14,9 @@ return starts {
     torn = { opening = "capsulorhexis:round" },
     before_capsule = let_out({ 0, -1.2, 2.2 }, 0),
     upside_down = let_out({ 0, -0.8, 0.8 }, 180),
+    trailing_out = { function(t)
+        implant_hand.inject_from_two(t, { 0, -0.2, 0.5 }, { 0, -1.7, 0.35 }, 0.1)
+        t:wait(15)
+    end },
     on_its_side = let_out({ 0, -1.0, 0.9 }, 70),
 }

@@ -5,11 +5,22 @@
 
 local implanting = require "surgeons.implanting"
 
+local unfolds_s = 8   -- before one judges where the haptics are
 local settles_s = 20  -- that one watches the implant come to rest in its bag
+local attempts = 2    -- at a haptic that lies before the bag
 
 return function(me)
     local eye = implanting.look_around(me)
     if implanting.is_shallow(me.see()) then implanting.fill(me, eye) end
     implanting.inject(me, eye)
-    me.wait(settles_s)
+    me.wait(unfolds_s)
+    for _ = 1, attempts do
+        for _, which in ipairs { "leading", "trailing" } do
+            if implanting.lies_before(me.see(), which) then
+                implanting.tuck_in(me, eye, which)
+                me.wait(unfolds_s)
+            end
+        end
+    end
+    me.wait(settles_s - unfolds_s)
 end

@@ -17,8 +17,15 @@ void add_implant_landmarks(const ObserveInput& input, const ImplantPlace& implan
     const EyeAnatomy& eye = input.eye.anatomy;
     const bool here = !input.state.shells[0].loaded;
     marks.push_back({"optic", here && shows(eye, implant.centre), implant.centre, implant.radius});
-    marks.push_back({"haptic_leading", here && shows(eye, implant.tip[0]), implant.tip[0], 0.0});
-    marks.push_back({"haptic_trailing", here && shows(eye, implant.tip[1]), implant.tip[1], 0.0});
+    const auto mark = [&](const char* name, const Vec3& place) {
+        marks.push_back({name, here && shows(eye, place), place, 0.0});
+    };
+    mark("haptic_leading", implant.tip[0]);
+    mark("haptic_trailing", implant.tip[1]);
+    mark("haptic_leading_middle", implant.middle[0]);
+    mark("haptic_trailing_middle", implant.middle[1]);
+    mark("haptic_leading_elbow", implant.elbow[0]);
+    mark("haptic_trailing_elbow", implant.elbow[1]);
     if (bag != nullptr) {
         marks.push_back({"bag_rim", shows(eye, bag->rim_centre, bag->rim_radius), bag->rim_centre, bag->rim_radius});
         marks.push_back({"bag_equator", shows(eye, bag->centre, bag->radius), bag->centre, bag->radius});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/index.hpp"
 #include "mesh/nearest_place.hpp"
@@ -11,6 +12,7 @@ namespace rhexis {
 namespace {
 
 constexpr double root_length = 1.0;  ///< of a haptic next to the optic, which does not count as its arm [mm]
+constexpr double across = 0.6;       ///< of an arm: nodes so near to each other stand for its middle line [mm]
 constexpr double touching = 0.05;    ///< gap between surfaces that touch [mm]
 
 /// Its length is the area.
@@ -24,6 +26,34 @@ Vec3 middle(const std::vector<Vec3>& x, const std::array<int, 3>& t) {
 
 std::array<Vec3, 3> corners(const std::vector<Vec3>& x, const std::array<int, 3>& t) {
     return {x[at(t[0])], x[at(t[1])], x[at(t[2])]};
+}
+
+/// Of the nodes of an arm, by their places at rest: that which is farthest from the line from one place to another.
+int farthest_from_line(const std::vector<int>& arm, const std::vector<Vec3>& rest, const Vec3& from, const Vec3& to) {
+    const Vec3 along = (to - from).normalized();
+    const auto away = [&](int node) { return (rest[at(node)] - from).cross(along).squaredNorm(); };
+    return *std::max_element(arm.begin(), arm.end(), [&](int a, int b) { return away(a) < away(b); });
+}
+
+/// Likewise: that which is nearest to a place.
+int nearest_to(const std::vector<int>& arm, const std::vector<Vec3>& rest, const Vec3& place) {
+    const auto away = [&](int node) { return (rest[at(node)] - place).squaredNorm(); };
+    return *std::min_element(arm.begin(), arm.end(), [&](int a, int b) { return away(a) < away(b); });
+}
+
+std::vector<int> all_near(const std::vector<int>& arm, const std::vector<Vec3>& rest, const Vec3& place) {
+    std::vector<int> near;
+    std::copy_if(arm.begin(), arm.end(), std::back_inserter(near),
+                 [&](int node) { return (rest[at(node)] - place).norm() < across; });
+    return near;
+}
+
+Vec3 mean_of(const std::vector<int>& nodes, const std::vector<Vec3>& places) {
+    Vec3 sum = Vec3::Zero();
+    for (const int node : nodes) {
+        sum += places[at(node)];
+    }
+    return sum / static_cast<double>(nodes.size());
 }
 
 double gap_to(const std::array<Vec3, 3>& triangle, const Vec3& place) {
@@ -59,6 +89,14 @@ ImplantGauge::ImplantGauge(const ShellModel& model, const ImplantParts& parts)
         std::sort(nodes.begin(), nodes.end());
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3& tip = rest[at(tip_[i])];
+        const Vec3& root = rest[at(nearest_to(arm_[i], rest, Vec3::Zero()))];
+        const Vec3& elbow = rest[at(farthest_from_line(arm_[i], rest, root, tip))];
+        const Vec3 between = 0.5 * (elbow + tip);
+        elbow_[i] = all_near(arm_[i], rest, elbow);
+        middle_[i] = all_near(arm_[i], rest, rest[at(nearest_to(arm_[i], rest, tip.norm() / between.norm() * between))]);
+    }
 }
 
 bool ImplantGauge::touches_optic(const ShellState& state, int arm_node, const Vec3& centre) const {
@@ -91,6 +129,8 @@ ImplantPlace ImplantGauge::measure(const ShellState& state) const {
     place.normal = sum.norm() > 0.0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
     for (std::size_t i = 0; i < 2; ++i) {
         place.tip[i] = state.position[at(tip_[i])];
+        place.elbow[i] = mean_of(elbow_[i], state.position);
+        place.middle[i] = mean_of(middle_[i], state.position);
         place.on_optic[i] = std::any_of(arm_[i].begin(), arm_[i].end(),
                                         [&](int node) { return touches_optic(state, node, place.centre); });
     }

@@ -17,6 +17,8 @@ struct ImplantPlace {
     double unfolded = 0.0;        ///< that shadow over the optic's area at rest; 0 where it is rolled up
     double radius = 0.0;          ///< of the optic at rest [mm]
     std::array<Vec3, 2> tip{Vec3::Zero(), Vec3::Zero()};  ///< leading, trailing haptic [mm]
+    std::array<Vec3, 2> elbow{Vec3::Zero(), Vec3::Zero()};   ///< likewise, where an arm bends round [mm]
+    std::array<Vec3, 2> middle{Vec3::Zero(), Vec3::Zero()};  ///< likewise, halfway from there to the end [mm]
     std::array<bool, 2> on_optic{};                       ///< whether an arm touches the optic
     std::vector<double> half_thickness;                   ///< by nodes, of the thickest triangle about each [mm]
 };
@@ -32,6 +34,8 @@ private:
     std::vector<std::array<int, 3>> optic_;  ///< triangles
     std::array<std::vector<int>, 2> arm_;    ///< nodes of each haptic, without where it leaves the optic
     std::array<int, 2> tip_;
+    std::array<std::vector<int>, 2> elbow_;   ///< nodes across the arm there
+    std::array<std::vector<int>, 2> middle_;  ///< likewise
     std::vector<double> half_thickness_;
     double area_ = 0.0;  ///< of the optic at rest [mm^2]
     double radius_ = 0.0;

@@ -16,10 +16,7 @@ namespace {
 constexpr double travel_in_thicknesses = 0.5;  // of shell and partner in a step
 constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in between samples, if they are rigid
 constexpr int finest_level = 3;
-constexpr int level_of_layers = 1;
-constexpr double edge_spacing = 0.6;  // of samples that meet a membrane, in thicknesses: it sinks in by a twentieth
 constexpr double through = 0.5;  // of the thickness: what is so deep when it is first met is on the other side
-constexpr double lost_at = 2.0;  // times the reach of jaws from their middle: it has slipped out
 constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
 
 auto rank(const ShellTouch& touch) {
@@ -139,10 +136,12 @@ double ShellContacts::stiffness(const ShellSamples& on, std::size_t sample, cons
     return settings_.stiffer * modulus_ / own.place.thickness * area;
 }
 
-/// At the start: what is there is on its way through the wound, and no wall is about it but the tube's.
-bool ShellContacts::in_tube(const Vec3& point) const {
+/// At the start: nothing is about it there but the tube's wall and the tool that pushes in it. but: tool whose own
+/// tube does not count.
+bool ShellContacts::in_tube(const Vec3& point, int but) const {
     for (int i = 0; i < static_cast<int>(partners_.tubes.size()); ++i) {
-        if (within_bore(partners_.tubes[at(i)], pose_of(ContactPartner::tube, i, 0.0).to_body(point))) {
+        const bool own = !partners_.tube_tools.empty() && partners_.tube_tools[at(i)] == but;
+        if (!own && within_bore(partners_.tubes[at(i)], pose_of(ContactPartner::tube, i, 0.0).to_body(point))) {
             return true;
         }
     }
@@ -158,7 +157,8 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
                            (partner == ContactPartner::tool && partners_.tools[at(index)].kind == ToolKind::forceps);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const ShellPlace& own = on.samples[i].place;
-        if ((box && !box->holds(points_[i])) || (partner == ContactPartner::dome && in_tube(points_[i]))) {
+        if ((box && !box->holds(points_[i])) || (partner == ContactPartner::dome && in_tube(points_[i])) ||
+            (partner == ContactPartner::tool && in_tube(points_[i], index))) {
             continue;
         }
         const SurfaceDistance start = distance(partner, index, 0.0, points_[i]);
@@ -196,158 +196,6 @@ void ShellContacts::meet_tools() {
         box.low -= Vec3::Constant(around);
         box.high += Vec3::Constant(around);
         meet_rigid(ContactPartner::tool, i, thinnest(tool), reach, box);
-    }
-}
-
-bool ShellContacts::holds(int tool) const {
-    return std::any_of(list_.begin(), list_.end(),
-                       [tool](const Contact& contact) { return is_held(contact) && contact.touch.index == tool; });
-}
-
-/// Samples that jaws close on in this step, or have held since an earlier one.
-std::vector<std::size_t> ShellContacts::between_jaws(int tool, const ShellSamples& on) const {
-    std::vector<std::size_t> samples;
-    if (partners_.tool_states[at(tool)].previous_jaw > closed_jaw && partners_.from == 0.0) {
-        const Vec3 middle = pose_of(ContactPartner::jaws, tool, 0.0).position;
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            if ((points_[i] - middle).norm() < partners_.tools[at(tool)].reach) {
-                samples.push_back(i);
-            }
-        }
-        return samples;
-    }
-    for (const ShellTouch& touch : state_->touches) {
-        if (touch.partner == ContactPartner::jaws && touch.index == tool && at(touch.sample) < on.samples.size()) {
-            samples.push_back(at(touch.sample));
-        }
-    }
-    return samples;
-}
-
-void ShellContacts::take(int tool, const ShellSamples& on, std::size_t sample) {
-    Contact contact;
-    contact.on = &on;
-    contact.touch.partner = ContactPartner::jaws;
-    contact.touch.index = tool;
-    contact.touch.sample = static_cast<int>(sample);
-    contact.stiffness = settings_.stiffer * modulus_ / on.samples[sample].place.thickness * on.samples[sample].area;
-    contact.anchor = partner_pose(contact, 0.0).to_body(points_[sample]);
-    contact.gap = HUGE_VAL;
-    add(std::move(contact));
-}
-
-void ShellContacts::meet_jaws() {
-    for (int i = 0; i < static_cast<int>(partners_.tools.size()); ++i) {
-        const ToolState& state = partners_.tool_states[at(i)];
-        if (partners_.tools[at(i)].kind != ToolKind::forceps || !state.present || state.jaw > closed_jaw) {
-            continue;
-        }
-        const ShellSamples& on = samples_at(level_of_layers);
-        find_points(on);
-        const std::vector<std::size_t> held = between_jaws(i, on);
-        for (const std::size_t sample : held) {
-            take(i, on, sample);
-            list_.back().most = partners_.tools[at(i)].hold / static_cast<double>(held.size());
-        }
-    }
-}
-
-void ShellContacts::bound_facets(const ShellSamples& on) {
-    facets_.resize(on.facets.size());
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-        const std::array<int, 3>& n = on.facets[f];
-        Ball& ball = facets_[f];
-        ball.middle = (points_[at(n[0])] + points_[at(n[1])] + points_[at(n[2])]) / 3.0;
-        ball.radius = 0.0;
-        for (const int one : n) {
-            ball.radius = std::max(ball.radius, (points_[at(one)] - ball.middle).norm());
-        }
-    }
-}
-
-/// Every sample with what is nearest before it and behind it.
-void ShellContacts::meet_layers() {
-    const ShellSamples& on = samples_at(level_of_layers);
-    find_points(on);
-    layers_.look(on, points_, 2.0 * most_travel_);
-    bound_facets(on);
-    for (std::size_t i = 0; i < on.samples.size(); ++i) {
-        const std::span<const ShellLayers::Candidate> near = layers_.near(i);
-        if (near.empty()) {
-            continue;
-        }
-        const Vec3 forward = front(on, i);
-        std::array<Layer, 2> nearest;  // behind, before
-        for (const ShellLayers::Candidate& candidate : near) {
-            if (candidate.spare > layers_.closed()) {
-                continue;
-            }
-            const Layer layer = nearest_layer(on, i, candidate.triangle);
-            const std::size_t side = forward.dot(layer.normal) < 0.0 ? 1 : 0;
-            if (layer.gap < std::min(2.0 * most_travel_, nearest[side].gap)) {
-                nearest[side] = layer;
-            }
-        }
-        for (const bool before : {false, true}) {
-            if (nearest[before ? 1 : 0].gap < HUGE_VAL) {
-                add_layer(on, i, before, nearest[before ? 1 : 0]);
-            }
-        }
-    }
-}
-
-void ShellContacts::add_layer(const ShellSamples& on, std::size_t sample, bool front, const Layer& near) {
-    Contact contact;
-    contact.on = &on;
-    contact.touch.partner = ContactPartner::layer;
-    contact.touch.sample = static_cast<int>(sample);
-    contact.touch.front = front;
-    contact.stiffness = stiffness(on, sample, near.normal);
-    contact.friction = model_->friction;
-    contact.lever = near.own_share * near.way;
-    contact.foot = place_between(on.corners[at(near.facet)], near.share);
-    contact.foot_lever = (near.own_share - 1.0) * near.way;
-    contact.normal = near.normal;
-    contact.gap = near.gap;
-    add(std::move(contact));
-}
-
-/// Every sample with what of the membrane is nearest before it and behind it. Springs as stiff as between layers would
-/// be so beside what gives way a hundred times as much, and Newton's method would take a small step for each that it
-/// meets.
-void ShellContacts::meet_sheet() {
-    sheet_.look(*partners_.sheet);
-    if (samples_of_sheet_.samples.empty()) {
-        samples_of_sheet_ = shell_samples(*model_, level_of_layers, edge_spacing);
-    }
-    const ShellSamples& on = samples_of_sheet_;
-    find_points(on);
-    const double most = stretch_stiffness(*partners_.sheet_model, *partners_.sheet->sheet, settings_.stiffer_sheet);
-    for (std::size_t i = 0; i < on.samples.size(); ++i) {
-        if (in_tube(points_[i])) {
-            continue;
-        }
-        const double own = 0.5 * on.samples[i].place.thickness;
-        const std::array<ShellSheet::Foot, 2> feet = sheet_.nearest(points_[i], front(on, i), own + 2.0 * most_travel_);
-        for (std::size_t side = 0; side < 2; ++side) {
-            const ShellSheet::Foot& foot = feet[side];
-            if (!(foot.distance < HUGE_VAL) || !(foot.distance > 0.0)) {
-                continue;
-            }
-            Contact contact;
-            contact.on = &on;
-            contact.touch.partner = ContactPartner::sheet;
-            contact.touch.sample = static_cast<int>(i);
-            contact.touch.front = side == 1;
-            contact.normal = -foot.way / foot.distance;
-            contact.stiffness = std::min(most, stiffness(on, i, contact.normal));
-            contact.friction = partners_.sheet_model->shell_friction;
-            contact.lever = foot.way;
-            contact.foot.nodes = foot.nodes;
-            contact.foot.weights = foot.weights;
-            contact.gap = foot.distance - own;
-            add(std::move(contact));
-        }
     }
 }
 
@@ -415,37 +263,6 @@ std::vector<std::array<int, 2>> ShellContacts::links(double gap) const {
 
 std::vector<std::array<int, 2>> ShellContacts::ties(double gap) const {
     return each_once(pairs(ContactPartner::sheet, gap));
-}
-
-ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const {
-    Layer nearest;
-    const Vec3& point = points_[sample];
-    const double own = 0.5 * on.samples[sample].place.thickness;
-    const double reach = own + layers_.half(triangle) + 2.0 * most_travel_;
-    for (int f = triangle * on.facets_each; f < (triangle + 1) * on.facets_each; ++f) {
-        const Ball& ball = facets_[at(f)];
-        if ((point - ball.middle).squaredNorm() > (reach + ball.radius) * (reach + ball.radius)) {
-            continue;
-        }
-        const std::array<int, 3>& n = on.facets[at(f)];
-        const std::array<ShellPlace, 3>& corner = on.corners[at(f)];
-        const std::array<Vec3, 3> x{points_[at(n[0])], points_[at(n[1])], points_[at(n[2])]};
-        const std::array<double, 3> weights = nearest_to_point(x, point);
-        const Vec3 way = place_in(x, weights) - point;
-        const double other = 0.5 * (weights[0] * corner[0].thickness + weights[1] * corner[1].thickness +
-                                    weights[2] * corner[2].thickness);
-        const double far = way.norm();
-        const double gap = far - own - other;
-        if (gap < nearest.gap) {
-            nearest.gap = gap;
-            nearest.normal = far > 0.0 ? Vec3(-way / far) : Vec3((x[1] - x[0]).cross(x[2] - x[0]).normalized());
-            nearest.way = way;
-            nearest.own_share = own / (own + other);
-            nearest.facet = f;
-            nearest.share = weights;
-        }
-    }
-    return nearest;
 }
 
 /// Of layers and membranes: both sides are planes at right angles to the normal where they would touch.
@@ -517,23 +334,6 @@ SpringResponse ShellContacts::respond(const Contact& contact, const Meeting& now
     return response;
 }
 
-/// By jaws.
-SpringResponse ShellContacts::lead(const Contact& contact, const Meeting& now) const {
-    const Vec3 way = offset(contact, now.point);
-    const double length = way.norm();
-    SpringResponse led;
-    led.stretch = std::min(length, contact.most / contact.stiffness);
-    led.sliding = led.stretch < length;
-    led.force = -contact.stiffness * way;
-    led.stiffness = contact.stiffness * Mat3::Identity();
-    if (led.sliding) {
-        const Vec3 ahead = way / length;
-        led.force = -contact.most * ahead;
-        led.stiffness = contact.most / length * (Mat3::Identity() - ahead * ahead.transpose());
-    }
-    return led;
-}
-
 /// Stiffness of what friction or jaws hold [uN/mm].
 double ShellContacts::sticking(const Contact& contact) const {
     return (is_held(contact) ? 1.0 : settings_.stick) * contact.stiffness;
@@ -557,7 +357,7 @@ Vec3 ShellContacts::arm(const Contact& contact, const Meeting& now) const {
 /// Whether the next step must know of it. place: in the frame of what it touches.
 bool ShellContacts::is_kept(const Contact& contact, const Vec3& place) const {
     if (is_held(contact)) {
-        return place.norm() < lost_at * partners_.tools[at(contact.touch.index)].reach;
+        return still_holds(contact, place);
     }
     return contact.friction > 0.0 || stuck_area(contact) > 0.0;
 }

@@ -94,6 +94,7 @@ public:
     [[nodiscard]] Vec3 force_of(ContactPartner partner, int index) const;
 
 private:
+    static constexpr int level_of_layers = 1;  ///< of the samples that meet layers, a membrane and jaws
     struct Contact {
         ShellTouch touch;
         const ShellSamples* on = nullptr;
@@ -139,7 +140,7 @@ private:
     [[nodiscard]] int level_for(double radius) const;
     [[nodiscard]] const ShellSamples& samples_at(int level);
     void find_points(const ShellSamples& on);
-    [[nodiscard]] bool in_tube(const Vec3& point) const;
+    [[nodiscard]] bool in_tube(const Vec3& point, int but = -1) const;
     void meet_rigid(ContactPartner partner, int index, double radius, double reach, const std::optional<Box>& box);
     [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;
     [[nodiscard]] double stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const;
@@ -171,6 +172,7 @@ private:
     [[nodiscard]] const ShellPlace& place(const Contact& contact) const;
     [[nodiscard]] Vec3 arm(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] bool is_kept(const Contact& contact, const Vec3& place) const;
+    [[nodiscard]] bool still_holds(const Contact& contact, const Vec3& place) const;
     [[nodiscard]] double sticking(const Contact& contact) const;
     [[nodiscard]] SpringResponse lead(const Contact& contact, const Meeting& now) const;
     [[nodiscard]] SpringResponse push(const Contact& contact, const Meeting& now) const;

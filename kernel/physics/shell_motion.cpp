@@ -25,7 +25,7 @@ constexpr double near_balance = 1e-2;
 constexpr int most_iterations = 300;
 /// After so many the whole step is given up, and all stays where it was: an instrument that is thrust through a lens
 /// can ask for a hundred times as many.
-constexpr int hopeless = 2500;
+constexpr int hopeless = 1000;
 
 constexpr ImplicitSettings settings{
     .tolerance = 1e-3, .max_newton = 30, .newton_tolerance = 1e-4, .predict_stress = true};

@@ -5,6 +5,7 @@
 #include "flow/microscope.hpp"
 #include "tools/hook.hpp"
 #include "tools/injector.hpp"
+#include "tools/lens_forceps.hpp"
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -13,7 +14,7 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula", "cystotome", "forceps", "hook", "injector", "phaco", "probe", "spatula"};
+    return {"cannula", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe", "spatula"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -35,6 +36,9 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "cystotome") {
         return cystotome();
     }
+    if (name == "lens_forceps") {
+        return lens_forceps();
+    }
     if (name == "forceps") {
         return capsulorhexis_forceps();
     }
@@ -48,7 +52,7 @@ Result<ToolModel> make_tool(std::string_view name) {
         return viscoelastic_cannula();
     }
     return Error{"there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-                 "cannula, cystotome, forceps, hook, injector, phaco, probe, spatula"};
+                 "cannula, cystotome, forceps, hook, injector, lens_forceps, phaco, probe, spatula"};
 }
 
 }  // namespace rhexis

@@ -19,6 +19,7 @@ ToolModel capsulorhexis_forceps() {
     tool.kind = ToolKind::forceps;
     tool.friction = 0.3;
     tool.reach = 0.3;
+    tool.lens_reach = 0.3;
     tool.hold = 40000.0;  // proposal: twice the greatest force of a tear
     return tool;
 }

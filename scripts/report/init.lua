@@ -4,6 +4,7 @@
 local chart = require "report.chart"
 local charts = require "report.charts"
 local markup = require "report.markup"
+local pictures = require "report.pictures"
 local scores = require "report.scores"
 local style = require "report.style"
 
@@ -151,22 +152,6 @@ local function time_line(w, report)
     w("</section>")
 end
 
-local function pictures(w, report, images)
-    local shown = {}
-    for _, picture in ipairs(report.pictures or {}) do
-        local bytes = images[picture.file]
-        if bytes and bytes:find("^[%w+/=\r\n]+$") then shown[#shown + 1] = { picture, bytes } end
-    end
-    if #shown == 0 then return end
-    w('<section><h2>Pictures</h2><div class="pictures">')
-    for _, entry in ipairs(shown) do
-        local caption = entry[1].caption or entry[1].name or ""
-        w('<figure><img alt="', e(caption), '" src="data:image/png;base64,', entry[2], '"><figcaption>',
-            e(caption), ' <span class="soft">', time(entry[1].time_s), "</span></figcaption></figure>")
-    end
-    w("</div></section>")
-end
-
 -- The video lies beside the page: too large to hold, and some browsers lack its codec.
 local function video(w, report)
     local file = report.video
@@ -236,7 +221,7 @@ function report_page.html(report, series, images)
     summary(w, report)
     scores.section(w, report.osacss)
     time_line(w, report)
-    pictures(w, report, images or {})
+    pictures.section(w, report, images or {})
     video(w, report)
     chart_section(w, report, series)
     background(w, report)

@@ -22,6 +22,20 @@ local push_longest = 12       -- until the optic is half out [s]
 local let_unfold = 0.6        -- from then on, before one leaves: a nozzle that stays keeps it off the middle, one that
                               -- leaves at once draws the trailing haptic out of the bag again [s]
 local full, shallow = 0.97, 0.9
+local quick_speed = 6         -- with open jaws, which push nothing
+local slow_speed = 3          -- of what is held
+local above = 1.0             -- from where one comes down on what one takes
+local lifts = 0.6             -- to see whether it is held:
+local comes = 0.4             -- what is rises by so much of that or more
+local tries = 4               -- of taking hold
+local stands_out = 0.2        -- higher than the rim: an arm that is seen there lies before the bag
+local first_reach = 1.4       -- beyond the middle of the opening an arm is drawn by its middle,
+local reach = 1.3             -- and by its elbow, until all of it is within the rim
+local beside = 0.5            -- the middle, on the side of its end,
+local over_rim = 0.9          -- so high on the way,
+local below_rim = 1.5         -- and pressed so far down there,
+local let_go_at = 0.6         -- before it is led back so far on its own side of the middle
+local relaxes_s = 2.0         -- acrylic that is held gives in, and springs back the slower
 local heed = 0.3              -- how much a new look counts against those before
 
 --- What is known of the eye after looking for a while: wound, port, pupil, rim and rim_radius.
@@ -82,6 +96,84 @@ function implanting.inject(me, eye)
     me.go(vector.add(eye.rim, { 0, -near_edge, -still_under }), back_speed)
     me.wait(let_unfold)
     withdraw(me, eye)
+end
+
+-- Forceps on a place of the arm; whether they have it. Each look is from nearer than the one before.
+local function take_hold(me, mark)
+    for _ = 1, tries do
+        me.jaw(1)
+        for _, height in ipairs { above, 0 } do
+            local seen = me.see().landmarks[mark]
+            if not seen then return false end
+            me.go(vector.add(seen.position, { 0, 0, height }), height == above and free_speed or quick_speed)
+        end
+        me.jaw(0)
+        me.wait(0.4)
+        local before = me.see().landmarks[mark]
+        me.go(vector.add(me.tip(), { 0, 0, lifts }), slow_speed)
+        me.wait(0.3)
+        local seen = me.see().landmarks[mark]
+        if before and seen and seen.position[3] - before.position[3] > comes * lifts then return true end
+    end
+    return false
+end
+
+local function let_go(me)
+    me.jaw(1)
+    me.wait(0.2)
+    me.go(vector.add(me.tip(), { 0, 0, above }), quick_speed)
+end
+
+--- Whether the arm of a haptic, "leading" or "trailing", is seen to lie before the bag.
+function implanting.lies_before(seen, which)
+    local arm, rim = seen.landmarks["haptic_" .. which .. "_middle"], seen.landmarks.bag_rim
+    return arm ~= nil and rim ~= nil and arm.position[3] > rim.position[3] + stands_out
+end
+
+-- Across the opening, away from the elbow, which lies behind the iris: as far from the middle of the arm as its end.
+-- And to the side of that where the arm lies.
+local function way_in(seen, which, rim)
+    local middle = seen.landmarks["haptic_" .. which .. "_middle"].position
+    local tip = seen.landmarks["haptic_" .. which]
+    local elbow = tip and vector.sub(vector.scale(middle, 2), tip.position) or middle
+    local way = vector.sub(rim, elbow)
+    way = vector.unit { way[1], way[2], 0 }
+    local out = vector.sub(middle, rim)
+    local side = vector.sub(out, vector.scale(way, vector.dot(out, way)))
+    return way, vector.scale(vector.unit { side[1], side[2], 0 }, beside)
+end
+
+--- An arm that lies before the bag, hand over hand: drawn in by its middle, then by its elbow until all of it is within
+--- the rim, pressed down there, and led back to its side behind the rim. Whether it was held.
+function implanting.tuck_in(me, eye, which)
+    me.take_up(instruments.outside(eye.wound), "lens_forceps")
+    me.wait(0.5)
+    me.go(eye.wound, free_speed)
+    local seen = me.see()
+    local rim = seen.landmarks.bag_rim.position
+    local name = "haptic_" .. which
+    local held = false
+    if seen.landmarks[name .. "_middle"] and take_hold(me, name .. "_middle") then
+        local way, side = way_in(seen, which, rim)
+        local function at(along, height)
+            return vector.add(rim, { along * way[1] + side[1], along * way[2] + side[2], height })
+        end
+        me.go(at(first_reach, over_rim), slow_speed)
+        me.wait(relaxes_s)
+        let_go(me)
+        held = take_hold(me, name .. "_elbow")
+        if held then
+            me.go(at(reach, over_rim), slow_speed)
+            me.go(at(reach, -below_rim), slow_speed)
+            me.wait(relaxes_s)
+            me.go(at(-let_go_at, -below_rim), slow_speed)
+        end
+        let_go(me)
+    end
+    me.jaw(1)
+    me.go(vector.add(eye.rim, { 0, 0, 2 * above }), slow_speed)
+    withdraw(me, eye)
+    return held
 end
 
 return implanting

@@ -16,6 +16,7 @@ local held = {
     spatula = { wound = "side_port", orientation = vector.upright, bend_mm = 0 },
     cystotome = bent(1.0),
     forceps = bent(1.0),
+    lens_forceps = bent(1.0),
     cannula = bent(0.6),
     hook = bent(0.5, "side_port"),
 }

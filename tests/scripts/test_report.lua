@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The page made of a report: complete, escaped, well formed, and possible with little.
 local markup = require "report.markup"
+local pictures = require "report.pictures"
 local report = require "report"
 local support = require "support"
 
@@ -105,6 +106,40 @@ end)
 case("a picture that is no base64 text is left out", function()
     local html = report.html(full(), series(), { ["frames/001.png"] = '"><script>alert(1)</script>' })
     equal(html:find("alert", 1, true), nil)
+end)
+
+case("of very many pictures the first of each kind are held in order, and the page tells of the others", function()
+    local told, images = { pictures = {} }, {}
+    local function add(name)
+        local index = #told.pictures + 1
+        told.pictures[index] = { file = index .. ".png", name = name, caption = name .. " " .. index, time_s = index }
+        images[index .. ".png"] = "aGVsbG8="
+    end
+    add("start")
+    for i = 1, 100 do
+        add("error_slip")
+        if i % 2 == 0 then add("recovered_slip") end
+        if i == 90 then add("error_rare") end
+    end
+    add("end")
+    local html = report.html(told, nil, images)
+    check_balance(html)
+    equal(select(2, html:gsub("<img ", "")), pictures.most)
+    holds(html, ("The other %d of %d lie in"):format(#told.pictures - pictures.most, #told.pictures))
+    local from = 1
+    for _, caption in ipairs({ "start 1", "error_slip 2", "error_slip 3", "recovered_slip 4", "error_rare 137",
+        "end 153" }) do
+        local _, to = html:find('alt="' .. caption .. '"', from, true)
+        if not to then error("not there, or not in its order: " .. caption) end
+        from = to
+    end
+    for index in html:gmatch('alt="recovered_slip (%d+)"') do
+        holds(html, ('alt="error_slip %d"'):format(tonumber(index) - 1))
+    end
+    told.pictures = table.move(told.pictures, 1, pictures.most, 1, {})
+    html = report.html(told, nil, images)
+    equal(select(2, html:gsub("<img ", "")), pictures.most)
+    equal(html:find("lie in", 1, true), nil)
 end)
 
 case("numbers and times are written as people do", function()

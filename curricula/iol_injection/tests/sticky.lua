@@ -15,6 +15,16 @@ return scenarios {
             t:expect_event("Haptic stuck to the optic", { recovered = false, within = 62 })
         end },
 
+    scenario "haptic folded on the optic, lifted off with forceps and put into the bag" {
+        start = "trailing_out",
+        function(t)
+            t.lens_forceps:enter({ speed = 20 })
+            t:expect_event("Haptic stuck to the optic", { within = 25 })
+            t.lens_forceps:withdraw({ speed = 20 })
+            implant_hand.tuck_in(t, { 1.75, -3.7, 0 }, { 0.3, -2.8, 0.9 })
+            t:expect_event("Haptic stuck to the optic", { recovered = true, within = 30 })
+        end },
+
     scenario "haptics that come off the optic by themselves" {
         set = tacky(0),
         start = "upside_down",

@@ -351,6 +351,12 @@ TEST_SUITE("implant measures") {
         CHECK_FALSE(eye.mark("haptic_leading").visible);
         CHECK(eye.mark("haptic_leading").position.y() > 4.0);
         CHECK((eye.mark("haptic_leading").position + eye.mark("haptic_trailing").position).norm() < 1e-9);
+        const Vec3 tip = eye.mark("haptic_trailing").position;
+        const Vec3 middle = eye.mark("haptic_trailing_middle").position;
+        const Vec3 elbow = eye.mark("haptic_trailing_elbow").position;
+        CHECK(elbow.head<2>().norm() > 6.0);
+        CHECK((middle - elbow).norm() == doctest::Approx((middle - tip).norm()).epsilon(0.2));
+        CHECK((eye.mark("haptic_leading_elbow").position + elbow).norm() < 1e-9);
         eye.lens()[at(eye.world.implant->tip[1])] = Vec3(0.0, -4.5, eye.eye.anatomy.iris_z + 0.5);
         eye.look();
         CHECK(eye.mark("haptic_trailing").visible);
