@@ -12,8 +12,8 @@
 namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
-/// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger pushes an implant
-/// out of a cartridge.
+/// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger
+/// pushes an implant out of a cartridge.
 enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector };
 
 /// Opening from which on the jaws of forceps are closed, 0 to 1.
@@ -49,10 +49,10 @@ struct ToolModel {
     double edge_radius = 0.0;        ///< roundness of its sharpest edge [mm]; 0: that of its end
     double bevel = 0.0;              ///< phaco: angle of the opening from square [rad]
     double cutting = 1.0;            ///< cystotome: share of its toughness that a sheet has at the end of a cut
-    double reach = 0.0;              ///< forceps: radius of the ball about the tip in which its jaws close on a membrane [mm]
-    double lens_reach = 0.0;         ///< likewise of those that close on an implant [mm]
-    double hold = 0.0;               ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
-    double max_power = 0.0;          ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
+    double reach = 0.0;       ///< forceps: radius of the ball about the tip in which its jaws close on a membrane [mm]
+    double lens_reach = 0.0;  ///< likewise of those that close on an implant [mm]
+    double hold = 0.0;        ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
+    double max_power = 0.0;   ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
     std::optional<Cartridge> cartridge;
 };
 

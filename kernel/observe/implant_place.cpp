@@ -95,7 +95,8 @@ ImplantGauge::ImplantGauge(const ShellModel& model, const ImplantParts& parts)
         const Vec3& elbow = rest[at(farthest_from_line(arm_[i], rest, root, tip))];
         const Vec3 between = 0.5 * (elbow + tip);
         elbow_[i] = all_near(arm_[i], rest, elbow);
-        middle_[i] = all_near(arm_[i], rest, rest[at(nearest_to(arm_[i], rest, tip.norm() / between.norm() * between))]);
+        middle_[i] =
+            all_near(arm_[i], rest, rest[at(nearest_to(arm_[i], rest, tip.norm() / between.norm() * between))]);
     }
 }
 

@@ -16,11 +16,11 @@ struct ImplantPlace {
     Vec3 normal = Vec3::UnitZ();  ///< of the plane on which the optic's shadow is largest, to the optic's front: unit
     double unfolded = 0.0;        ///< that shadow over the optic's area at rest; 0 where it is rolled up
     double radius = 0.0;          ///< of the optic at rest [mm]
-    std::array<Vec3, 2> tip{Vec3::Zero(), Vec3::Zero()};  ///< leading, trailing haptic [mm]
+    std::array<Vec3, 2> tip{Vec3::Zero(), Vec3::Zero()};     ///< leading, trailing haptic [mm]
     std::array<Vec3, 2> elbow{Vec3::Zero(), Vec3::Zero()};   ///< likewise, where an arm bends round [mm]
     std::array<Vec3, 2> middle{Vec3::Zero(), Vec3::Zero()};  ///< likewise, halfway from there to the end [mm]
-    std::array<bool, 2> on_optic{};                       ///< whether an arm touches the optic
-    std::vector<double> half_thickness;                   ///< by nodes, of the thickest triangle about each [mm]
+    std::array<bool, 2> on_optic{};                          ///< whether an arm touches the optic
+    std::vector<double> half_thickness;                      ///< by nodes, of the thickest triangle about each [mm]
 };
 
 class ImplantGauge {

@@ -254,8 +254,8 @@ bool Physics::Solvers::take_along(const StepTask& task, std::size_t shell, World
     return true;
 }
 
-ShellMotion Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next, ContactSet& contacts,
-                                  StepOutcome& outcome) {
+ShellMotion Physics::Solvers::step_shell(const StepTask& task, std::size_t shell, WorldState& next,
+                                         ContactSet& contacts, StepOutcome& outcome) {
     ShellStepReport& report = outcome.shells.emplace_back();
     const int before = outcome.rollbacks;
     const ShellState state = taken_out(task, shell);

@@ -17,7 +17,7 @@ constexpr double travel_in_thicknesses = 0.5;  // of shell and partner in a step
 constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in between samples, if they are rigid
 constexpr int finest_level = 3;
 constexpr double through = 0.5;  // of the thickness: what is so deep when it is first met is on the other side
-constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
+constexpr double smooth = 1.0;   // radius of partners without an edge, against which the shell's own bend counts [mm]
 
 auto rank(const ShellTouch& touch) {
     return std::tuple(static_cast<int>(touch.partner), touch.index, touch.sample, touch.front);
@@ -136,12 +136,24 @@ double ShellContacts::stiffness(const ShellSamples& on, std::size_t sample, cons
     return settings_.stiffer * modulus_ / own.place.thickness * area;
 }
 
-/// At the start: nothing is about it there but the tube's wall and the tool that pushes in it. but: tool whose own
-/// tube does not count.
-bool ShellContacts::in_tube(const Vec3& point, int but) const {
+bool ShellContacts::within(int tube, const Vec3& point) const {
+    return within_bore(partners_.tubes[at(tube)], pose_of(ContactPartner::tube, tube, 0.0).to_body(point));
+}
+
+/// At the start: what is there is on its way through the wound, and nothing is about it but the tube's wall.
+bool ShellContacts::in_tube(const Vec3& point) const {
     for (int i = 0; i < static_cast<int>(partners_.tubes.size()); ++i) {
-        const bool own = !partners_.tube_tools.empty() && partners_.tube_tools[at(i)] == but;
-        if (!own && within_bore(partners_.tubes[at(i)], pose_of(ContactPartner::tube, i, 0.0).to_body(point))) {
+        if (within(i, point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether the wall of an instrument keeps a point from this tool, unless that is the one that pushes in it.
+bool ShellContacts::kept_from(int tool, const Vec3& point) const {
+    for (int i = 0; i < static_cast<int>(partners_.tube_tools.size()); ++i) {
+        if (partners_.tube_tools[at(i)] != tool && within(i, point)) {
             return true;
         }
     }
@@ -158,7 +170,7 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const ShellPlace& own = on.samples[i].place;
         if ((box && !box->holds(points_[i])) || (partner == ContactPartner::dome && in_tube(points_[i])) ||
-            (partner == ContactPartner::tool && in_tube(points_[i], index))) {
+            (partner == ContactPartner::tool && kept_from(index, points_[i]))) {
             continue;
         }
         const SurfaceDistance start = distance(partner, index, 0.0, points_[i]);

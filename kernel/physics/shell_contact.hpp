@@ -140,7 +140,9 @@ private:
     [[nodiscard]] int level_for(double radius) const;
     [[nodiscard]] const ShellSamples& samples_at(int level);
     void find_points(const ShellSamples& on);
-    [[nodiscard]] bool in_tube(const Vec3& point, int but = -1) const;
+    [[nodiscard]] bool within(int tube, const Vec3& point) const;
+    [[nodiscard]] bool in_tube(const Vec3& point) const;
+    [[nodiscard]] bool kept_from(int tool, const Vec3& point) const;
     void meet_rigid(ContactPartner partner, int index, double radius, double reach, const std::optional<Box>& box);
     [[nodiscard]] Vec3 front(const ShellSamples& on, std::size_t sample) const;
     [[nodiscard]] double stiffness(const ShellSamples& on, std::size_t sample, const Vec3& normal) const;

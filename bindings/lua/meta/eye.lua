@@ -27,8 +27,8 @@ local eye = {}
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". In place of the
 ---lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe", "spatula", and as the
----last one "microscope", which makes the picture what it shows, and which stands where its settings leave it.
+---Instruments: "cannula", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe", "spatula",
+---and as the last one "microscope", which makes the picture what it shows and stands where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
 ---assert(eye:step(2))
