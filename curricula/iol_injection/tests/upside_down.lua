@@ -19,7 +19,8 @@ return scenarios {
             t:wait(2.2)
             t:expect_event("Upside down")
             turn_over(t)
-            t:expect_event("Upside down", { recovered = true, within = 3 })
+            t.hook:move_to({ 0, 0.8, 1.8 }, { speed = 4 })
+            t:expect_event("Upside down", { recovered = true, within = 6 })
         end },
 
     scenario "upside down in the bag, and left so" {
