@@ -38,24 +38,27 @@ function implant_hand.push(t, test)
     end
 end
 
---- All of the implant, with the mouth at a place, and the injector out of the eye.
-function implant_hand.inject(t, place, turned)
-    implant_hand.bring(t, place, turned)
+-- What is left in the injector, which stays so long [s] and leaves.
+local function push_out(t, stays)
     implant_hand.push(t, function() return t:value("implant.released") end)
+    t:wait(stays)
     t.injector:jaw(0)
     t.injector:withdraw({ speed = 10 })
 end
 
---- All of it from two places: until half of it is out with the mouth at the first, the rest at the second, where the
+--- All of the implant, with the mouth at a place, and the injector out of the eye.
+function implant_hand.inject(t, place, turned)
+    implant_hand.bring(t, place, turned)
+    push_out(t, 0)
+end
+
+--- All of it from two places: until most of it is out with the mouth at the first, the rest at the second, where the
 --- mouth stays so long [s] before the injector leaves.
 function implant_hand.inject_from_two(t, first, second, stays)
     implant_hand.bring(t, first)
     implant_hand.push(t, function() return t:value("implant.delivered") > 0.63 end)
     t.injector:move_to(second, { speed = 5 })
-    implant_hand.push(t, function() return t:value("implant.released") end)
-    t:wait(stays)
-    t.injector:jaw(0)
-    t.injector:withdraw({ speed = 10 })
+    push_out(t, stays)
 end
 
 local free = { speed = 6, motion = "even" }

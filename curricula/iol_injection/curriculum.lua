@@ -27,7 +27,7 @@ return exercise {
     objectives = {
         "Keep chamber and bag filled while the implant comes out",
         "Lead the first haptic under the far rim before the optic leaves the nozzle",
-        "Turn the trailing haptic in along the rim, not across it",
+        "Put back a haptic that came out before the rim, hand over hand",
         "See an implant that lies upside down or with a haptic outside before you leave",
     },
 
@@ -79,8 +79,8 @@ return exercise {
         },
         step "dial" {
             title = "Turn the trailing haptic in",
-            hint = "Hook to where the trailing haptic leaves the optic: press it behind the rim and turn clockwise, "
-                .. "until its end slips in.",
+            hint = "If a haptic lies before the rim: lens forceps. Draw its arm in by its middle, then by its elbow "
+                .. "until all of it is within the rim; press it down, and lead it back behind the rim.",
             done = in_place,
             time_limit_s = 120,
         },
@@ -93,8 +93,8 @@ return exercise {
         },
         step "withdraw" {
             title = "Leave the eye",
-            hint = "Hook off the implant, straight up, and out through its wound.",
-            done = "not injector.present and not hook.present and not cannula.present",
+            hint = "Off the implant, straight up, and out through the wound.",
+            done = "not injector.present and not hook.present and not cannula.present and not lens_forceps.present",
         },
     },
 

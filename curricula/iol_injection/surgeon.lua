@@ -12,8 +12,10 @@ local attempts = 2    -- at a haptic that lies before the bag
 return function(me)
     local eye = implanting.look_around(me)
     if implanting.is_shallow(me.see()) then implanting.fill(me, eye) end
-    implanting.inject(me, eye)
-    me.wait(unfolds_s)
+    if not me.see().landmarks.optic then  -- an attempt may begin with the implant in the eye
+        implanting.inject(me, eye)
+        me.wait(unfolds_s)
+    end
     for _ = 1, attempts do
         for _, which in ipairs { "leading", "trailing" } do
             if implanting.lies_before(me.see(), which) then

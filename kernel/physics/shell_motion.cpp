@@ -23,8 +23,8 @@ constexpr int most_cuts = 4;          // of one into pieces, and of those
 /// after which none are: a lens that jams can cost twenty times as much by them and come no nearer to balance.
 constexpr double near_balance = 1e-2;
 constexpr int most_iterations = 300;
-/// After so many the whole step is given up, and all stays where it was: an instrument that is thrust through a lens
-/// can ask for a hundred times as many.
+/// After so many the whole step is given up: an instrument that is thrust through a lens can ask for a hundred times as
+/// many.
 constexpr int hopeless = 1000;
 
 constexpr ImplicitSettings settings{

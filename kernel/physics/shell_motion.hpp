@@ -34,7 +34,7 @@ struct ShellTask {
 
 /// In as many steps as it takes that neither shell nor instruments go farther in one than contact allows. rough: some
 /// did not balance, because finer ones were not worth while or did not either, and are kept; failed: they are not
-/// finite, and next is the state without velocities. rollbacks: counts what was thrown away.
+/// finite or took too long, and next is the state without velocities. rollbacks: counts what was thrown away.
 ShellMotion move_shell(ShellStepper& stepper, ShellContacts& contacts, const ShellTask& task, ShellState& next,
                        ShellStepReport& report, int& rollbacks);
 

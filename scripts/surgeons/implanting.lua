@@ -131,16 +131,16 @@ function implanting.lies_before(seen, which)
 end
 
 -- Across the opening, away from the elbow, which lies behind the iris: as far from the middle of the arm as its end.
--- And to the side of that where the arm lies.
+-- And to the side of that where the arm lies, if its end shows.
 local function way_in(seen, which, rim)
     local middle = seen.landmarks["haptic_" .. which .. "_middle"].position
     local tip = seen.landmarks["haptic_" .. which]
     local elbow = tip and vector.sub(vector.scale(middle, 2), tip.position) or middle
-    local way = vector.sub(rim, elbow)
-    way = vector.unit { way[1], way[2], 0 }
+    local function flat(v) return vector.unit { v[1], v[2], 0 } end
+    local way = flat(vector.sub(rim, elbow))
+    if not tip then return way, { 0, 0, 0 } end
     local out = vector.sub(middle, rim)
-    local side = vector.sub(out, vector.scale(way, vector.dot(out, way)))
-    return way, vector.scale(vector.unit { side[1], side[2], 0 }, beside)
+    return way, vector.scale(flat(vector.sub(out, vector.scale(way, vector.dot(out, way)))), beside)
 end
 
 --- An arm that lies before the bag, hand over hand: drawn in by its middle, then by its elbow until all of it is within
@@ -150,7 +150,7 @@ function implanting.tuck_in(me, eye, which)
     me.wait(0.5)
     me.go(eye.wound, free_speed)
     local seen = me.see()
-    local rim = seen.landmarks.bag_rim.position
+    local rim = (seen.landmarks.bag_rim or { position = eye.rim }).position
     local name = "haptic_" .. which
     local held = false
     if seen.landmarks[name .. "_middle"] and take_hold(me, name .. "_middle") then

@@ -58,6 +58,16 @@ int check_gradient(const ShellModel& model, const ShellState& state, const Shell
     return static_cast<int>(terms.size());
 }
 
+/// About the origin of its frame; hold [uN].
+ToolModel forceps(double hold) {
+    ToolModel tool;
+    tool.name = "forceps";
+    tool.kind = ToolKind::forceps;
+    tool.lens_reach = 0.6;
+    tool.hold = hold;
+    return tool;
+}
+
 /// A strip bent and turned a little everywhere.
 ShellState shaken(const ShellModel& model, double size) {
     Rng rng(1, "shell contact");
@@ -91,6 +101,17 @@ TEST_SUITE("shell contact forces") {
             partners.tools = {&tool, 1};
             partners.tool_states = {&pose, 1};
             CHECK(check_gradient(model, state, partners, 1e-6) > 3);
+        }
+        SUBCASE("forceps that hold, and that slip") {
+            for (const double hold : {1e9, 100.0}) {
+                const ToolModel tool = forceps(hold);
+                ToolState pose = scenes::moving_tool(Vec3(1.5, 0.5, 0.0), Vec3(1.52, 0.49, 0.06));
+                pose.previous_jaw = 1.0;
+                ShellPartners partners;
+                partners.tools = {&tool, 1};
+                partners.tool_states = {&pose, 1};
+                CHECK(check_gradient(model, state, partners, 1e-6) > 3);
+            }
         }
         SUBCASE("tube") {
             TubeModel tube;
@@ -232,6 +253,48 @@ TEST_SUITE("shell pressed") {
         const double up = shell.contacts.force_of(ContactPartner::plane, 0).dot(plane.normal);
         CHECK(up == doctest::Approx(expected).epsilon(0.02));
         CHECK(shell.contacts.deepest() < 0.05);
+    }
+
+    TEST_CASE("forceps that lift the end of a strip bear a guided beam's force until it slips, and let it go") {
+        const double length = 3.0;
+        const double lift = 0.1;
+        const double bending = 1e6 * (1.0 * 0.008 / 12.0);
+        const double free = length - 0.6;  // the jaws turn what they hold as little as they let it go
+        const double beam = 12.0 * bending * lift / (free * free * free);         // one guided at its end [uN]
+        const double hinged = 3.0 * bending * lift / (length * length * length);  // free to turn where it is held
+        for (const double hold : {1e9, 0.5 * hinged}) {
+            ShellModel model = scenes::flat_strip(length, 1.0, 0.2, 24, 8);
+            scenes::hold_line(model, 0.0);
+            model.damping_mass = 20.0;
+            scenes::TouchingShell shell(model);
+            const ToolModel tool = forceps(hold);
+            const auto step = [&](double from, double to, double previous_jaw, double jaw) {
+                ToolState now = scenes::moving_tool(Vec3(length, 0.5, from), Vec3(length, 0.5, to));
+                now.previous_jaw = previous_jaw;
+                now.jaw = jaw;
+                ShellPartners partners;
+                partners.tools = {&tool, 1};
+                partners.tool_states = {&now, 1};
+                partners.layers = false;
+                shell.step(partners, {}, Vec3::Zero(), 10.0);
+                return -shell.contacts.force_of(ContactPartner::jaws, 0).z();
+            };
+            const auto end = [&] { return shell.state.position.back().z(); };
+            CHECK(step(0.0, 0.0, 1.0, 1.0) == 0.0);
+            CHECK(step(0.0, 0.5 * lift, 1.0, 0.0) < 0.0);
+            const double force = -step(0.5 * lift, lift, 0.0, 0.0);
+            if (hold > hinged) {
+                CHECK(end() == doctest::Approx(lift).epsilon(0.02));
+                CHECK(force == doctest::Approx(beam).epsilon(0.1));
+            } else {
+                CHECK(force <= hold * (1.0 + 1e-6));
+                CHECK(force > 0.9 * hold);
+                CHECK(end() < 0.8 * lift);
+            }
+            CHECK(step(lift, lift, 0.0, 1.0) == 0.0);
+            CHECK(std::abs(end()) < 1e-3);
+            CHECK(shell.state.touches.empty());
+        }
     }
 
     TEST_CASE("a patch on a plane sticks below tan and slides above, whatever its heading") {

@@ -60,6 +60,34 @@ TEST_SUITE("shell ledger") {
         CHECK(account.sum.friction + account.sum.integrator == doctest::Approx(account.brought).epsilon(1e-3));
     }
 
+    TEST_CASE("forceps draw a strip up until it slips: their work is found again, stored and in slipping") {
+        ShellModel model = scenes::flat_strip(3.0, 1.0, 0.2, 12, 4);
+        scenes::hold_line(model, 0.0);
+        model.damping_mass = 20.0;
+        scenes::TouchingShell shell(model, accounted());
+        shell.settings = {.tolerance = 1e-6, .max_newton = 100, .newton_tolerance = 1e-10};
+        ToolModel forceps;
+        forceps.name = "forceps";
+        forceps.kind = ToolKind::forceps;
+        forceps.lens_reach = 0.6;
+        forceps.hold = 10.0;
+        ShellPartners partners;
+        partners.tools = {&forceps, 1};
+        scenes::ShellAccount account(model);
+        for (int i = 0; i < 60; ++i) {
+            const auto height = [](int n) { return 0.01 * n; };
+            ToolState now = scenes::moving_tool(Vec3(3.0, 0.5, height(i)), Vec3(3.0, 0.5, height(i + 1)));
+            now.previous_jaw = i == 0 ? 1.0 : 0.0;
+            partners.tool_states = {&now, 1};
+            const ShellStepEnergy e = account.step(shell, partners, {}, Vec3::Zero(), 1e-2);
+            CHECK(e.gain + e.contact <= e.external + 1e-6 * account.brought + 1e-9);
+        }
+        CHECK(account.unbalanced == 0);
+        CHECK(account.sum.friction > 0.1 * account.brought);
+        CHECK(account.sum.gain + account.sum.contact > 0.05 * account.brought);
+        CHECK(std::abs(account.sum.rest) < 1e-6 * account.brought);
+    }
+
     TEST_CASE("a viscous strip in fluid is pushed out of a tube by a rod: every part of the ledger takes its share") {
         ShellModel model = scenes::flat_strip(2.0, 2.4, 0.1, 8, 12);
         model.damping_mass = 5.0;
