@@ -31,6 +31,7 @@ RUNS = [
     ("phaco_sculpt", "brunescent"),
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
+    ("iol_injection", None),
 ]
 
 
