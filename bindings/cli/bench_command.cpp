@@ -98,6 +98,7 @@ void print_row(const json& row) {
         }
     }
     std::printf("\n");
+    std::fflush(stdout);  // what is measured is kept, even if a later benchmark is broken off
 }
 
 int bench(const BenchArguments& given) {
@@ -114,8 +115,12 @@ int bench(const BenchArguments& given) {
     Progress progress("bench");
     for (std::size_t i = 0; i < wanted.value().size(); ++i) {
         const BenchCase& one = wanted.value()[i];
-        progress.show(static_cast<double>(i) / static_cast<double>(wanted.value().size()), one.name);
-        for (const json& row : one.run(given.options)) {
+        BenchOptions options = given.options;
+        options.progress = [&](double share) {
+            progress.show((static_cast<double>(i) + share) / static_cast<double>(wanted.value().size()), one.name);
+        };
+        options.progress(0.0);
+        for (const json& row : one.run(options)) {
             status = row.value("passed", true) ? status : found_failures;
             rows.push_back(row);
             if (!given.json) {

@@ -13,6 +13,7 @@ struct BenchOptions {
     bool quick = false;  ///< smaller meshes and fewer repeats: does it run at all
     int repeats = 9;     ///< the minimum of so many is reported, and their spread
     int threads = 1;
+    std::function<void(double)> progress = [](double) {};  ///< told the share of a long benchmark that is done
 };
 
 /// One benchmark gives one or more rows. A row is an object with at least "name", and where they apply "elements",

@@ -190,6 +190,7 @@ std::vector<BenchCase> implant_bag_cases() {
              [cases](const BenchOptions& options) {
                  nlohmann::json rows = nlohmann::json::array();
                  for (std::size_t i = 0; i < (options.quick ? 1 : cases.size()); ++i) {
+                     options.progress(static_cast<double>(i) / static_cast<double>(cases.size()));
                      rows.push_back(row("implant_bag", cases[i], inject(cases[i])));
                  }
                  return rows;

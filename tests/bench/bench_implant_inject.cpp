@@ -151,6 +151,7 @@ std::vector<BenchCase> implant_inject_cases() {
                          [pushes = std::move(pushes)](const BenchOptions& options) {
                              nlohmann::json rows = nlohmann::json::array();
                              for (std::size_t i = 0; i < (options.quick ? 1 : pushes.size()); ++i) {
+                                 options.progress(static_cast<double>(i) / static_cast<double>(pushes.size()));
                                  rows.push_back(row(pushes[i]));
                              }
                              return rows;
