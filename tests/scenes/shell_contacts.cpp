@@ -69,6 +69,15 @@ ToolModel rod(double radius, double half_length) {
     return tool;
 }
 
+ToolModel forceps(double reach, double hold) {
+    ToolModel tool;
+    tool.name = "forceps";
+    tool.kind = ToolKind::forceps;
+    tool.lens_reach = reach;
+    tool.hold = hold;
+    return tool;
+}
+
 ToolState moving_tool(const Vec3& from, const Vec3& to) {
     ToolState state;
     state.present = true;

@@ -32,6 +32,9 @@ ShellState rolled_strip(const ShellModel& model, double inner_radius, double pit
 /// A ball or a rod along y through the origin of its frame, radius [mm].
 ToolModel rod(double radius, double half_length);
 
+/// Jaws at the origin of its frame that take what is nearer than reach [mm], with so much in all [uN].
+ToolModel forceps(double reach, double hold);
+
 /// From one place to another in a step, without turning.
 ToolState moving_tool(const Vec3& from, const Vec3& to);
 

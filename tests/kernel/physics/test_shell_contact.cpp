@@ -58,16 +58,6 @@ int check_gradient(const ShellModel& model, const ShellState& state, const Shell
     return static_cast<int>(terms.size());
 }
 
-/// About the origin of its frame; hold [uN].
-ToolModel forceps(double hold) {
-    ToolModel tool;
-    tool.name = "forceps";
-    tool.kind = ToolKind::forceps;
-    tool.lens_reach = 0.6;
-    tool.hold = hold;
-    return tool;
-}
-
 /// A strip bent and turned a little everywhere.
 ShellState shaken(const ShellModel& model, double size) {
     Rng rng(1, "shell contact");
@@ -104,7 +94,7 @@ TEST_SUITE("shell contact forces") {
         }
         SUBCASE("forceps that hold, and that slip") {
             for (const double hold : {1e9, 100.0}) {
-                const ToolModel tool = forceps(hold);
+                const ToolModel tool = scenes::forceps(0.6, hold);
                 ToolState pose = scenes::moving_tool(Vec3(1.5, 0.5, 0.0), Vec3(1.52, 0.49, 0.06));
                 pose.previous_jaw = 1.0;
                 ShellPartners partners;
@@ -267,7 +257,7 @@ TEST_SUITE("shell pressed") {
             scenes::hold_line(model, 0.0);
             model.damping_mass = 20.0;
             scenes::TouchingShell shell(model);
-            const ToolModel tool = forceps(hold);
+            const ToolModel tool = scenes::forceps(0.6, hold);
             const auto step = [&](double from, double to, double previous_jaw, double jaw) {
                 ToolState now = scenes::moving_tool(Vec3(length, 0.5, from), Vec3(length, 0.5, to));
                 now.previous_jaw = previous_jaw;

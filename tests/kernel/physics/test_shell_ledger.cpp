@@ -66,11 +66,7 @@ TEST_SUITE("shell ledger") {
         model.damping_mass = 20.0;
         scenes::TouchingShell shell(model, accounted());
         shell.settings = {.tolerance = 1e-6, .max_newton = 100, .newton_tolerance = 1e-10};
-        ToolModel forceps;
-        forceps.name = "forceps";
-        forceps.kind = ToolKind::forceps;
-        forceps.lens_reach = 0.6;
-        forceps.hold = 10.0;
+        const ToolModel forceps = scenes::forceps(0.6, 10.0);
         ShellPartners partners;
         partners.tools = {&forceps, 1};
         scenes::ShellAccount account(model);
