@@ -20,6 +20,7 @@ constexpr double dt = 0.02;
 constexpr double viscosity = 10.0;  // of viscoelastic that is sheared some ten times a second [Pa s]
 constexpr double unfolding = 2.0;   // looked at after the hand has come to the end of the stroke [s]
 constexpr double jam = 0.9;         // of what a hand can, at which it counts as jammed
+constexpr int wedge = 10;           // steps out of balance, from which it counts as wedged and is given up
 
 struct Push {
     double nozzle = 2.6;    ///< [mm]
@@ -71,7 +72,7 @@ struct Pushed {
     double force = 0.0;     ///< most on the plunger [uN]
     double deepest = 0.0;   ///< over thickness
     double residual = 0.0;  ///< largest, over the forces of contact
-    int rough = 0;
+    int rough = 0;          ///< steps that did not balance; at the last of `wedge` it is given up
     int steps = 0;
     int tries = 0;  ///< of steps, with those that the plunger made again
     double cpu_s = 0.0;
@@ -91,10 +92,11 @@ Pushed inject(const Push& push) {
     scenes::Injection injection(model, tool, folded(push));
     Pushed result;
     const int pushing = static_cast<int>(tool.cartridge->stroke / push.speed / dt) + 1;
-    result.steps = pushing + static_cast<int>(unfolding / dt);
-    for (int i = 1; i <= result.steps; ++i) {
+    const int planned = pushing + static_cast<int>(unfolding / dt);
+    while (result.steps < planned && result.rough < wedge) {
+        ++result.steps;
         const double start = thread_cpu_seconds();
-        const ShellMotion motion = injection.step(std::min(1.0, static_cast<double>(i) / pushing), dt);
+        const ShellMotion motion = injection.step(std::min(1.0, static_cast<double>(result.steps) / pushing), dt);
         result.cpu_s += thread_cpu_seconds() - start;
         result.residual = std::max(result.residual, injection.report.residual);
         result.rough += motion == ShellMotion::balanced ? 0 : 1;
@@ -125,6 +127,7 @@ nlohmann::json row(const Push& push) {
             {"speed_mm_s", push.speed},
             {"thin", push.thin},
             {"outcome", pushed.jammed             ? "jammed"
+                        : pushed.rough >= wedge   ? "wedged"
                         : pushed.delivered > 0.99 ? "delivered"
                                                   : "held back"},
             {"stroke", pushed.share},
