@@ -88,7 +88,7 @@ local exercise_rules = {
 local function id_of(name) return (name:lower():gsub("[^%w]+", "_"):gsub("^_+", ""):gsub("_+$", "")) end
 
 -- step "name" { ... } and error_event "name" { ... } share this shape.
-local function declaration(kind, rules, finish)
+function language.declaration(kind, rules, finish)
     return function(name)
         if type(name) ~= "string" or id_of(name) == "" then
             words.fail(words.where(nil, words.line_here()), ("%s must be followed by a name in quotes"):format(kind))
@@ -104,15 +104,15 @@ local function declaration(kind, rules, finish)
     end
 end
 
-language.step = declaration("step", step_rules, function(step)
+language.step = language.declaration("step", step_rules, function(step)
     if not step.done and not step.script then
         words.fail(step.where, ("step '%s' lacks 'done' (or 'script'): when is it complete?"):format(step.name))
     end
 end)
 
-language.error_event = declaration("error_event", event_rules)
+language.error_event = language.declaration("error_event", event_rules)
 
-local function check_list(list, kind, field)
+function language.check_list(list, kind, field)
     local seen = {}
     for i, entry in ipairs(list) do
         if type(entry) ~= "table" or entry.kind ~= kind then
@@ -127,11 +127,11 @@ local function check_list(list, kind, field)
 end
 
 -- { phaco = { power_limit = 0.6 } } and { ["phaco.power_limit"] = 0.6 } both become { "phaco.power_limit" = 0.6 }.
-local function flatten(settings, prefix, out)
+function language.flatten(settings, prefix, out)
     for _, key in ipairs(words.keys(settings)) do
         local value = settings[key]
         if type(value) == "table" then
-            flatten(value, prefix .. key .. ".", out)
+            language.flatten(value, prefix .. key .. ".", out)
         elseif type(value) == "boolean" then
             out[prefix .. key] = value and 1 or 0
         else
@@ -161,7 +161,7 @@ local function grade_of(cataract, where)
     return fields.check_value(patient_rules.nuclear_grade, grade, where, "patient: cataract (grade)")
 end
 
-local function read_patient(given)
+function language.read_patient(given)
     local patient = fields.read(given, patient_rules, "patient")
     if patient.cataract then
         patient.nuclear_grade = grade_of(patient.cataract, words.where("cataract"))
@@ -203,12 +203,12 @@ end
 function language.exercise(given)
     local result = fields.read(given, exercise_rules, "exercise")
     result.kind = "exercise"
-    result.patient = read_patient(result.patient)
-    result.settings = flatten(result.settings, "", {})
+    result.patient = language.read_patient(result.patient)
+    result.settings = language.flatten(result.settings, "", {})
     result.goals, result.goal_rules = read_goals(result.goals)
-    local known = check_list(result.steps, "step", "steps")
+    local known = language.check_list(result.steps, "step", "steps")
     if #result.steps == 0 then words.fail(words.where("steps"), "an exercise needs at least one step") end
-    check_list(result.errors, "error_event", "errors")
+    language.check_list(result.errors, "error_event", "errors")
     check_steps_of_events(result, known)
     check_items(result)
     return result

@@ -13,8 +13,8 @@ local measure_rules = {
     id = { kind = "text", required = true },
     name = { kind = "text", required = true },   -- what it is, for the reader of a report
     of = { kind = "text", required = true },     -- the quantity or condition that is watched
-    take = { kind = "text", required = true, choices = { "max", "min", "mean", "rms", "last", "time", "share",
-        "count" } },                             -- what is made of it over the attempt
+    take = { kind = "text", required = true, choices = { "max", "min", "mean", "rms", "last", "total", "time",
+        "share", "count" } },                             -- what is made of it over the attempt
     during = { kind = "text" },                  -- only while this holds
     hold_s = { kind = "number", from = 0 },      -- time, share: only stretches as long as this
     quiet_s = { kind = "number", from = 0 },     -- count: rest needed before it counts again
@@ -140,8 +140,10 @@ end
 local Sheet = {}
 Sheet.__index = Sheet
 
-local function resolver(eye, reference)
+-- since_s: time that passed before the eye's own began.
+local function resolver(eye, reference, since_s)
     return function(name)
+        if name == "time_s" then return function() return since_s + eye.time_s end end
         local key = name:match("^reference%.(.+)$")
         if key then
             local value = reference[key]
@@ -152,29 +154,37 @@ local function resolver(eye, reference)
     end
 end
 
+-- missing: the exercise does not simulate what the measure needs.
 local function open_measure(measure, resolve)
-    if not expression.known(measure.of, resolve) then return { missing = true, measure = measure } end
-    if measure.during and not expression.known(measure.during, resolve) then
-        return { missing = true, measure = measure }
-    end
-    return {
-        measure = measure,
-        of = expression.bind(measure.of, resolve),
-        during = measure.during and expression.bind(measure.during, resolve),
-        collector = collect[measure.take]({ hold_s = measure.hold_s, quiet_s = measure.quiet_s }),
-    }
+    local open = { measure = measure, missing = true,
+        collector = collect[measure.take]({ hold_s = measure.hold_s, quiet_s = measure.quiet_s }) }
+    if not expression.known(measure.of, resolve) then return open end
+    if measure.during and not expression.known(measure.during, resolve) then return open end
+    open.missing = false
+    open.of = expression.bind(measure.of, resolve)
+    open.during = measure.during and expression.bind(measure.during, resolve)
+    return open
+end
+
+-- Goes on where a measure of an earlier part had come to.
+local function take_up(open, state)
+    if not state then return end
+    for key, value in pairs(state) do open.collector.state[key] = value end
+    open.seen_before = true
 end
 
 --- Opens a score sheet. selection: what the exercise wrote as scoring; reference: its named reference numbers; dt: step
---- of time [s].
-function scoring.sheet(selection, eye, reference, dt)
-    local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {} }, Sheet)
-    local resolve = resolver(eye, reference)
+--- of time [s]. before: { time_s, measures }, of the sheet that it goes on with (Sheet:carried); nil: none.
+function scoring.sheet(selection, eye, reference, dt, before)
+    local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {},
+        since_s = before and before.time_s or 0 }, Sheet)
+    local resolve = resolver(eye, reference, self.since_s)
     for i, id in ipairs(selection.items) do
         local item = selection.rubric.by_id[id]
         local line = { item = item, open = {} }
         for k, measure in ipairs(item.measures) do
             line.open[k] = open_measure(measure, resolve)
+            if before then take_up(line.open[k], before.measures[measure.id]) end
             if not line.open[k].missing then table.insert(self.open, line.open[k]) end
         end
         self.lines[i] = line
@@ -187,16 +197,32 @@ function Sheet:tick(time_s)
     for _, open in ipairs(self.open) do
         if not open.during or open.during() then
             local value = open.of()
-            if value ~= nil then open.collector.add(value, self.dt, time_s) end
+            if value ~= nil then open.collector.add(value, self.dt, self.since_s + time_s) end
         end
     end
+end
+
+--- What a sheet needs that goes on with this one in the next part of an operation: { time_s, measures }.
+function Sheet:carried(time_s)
+    local measures = words.as_object({})
+    for _, line in ipairs(self.lines) do
+        for _, open in ipairs(line.open) do
+            if open.seen_before or not open.missing then
+                local collector, state = open.collector, words.as_object({})
+                local now = collector.carry and collector.carry() or collector.state
+                for key, value in pairs(now) do state[key] = value end
+                measures[open.measure.id] = state
+            end
+        end
+    end
+    return { time_s = self.since_s + time_s, measures = measures }
 end
 
 local function round(value, digits) return tonumber(("%." .. digits .. "f"):format(value)) end
 
 local function measured(open)
     local measure = open.measure
-    if open.missing then return nil end
+    if open.missing and not open.seen_before then return nil end
     local value, at = open.collector.result()
     if value == nil then value = measure.if_never end
     if value == nil then return nil end

@@ -223,6 +223,10 @@ Result<AttemptResult> Attempt::write_results() {
     input.duration_s = session_.time_s();
     input.state_hash = session_.state_hash();
     input.result = judged ? judged.value() : nlohmann::json::object();
+    if (input.result.contains("operation")) {
+        result.operation = std::move(input.result["operation"]);
+        input.result.erase("operation");
+    }
     input.script_error = script_error_;
     if (book_) {
         input.pictures = book_->pictures();

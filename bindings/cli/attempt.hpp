@@ -40,6 +40,7 @@ struct AttemptOptions {
 
 struct AttemptResult {
     nlohmann::json report;     ///< as written to report.json
+    nlohmann::json operation;  ///< of a part: the operation as far as it has come, see ExerciseHost::result
     std::string script_error;  ///< the exercise ended with this; empty: it did not
     std::string drawing_note;  ///< why there are no pictures; empty: there are
     std::string recording;     ///< path

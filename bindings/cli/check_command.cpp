@@ -8,6 +8,7 @@
 #include "cli/scenario_run.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
+#include "lua/operation_script.hpp"
 #include "session/session.hpp"
 
 namespace rhexis::cli {
@@ -25,8 +26,8 @@ constexpr const char* help =
 
 constexpr int dry_steps = 20;
 
-Status dry_run(const std::string& path, const Context& context) {
-    Result<ExerciseHost> host = ExerciseHost::load({path, "none", 1, {}, context.root});
+Status dry_run(const ExerciseOptions& options) {
+    Result<ExerciseHost> host = ExerciseHost::load(options);
     if (!host) {
         return host.error();
     }
@@ -64,9 +65,27 @@ Status check_scenarios(const std::string& path, const Context& context) {
     return success();
 }
 
-/// An exercise with its starts and its scenario tests.
+/// Each part as the operation has it, with nothing handed over.
+Status check_operation(const Operation& operation, const Context& context) {
+    for (std::size_t i = 0; i < operation.parts.size(); ++i) {
+        const OperationPart& part = operation.parts[i];
+        ExerciseOptions options{part.exercise, "none", 1, {}, context.root};
+        options.part = PartPlace{operation.name, static_cast<int>(i) + 1};
+        const Status runs = dry_run(options);
+        if (!runs) {
+            return Error{"part " + part.id + ": " + runs.error().text(), part.where, ""};
+        }
+    }
+    return success();
+}
+
+/// An exercise with its starts and its scenario tests; or an operation.
 Status check_exercise(const std::string& path, const Context& context) {
-    const Status runs = dry_run(path, context);
+    const Result<std::optional<Operation>> operation = load_operation(path, context.root);
+    if (!operation || operation.value()) {
+        return operation ? check_operation(*operation.value(), context) : Status(operation.error());
+    }
+    const Status runs = dry_run({path, "none", 1, {}, context.root});
     const Result<CurriculumFiles> files = find_curriculum(path, context.root);
     if (!runs || !files) {
         return runs ? Status(files.error()) : runs;

@@ -7,6 +7,7 @@
 #include "base/numbers.hpp"
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
+#include "cli/operation.hpp"
 #include "cli/report_json.hpp"
 #include "cli/starts.hpp"
 #include "eye/patient.hpp"
@@ -24,6 +25,9 @@ constexpr const char* help =
     "  rhexis run groove --save-state \"half.rhxs@groove.depth_share > 0.3\"\n"
     "  rhexis run groove --surgeon novice --start half.rhxs\n"
     "  rhexis run iol_injection --opening runs/capsulorhexis-expert-101\n"
+    "  rhexis run full_operation                  all its parts, one after the other\n"
+    "  rhexis run full_operation --from capsulorhexis --to capsulorhexis\n"
+    "  rhexis run full_operation --resume         without the parts that are there already\n"
     "\n"
     "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.";
 
@@ -46,6 +50,9 @@ struct RunOptions {
     int threads = 1;
     std::string instruction_set;
     double limit_s = 600.0;
+    std::string from;
+    std::string to;
+    bool resume = false;
 };
 
 Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) {
@@ -131,6 +138,82 @@ void print_summary(const RunOptions& given, const std::string& folder, const Att
                 report["performance"]["cpu_s_per_s"].get<double>());
 }
 
+void print_parts(const nlohmann::json& report) {
+    for (const nlohmann::json& part : report["parts"]) {
+        std::printf("  %-22s %s after %.1f s: %s\n", part["id"].get<std::string>().c_str(),
+                    part["completed"] == true ? "completed" : "not completed", part["duration_s"].get<double>(),
+                    part["score"].get<std::string>().c_str());
+    }
+}
+
+void print_whole(const RunOptions& given, const std::string& folder, const OperationResult& result) {
+    const nlohmann::json& report = result.report;
+    std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), given.surgeon.c_str(),
+                static_cast<unsigned long long>(given.seed),
+                report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
+    print_parts(report);
+    std::printf("  score      %s\n", score_line(report).c_str());
+    std::printf("  errors     %zu\n", report["events"].size());
+    if (result.html_error.empty()) {
+        std::printf("  report     %s/report.html\n", folder.c_str());
+    }
+    std::printf("  numbers    %s/report.json\n", folder.c_str());
+    std::printf("  parts      %s/parts/\n", folder.c_str());
+    std::printf("  cost       %.2f s of CPU per simulated second\n",
+                report["performance"]["cpu_s_per_s"].get<double>());
+}
+
+/// What an operation has no use for: it begins with its first part, and its parts say where they begin.
+Status check_whole(const RunOptions& given) {
+    for (const auto& [option, value] : {std::pair("--start", given.start), std::pair("--opening", given.opening),
+                                        std::pair("--save-state", given.save_state)}) {
+        if (!value.empty()) {
+            return Error{std::string(option) + " is for exercises, and " + given.curriculum + " is an operation", "",
+                         "--from PART and --to PART"};
+        }
+    }
+    return success();
+}
+
+int run_whole(const RunOptions& given, const Operation& operation, AttemptOptions attempt) {
+    if (const Status status = check_whole(given); !status) {
+        return complain(status.error());
+    }
+    attempt.quiet = given.json;
+    const OperationOptions options{operation, std::move(attempt), given.from, given.to, given.resume};
+    const Result<OperationResult> result = operate(options);
+    if (!result) {
+        return complain(result.error());
+    }
+    if (!result.value().drawing_note.empty()) {
+        std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
+    }
+    if (given.json) {
+        std::cout << result.value().report.dump(2) << '\n';
+    } else {
+        print_whole(given, options.attempt.folder, result.value());
+    }
+    if (!result.value().script_error.empty()) {
+        return complain({result.value().script_error, "", "the operation ended there; its recordings are kept"},
+                        found_failures);
+    }
+    return result.value().html_error.empty() ? done
+                                             : complain({"no report.html: " + result.value().html_error, "", ""});
+}
+
+/// What holds for an exercise and for every part of an operation.
+AttemptOptions attempt_options(const RunOptions& given, std::map<std::string, std::string> set,
+                               const Context& context) {
+    AttemptOptions options;
+    options.exercise = {given.curriculum, given.surgeon, given.seed, std::move(set), context.root};
+    options.folder = given.out.empty() ? default_folder(given) : given.out;
+    options.threads = given.threads;
+    options.instruction_set = given.instruction_set;
+    options.limit_s = given.limit_s;
+    options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
+    return options;
+}
+
 int run(const RunOptions& given, const Context& context) {
     if (const Status status = check_range("--limit", given.limit_s, shortest_limit, longest_limit); !status) {
         return complain(status.error());
@@ -139,7 +222,18 @@ int run(const RunOptions& given, const Context& context) {
     if (!set) {
         return complain(set.error());
     }
-    AttemptOptions options;
+    const Result<std::optional<Operation>> operation = load_operation(given.curriculum, context.root);
+    if (!operation) {
+        return complain(operation.error());
+    }
+    if (operation.value()) {
+        return run_whole(given, *operation.value(), attempt_options(given, std::move(set).value(), context));
+    }
+    if (!given.from.empty() || !given.to.empty() || given.resume) {
+        return complain({"--from, --to and --resume are for operations, and " + given.curriculum + " is an exercise",
+                         "", "--start STATE"});
+    }
+    AttemptOptions options = attempt_options(given, set.value(), context);
     Result<SaveOptions> save = save_options_of(given.save_state);
     if (!save) {
         return complain(save.error());
@@ -155,12 +249,6 @@ int run(const RunOptions& given, const Context& context) {
         return complain(start.error());
     }
     options.start = std::move(start).value();
-    options.exercise = {given.curriculum, given.surgeon, given.seed, std::move(set).value(), context.root};
-    options.folder = given.out.empty() ? default_folder(given) : given.out;
-    options.threads = given.threads;
-    options.instruction_set = given.instruction_set;
-    options.limit_s = given.limit_s;
-    options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
     const Result<AttemptResult> result = attempt(options);
     if (!result) {
         return complain(result.error());
@@ -215,6 +303,9 @@ void add_run(CLI::App& app, Context& context) {
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     add_instruction_set(*command, given->instruction_set);
+    command->add_option("--from", given->from, "Of an operation: the part to begin with");
+    command->add_option("--to", given->to, "Of an operation: the last part to do");
+    command->add_flag("--resume", given->resume, "Of an operation: go on after the parts that are whole in --out");
     command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")->capture_default_str();
     command->callback([given, &context] { context.status = run(*given, context); });
 }

@@ -47,7 +47,15 @@ Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
         return Error{"--set surgeon." + habits.begin()->first + ": nobody operates", "",
                      "a virtual surgeon, as in --surgeon a"};
     }
-    Result<ExerciseScript> exercise = ExerciseScript::load(files.value(), options.root, options.seed, set);
+    std::optional<JoinedPart> joined;
+    if (options.part) {
+        const Result<CurriculumFiles> operation = find_curriculum(options.part->operation, options.root);
+        if (!operation) {
+            return operation.error();
+        }
+        joined = JoinedPart{operation.value(), options.part->index, options.part->before};
+    }
+    Result<ExerciseScript> exercise = ExerciseScript::load(files.value(), options.root, options.seed, set, joined);
     if (!exercise) {
         return exercise.error();
     }

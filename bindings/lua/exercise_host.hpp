@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@
 
 namespace rhexis {
 
+/// An exercise as a part of an operation.
+struct PartPlace {
+    std::string operation;                             ///< as for rhexis run
+    int index = 1;                                     ///< of the part in it, from 1
+    nlohmann::json before = nlohmann::json::object();  ///< what the part before it left: "carried" of its result
+};
+
 struct ExerciseOptions {
     std::string curriculum;        ///< folder, file, or bare name of a folder in curricula/
     std::string surgeon = "none";  ///< "none", or a group of scripts/surgeons: "expert", "novice", a..d; or "random"
@@ -26,6 +34,7 @@ struct ExerciseOptions {
     std::map<std::string, std::string> set;  ///< --set key=value: patient fields, settings of the
                                              ///< exercise, habits of the virtual surgeon (surgeon.recovery)
     std::string root;                        ///< folder that holds scripts/ and curricula/
+    std::optional<PartPlace> part{};         ///< none: the exercise stands alone
 };
 
 class ExerciseHost {
@@ -64,6 +73,7 @@ public:
     Result<bool> reached();
 
     /// "completed", "steps", "events", "osacss", "measures", "advice" of report.json, as far as the exercise has come.
+    /// Of a part, the same of the operation in "operation", with what the next part begins with in "carried".
     [[nodiscard]] Result<nlohmann::json> result();
 
 private:

@@ -77,24 +77,32 @@ Status ExerciseScript::open_engine() {
     });
 }
 
-Status ExerciseScript::run_curriculum(const CurriculumFiles& files) {
+Result<json> ExerciseScript::run_curriculum(const CurriculumFiles& files, const char* receiver) {
     Result<std::string> text = read_script(files.script);
     if (!text) {
         return text.error();
     }
-    return state_.run([&](lua_State* L) {
+    json answer;
+    const Status status = state_.run([&](lua_State* L) {
         push_function(L, "begin_file");
         lua::push(L, std::string_view(files.chunk));
         lua::push(L, std::string_view(text.value()));
         lua_call(L, 2, 0);
-        push_function(L, "accept");
+        push_function(L, receiver);
         lua::load_text(L, text.value(), files.chunk);
         push_function(L, "environment");
         lua_call(L, 0, 1);
         lua_setupvalue(L, -2, 1);  // the curriculum's globals
         lua_call(L, 0, 1);
-        lua_call(L, 1, 0);
+        lua_call(L, 1, 1);
+        answer = lua::to_json(L, -1);
     });
+    return status ? Result<json>(std::move(answer)) : status.error();
+}
+
+Status ExerciseScript::join(const JoinedPart& joined) {
+    const Result<json> made = ask("join", {{"index", joined.index}, {"before", joined.before}});
+    return made ? success() : Status(made.error());
 }
 
 Status ExerciseScript::apply(const std::map<std::string, std::string>& set) {
@@ -144,8 +152,7 @@ Status ExerciseScript::read_scene() {
     return success();
 }
 
-Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
-                                            const std::map<std::string, std::string>& set) {
+Result<ExerciseScript> ExerciseScript::open(const CurriculumFiles& files, const std::string& root, std::uint64_t seed) {
     LuaOptions options;
     options.seed = seed;
     options.folders = {{root + "/scripts", "scripts"}, {files.folder, files.id}};
@@ -154,9 +161,33 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
         return state.error();
     }
     ExerciseScript script(std::move(state).value());
-    Status status = script.open_engine();
-    if (status) {
-        status = script.run_curriculum(files);
+    const Status status = script.open_engine();
+    return status ? Result<ExerciseScript>(std::move(script)) : status.error();
+}
+
+Result<json> ExerciseScript::listing(const CurriculumFiles& files, const std::string& root) {
+    Result<ExerciseScript> script = open(files, root, 1);
+    return script ? script.value().run_curriculum(files, "accept_operation") : script.error();
+}
+
+Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
+                                            const std::map<std::string, std::string>& set,
+                                            const std::optional<JoinedPart>& joined) {
+    Result<ExerciseScript> opened = open(files, root, seed);
+    if (!opened) {
+        return opened;
+    }
+    ExerciseScript& script = opened.value();
+    if (joined) {
+        const Result<json> operation = script.run_curriculum(joined->operation, "accept_operation");
+        if (!operation) {
+            return operation.error();
+        }
+    }
+    const Result<json> accepted = script.run_curriculum(files, "accept");
+    Status status = accepted ? success() : Status(accepted.error());
+    if (status && joined) {
+        status = script.join(*joined);
     }
     if (status) {
         status = script.apply(set);
@@ -167,7 +198,7 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
     if (!status) {
         return status.error();
     }
-    return script;
+    return opened;
 }
 
 Status ExerciseScript::start(const ObservationSchema& schema) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,22 @@
 
 namespace rhexis {
 
+/// The place of an exercise in an operation: see PartPlace.
+struct JoinedPart {
+    CurriculumFiles operation;
+    int index = 1;
+    nlohmann::json before;
+};
+
 class ExerciseScript {
 public:
     /// Runs the curriculum and applies `set`. root: folder that holds scripts/.
     static Result<ExerciseScript> load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
-                                       const std::map<std::string, std::string>& set);
+                                       const std::map<std::string, std::string>& set,
+                                       const std::optional<JoinedPart>& joined);
+    /// What an operation is made of: "title", "version", "summary", "objectives", and "parts", each with "id", "title",
+    /// "exercise", "start", "continues", "opening", "where". Null when the curriculum is an exercise.
+    static Result<nlohmann::json> listing(const CurriculumFiles& files, const std::string& root);
 
     [[nodiscard]] const SceneDescription& scene() const { return scene_; }
     [[nodiscard]] const std::string& title() const { return title_; }
@@ -39,8 +51,11 @@ public:
 
 private:
     explicit ExerciseScript(LuaState state) : state_(std::move(state)) {}
+    static Result<ExerciseScript> open(const CurriculumFiles& files, const std::string& root, std::uint64_t seed);
     Status open_engine();
-    Status run_curriculum(const CurriculumFiles& files);
+    /// Hands what the curriculum returns to a function of the engine, and its answer back.
+    Result<nlohmann::json> run_curriculum(const CurriculumFiles& files, const char* receiver);
+    Status join(const JoinedPart& joined);
     Status apply(const std::map<std::string, std::string>& set);
     Status read_scene();
     void push_function(lua_State* L, const char* name) const;

@@ -2,6 +2,9 @@
 -- Ways to make one number of a quantity that changes during an attempt. Each collector has add(value, dt, time_s) and
 -- result(), which gives the number (nil when nothing was ever added) and the time that it speaks of, if any. Where a
 -- number is wanted, a condition is 1 when it holds and 0 when it does not.
+--
+-- All that a collector remembers is in its `state`, a table of numbers: one that begins with the state of another goes
+-- on as that one would have. So a score reaches over the parts of an operation.
 
 local collect = {}
 
@@ -12,13 +15,14 @@ end
 
 local function extreme(better)
     return function()
-        local value, at
+        local state = {}
         return {
+            state = state,
             add = function(given, _, time_s)
                 local x = number(given)
-                if value == nil or better(x, value) then value, at = x, time_s end
+                if state.value == nil or better(x, state.value) then state.value, state.at = x, time_s end
             end,
-            result = function() return value, at end,
+            result = function() return state.value, state.at end,
         }
     end
 end
@@ -27,76 +31,97 @@ collect.max = extreme(function(a, b) return a > b end)
 collect.min = extreme(function(a, b) return a < b end)
 
 function collect.last()
-    local value, at
+    local state = {}
     return {
-        add = function(x, _, time_s) value, at = number(x), time_s end,
-        result = function() return value, at end,
+        state = state,
+        add = function(x, _, time_s) state.value, state.at = number(x), time_s end,
+        result = function() return state.value, state.at end,
     }
+end
+
+--- The last value of a quantity that only grows and that each part of an operation counts from 0: parts add up.
+function collect.total()
+    local state = { before = 0 }
+    return {
+        state = state,
+        add = function(x, _, time_s) state.value, state.at = number(x), time_s end,
+        result = function() return state.value and state.before + state.value, state.at end,
+        carry = function()
+            return { before = state.before + (state.value or 0), value = state.value and 0, at = state.at }
+        end,
+    }
+end
+
+local function averaged(power, finish)
+    return function()
+        local state = { sum = 0, time = 0 }
+        return {
+            state = state,
+            add = function(x, dt)
+                state.sum, state.time = state.sum + number(x) ^ power * dt, state.time + dt
+            end,
+            result = function() return state.time > 0 and finish(state.sum / state.time) or nil end,
+        }
+    end
 end
 
 --- Mean over time.
-function collect.mean()
-    local sum, time = 0, 0
-    return {
-        add = function(x, dt) sum, time = sum + number(x) * dt, time + dt end,
-        result = function() return time > 0 and sum / time or nil end,
-    }
-end
+collect.mean = averaged(1, function(mean) return mean end)
 
 --- Root of the mean square over time.
-function collect.rms()
-    local sum, time = 0, 0
-    return {
-        add = function(x, dt) sum, time = sum + number(x) ^ 2 * dt, time + dt end,
-        result = function() return time > 0 and math.sqrt(sum / time) or nil end,
-    }
-end
+collect.rms = averaged(2, math.sqrt)
 
 -- Adds up the time in which a condition holds, in stretches of at least hold_s.
-local function stretches(hold_s)
-    local total, stretch = 0, 0
-    return function(x, dt)
-        if not x then
-            stretch = 0
-            return total
-        end
-        local before = stretch
-        stretch = stretch + dt
-        if stretch >= hold_s then total = total + (before < hold_s and stretch or dt) end
-        return total
+local function add_stretch(state, x, dt, hold_s)
+    if not x then
+        state.stretch = 0
+        return
     end
+    local before = state.stretch
+    state.stretch = before + dt
+    if state.stretch >= hold_s then state.total = state.total + (before < hold_s and state.stretch or dt) end
 end
 
 --- Time in which a condition holds [s].
 function collect.time(options)
-    local add, total, any = stretches(options.hold_s or 0), 0, false
+    local state = { total = 0, stretch = 0, any = 0 }
     return {
-        add = function(x, dt) total, any = add(x, dt), true end,
-        result = function() return any and total or nil end,
+        state = state,
+        add = function(x, dt)
+            add_stretch(state, x, dt, options.hold_s or 0)
+            state.any = 1
+        end,
+        result = function() return state.any > 0 and state.total or nil end,
     }
 end
 
 --- Share of the time in which a condition holds [%].
 function collect.share(options)
-    local add, total, time = stretches(options.hold_s or 0), 0, 0
+    local state = { total = 0, stretch = 0, time = 0 }
     return {
-        add = function(x, dt) total, time = add(x, dt), time + dt end,
-        result = function() return time > 0 and 100 * total / time or nil end,
+        state = state,
+        add = function(x, dt)
+            add_stretch(state, x, dt, options.hold_s or 0)
+            state.time = state.time + dt
+        end,
+        result = function() return state.time > 0 and 100 * state.total / state.time or nil end,
     }
 end
 
 --- How often a condition comes true, after it has rested for quiet_s: a trembling touch is one touch.
 function collect.count(options)
-    local count, calm, any, at = 0, math.huge, false, nil
+    local state = { count = 0, any = 0 }  -- calm: time since it held; nil: it never did
     return {
+        state = state,
         add = function(x, dt, time_s)
-            any = true
+            state.any = 1
+            local calm = state.calm or math.huge
             if x and calm >= (options.quiet_s or 0) - 1e-9 and calm > 0 then
-                count, at = count + 1, at or time_s
+                state.count, state.at = state.count + 1, state.at or time_s
             end
-            calm = x and 0 or calm + dt
+            if x then state.calm = 0 elseif state.calm then state.calm = calm + dt end
         end,
-        result = function() return any and count or nil, at end,
+        result = function() return state.any > 0 and state.count or nil, state.at end,
     }
 end
 

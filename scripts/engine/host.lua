@@ -4,6 +4,7 @@
 local Run = require "engine.run"
 local condition = require "engine.condition"
 local language = require "exercise"
+local operation = require "operation"
 local osacss = require "osacss"
 local scoring = require "scoring"
 local words = require "engine.words"
@@ -13,19 +14,33 @@ local host = {}
 --- The words that a curriculum finds besides the standard ones.
 function host.environment()
     return setmetatable({ exercise = language.exercise, step = language.step, error_event = language.error_event,
-        osacss = osacss, rubric = scoring.rubric }, { __index = _G })
+        operation = operation.operation, part = operation.part, osacss = osacss, rubric = scoring.rubric }, { __index = _G })
 end
 
 --- Before the curriculum runs: its name in messages and its text.
 host.begin_file = words.begin_file
 
+--- After it ran: what it returned. Of an operation, what it is made of; of anything else, nothing.
+function host.accept_operation(value)
+    if type(value) ~= "table" or value.kind ~= "operation" then return nil end
+    host.operation = value
+    return operation.listing(value)
+end
+
 --- After it ran: what it returned.
 function host.accept(value)
+    if type(value) == "table" and value.kind == "operation" then
+        words.fail(words.where(), "this is an operation, made of exercises; rhexis run and rhexis check take it, "
+            .. "here an exercise is wanted")
+    end
     if type(value) ~= "table" or value.kind ~= "exercise" then
         words.fail(words.where(), "a curriculum must end with: return exercise { ... }")
     end
     host.exercise = value
 end
+
+--- Makes the exercise a part of the operation: place = { index, before }. Returns nothing.
+function host.join(place) operation.join(host.operation, place.index, host.exercise, place.before) end
 
 --- --set name=text; settings: names that the kernel knows. Returns the complaint, or nil.
 function host.set(name, text, settings)

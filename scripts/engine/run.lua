@@ -2,6 +2,7 @@
 -- One attempt at an exercise: takes an observation per step of time, gives commands, and in the end the result.
 
 local Eye = require "engine.eye"
+local Whole = require "engine.whole"
 local condition = require "engine.condition"
 local events = require "engine.events"
 local scoring = require "scoring"
@@ -60,6 +61,7 @@ function Run.new(exercise, schema)
     if exercise.scoring then
         self.sheet = scoring.sheet(exercise.scoring, self.eye, exercise.reference, exercise.step_s)
     end
+    if exercise.whole then self.whole = Whole.new(exercise.whole, self.eye, exercise.step_s) end
     return self
 end
 
@@ -87,7 +89,8 @@ function Run:observe(time_s, row)
     self.time_s = time_s
     self.eye:look(time_s, row, time_s - self.steps:since())
     for _, watch in ipairs(self.watches) do watch:tick(time_s, self.steps:current(), self.log) end
-    if self.sheet then self.sheet:tick(time_s, self.steps:current()) end
+    if self.sheet then self.sheet:tick(time_s) end
+    if self.whole then self.whole:tick(time_s) end
     self.steps:tick(time_s)
     local reason = reason_to_end(self)
     if reason then finish(self, reason) end
@@ -106,6 +109,7 @@ function Run:result()
         result.measures = self.sheet:measures()
         result.advice = scoring.advice(result.osacss, self.events)
     end
+    if self.whole then result.operation = self.whole:result(result, self.time_s) end
     return result
 end
 

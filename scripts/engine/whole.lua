@@ -1,0 +1,70 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The operation that an exercise is a part of, as far as it has come: steps, errors and scores of all parts so far, on
+-- the operation's clock, and what the next part needs.
+
+local scoring = require "scoring"
+local words = require "engine.words"
+
+local Whole = {}
+Whole.__index = Whole
+
+--- given: { part, scoring, reference, before } of operation.join; eye: of the part.
+function Whole.new(given, eye, dt)
+    local before = given.before
+    local self = setmetatable({ part = given.part, before = before, eye = eye, since_s = before.time_s or 0 }, Whole)
+    if given.scoring then
+        local score = before.score and { time_s = self.since_s, measures = before.score } or nil
+        self.sheet = scoring.sheet(given.scoring, eye, given.reference, dt, score)
+    end
+    return self
+end
+
+function Whole:tick(time_s)
+    if self.sheet then self.sheet:tick(time_s) end
+end
+
+-- A record of the part, on the operation's clock.
+local function shifted(self, record)
+    local copy = {}
+    for key, value in pairs(record) do copy[key] = value end
+    copy.part = self.part.id
+    for _, key in ipairs({ "time_s", "start_s", "end_s" }) do
+        if copy[key] then copy[key] = copy[key] + self.since_s end
+    end
+    return copy
+end
+
+local function all_of(self, name, own)
+    local list = {}
+    for i, record in ipairs(self.before[name] or {}) do list[i] = record end
+    for _, record in ipairs(own) do list[#list + 1] = shifted(self, record) end
+    return list
+end
+
+-- The last value of every measure that was ever defined.
+local function facts_of(self)
+    local facts = words.as_object({})
+    for key, value in pairs(self.before.facts or {}) do facts[key] = value end
+    for _, name in ipairs(self.eye.names) do
+        local value = self.eye:value(name)
+        if value ~= nil then facts[name] = value end
+    end
+    return facts
+end
+
+--- The operation so far, and in `carried` what the next part begins with. part: the result of the part itself.
+function Whole:result(part, time_s)
+    local result = { steps = all_of(self, "steps", part.steps), events = all_of(self, "events", part.events) }
+    result.completed = part.completed and self.before.completed ~= false
+    if self.sheet then
+        result.osacss = self.sheet:score(result.events, result.completed)
+        result.measures = self.sheet:measures()
+        result.advice = scoring.advice(result.osacss, result.events)
+    end
+    result.carried = { time_s = self.since_s + time_s, facts = facts_of(self), steps = result.steps,
+        events = result.events, completed = result.completed,
+        score = self.sheet and self.sheet:carried(time_s).measures }
+    return result
+end
+
+return Whole

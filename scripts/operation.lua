@@ -1,0 +1,158 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- An operation is made of exercises, one after the other, on one eye. See curricula/full_operation/curriculum.lua.
+--
+--   return operation {
+--       title   = "Opening the capsule and implanting",
+--       patient = { age = 68, pupil_mm = 7.5 },
+--       parts   = {
+--           part "capsulorhexis" {},
+--           part "iol_injection" {
+--               opening     = "capsulorhexis",                                 -- the bag has the opening torn there
+--               begins_with = { ["viscoelastic.fill"] = "viscoelastic.fill" }, -- setting = what earlier parts left
+--           },
+--       },
+--       scoring = osacss.all,
+--   }
+--
+-- Each part is simulated as its exercise says, no more. What one part leaves for the next is named: the opening, the
+-- whole state (continues), or single facts. The score reaches over all parts.
+
+local expression = require "engine.expression"
+local fields = require "engine.fields"
+local language = require "exercise"
+local words = require "engine.words"
+
+local operation = {}
+
+local part_rules = {
+    exercise = { kind = "text" },          -- folder in curricula/, or beside this one; the part's name if missing
+    title = { kind = "text" },             -- that of the exercise if missing
+    start = { kind = "text" },             -- of its starts.lua, when nothing is handed over
+    continues = { kind = "yes_no", default = false },  -- begins in the state that the part before it left
+    opening = { kind = "text" },           -- the part in which the opening of the bag was torn
+    begins_with = { kind = "table", default = {} },    -- setting = text over the measures that earlier parts left
+    patient = { kind = "table", default = {} },        -- besides the operation's: how finely it is simulated
+    tissues = { kind = "texts" },          -- in place of the exercise's
+    instruments = { kind = "texts" },
+    settings = { kind = "table", default = {} },
+    goals = { kind = "table", default = {} },
+    time_limit_s = { kind = "number", from = 1, to = 7200 },
+}
+
+local operation_rules = {
+    title = { kind = "text", required = true },
+    version = { kind = "number", default = 1, from = 0 },
+    summary = { kind = "text" },
+    objectives = { kind = "texts", default = {} },
+    patient = { kind = "table", default = {} },
+    settings = { kind = "table", default = {} },       -- of every part
+    parts = { kind = "table", required = true },
+    scoring = { kind = "table" },
+    reference = { kind = "table", default = {} },
+    mode = { kind = "text", default = "teaching", choices = { "teaching", "exam" } },
+}
+
+--- part "name" { ... }
+operation.part = language.declaration("part", part_rules, function(part)
+    part.exercise = part.exercise or part.id
+    part.begins = {}
+    for _, setting in ipairs(words.keys(part.begins_with)) do
+        local text = part.begins_with[setting]
+        local where = words.where(setting, part.line)
+        if type(text) ~= "string" then
+            words.fail(where, ("part '%s': begins_with %s must be a text over measures of earlier parts"):format(
+                part.name, setting))
+        end
+        part.begins[setting] = expression.parse(text, where)
+    end
+end)
+
+local function check_opening(part, before)
+    if not part.opening then return end
+    for _, earlier in ipairs(before) do
+        if earlier == part.opening then return end
+    end
+    words.fail(words.where("opening", part.line), ("part '%s': there is no part '%s' before it%s"):format(part.name,
+        part.opening, words.hint(part.opening, before)))
+end
+
+--- operation { ... }: checks what can be checked without its exercises.
+function operation.operation(given)
+    local result = fields.read(given, operation_rules, "operation")
+    result.kind = "operation"
+    result.patient = language.read_patient(result.patient)
+    result.settings = language.flatten(result.settings, "", {})
+    language.check_list(result.parts, "part", "parts")
+    if #result.parts == 0 then words.fail(words.where("parts"), "an operation needs at least one part") end
+    if result.scoring and not result.scoring.rubric then
+        words.fail(words.where("scoring"), "scoring must be a rubric, like osacss { \"T5\", \"G4\" }")
+    end
+    local before = {}
+    for i, part in ipairs(result.parts) do
+        if part.continues and i == 1 then
+            words.fail(part.where, ("part '%s' is the first: it has nothing to continue"):format(part.name))
+        end
+        part.patient = language.read_patient(part.patient)
+        part.settings = language.flatten(part.settings, "", {})
+        check_opening(part, before)
+        before[i] = part.id
+    end
+    return result
+end
+
+--- What the program needs to know of an operation before its parts are loaded.
+function operation.listing(wanted)
+    local parts = {}
+    for i, part in ipairs(wanted.parts) do
+        parts[i] = { id = part.id, title = part.name, exercise = part.exercise, start = part.start, where = part.where,
+            continues = part.continues, opening = part.opening }
+    end
+    return { title = wanted.title, version = wanted.version, summary = wanted.summary,
+        objectives = wanted.objectives, parts = parts }
+end
+
+local function overlay(under, over)
+    for _, key in ipairs(words.keys(over)) do under[key] = over[key] end
+end
+
+local function set_goals(exercise, part)
+    for _, name in ipairs(words.keys(part.goals)) do
+        local rule = exercise.goal_rules[name]
+        local where = words.where(name, part.line)
+        if not rule then
+            words.fail(where, ("part '%s': the exercise has no goal '%s'%s"):format(part.name, name,
+                words.hint(name, words.keys(exercise.goal_rules))))
+        end
+        exercise.goals[name] = fields.check_value(rule, part.goals[name], where, "goal " .. name)
+    end
+end
+
+-- A fact that no earlier part left is unknown: the setting keeps its own value.
+local function begin_with(exercise, part, facts)
+    for _, setting in ipairs(words.keys(part.begins)) do
+        local value = expression.bind(part.begins[setting], function(name)
+            return function() return facts[name] end
+        end)()
+        if type(value) == "boolean" then value = value and 1 or 0 end
+        if value ~= nil then exercise.settings[setting] = value end
+    end
+end
+
+--- Makes an exercise a part: the operation's patient, settings and mode, the part's own, and what earlier parts left.
+--- before: as Run:result().carried; an empty table for the first.
+function operation.join(wanted, index, exercise, before)
+    local part = wanted.parts[index]
+    overlay(exercise.patient, wanted.patient)
+    overlay(exercise.patient, part.patient)
+    overlay(exercise.settings, wanted.settings)
+    overlay(exercise.settings, part.settings)
+    begin_with(exercise, part, before.facts or {})
+    set_goals(exercise, part)
+    exercise.tissues = part.tissues or exercise.tissues
+    exercise.instruments = part.instruments or exercise.instruments
+    exercise.time_limit_s = part.time_limit_s or exercise.time_limit_s
+    exercise.mode = wanted.mode
+    exercise.whole = { part = part, scoring = wanted.scoring, reference = wanted.reference, before = before }
+end
+
+return operation
