@@ -28,7 +28,8 @@ local part_rules = {
     exercise = { kind = "text" },          -- folder in curricula/, or beside this one; the part's name if missing
     title = { kind = "text" },             -- that of the exercise if missing
     start = { kind = "text" },             -- of its starts.lua, when nothing is handed over
-    continues = { kind = "yes_no", default = false },  -- begins in the state that the part before it left
+    continues = { kind = "yes_no", default = false },  -- begins in the state that the part before it left: same eye,
+                                           -- tissues, instruments and fixed settings; the machine's are its own
     opening = { kind = "text" },           -- the part in which the opening of the bag was torn
     begins_with = { kind = "table", default = {} },    -- setting = text over the measures that earlier parts left
     patient = { kind = "table", default = {} },        -- besides the operation's: how finely it is simulated
@@ -138,9 +139,18 @@ local function begin_with(exercise, part, facts)
     end
 end
 
+-- The scene in which the part before it ended. live: names of the settings that may change while a scene runs.
+local function continue_scene(exercise, scene, live)
+    exercise.patient, exercise.tissues, exercise.instruments = scene.patient, scene.tissues, scene.instruments
+    exercise.step_s, exercise.advance = scene.step_s, scene.advance
+    local settings = scene.settings
+    for _, name in ipairs(live) do settings[name] = exercise.settings[name] end
+    exercise.settings = settings
+end
+
 --- Makes an exercise a part: the operation's patient, settings and mode, the part's own, and what earlier parts left.
---- before: as Run:result().carried; an empty table for the first.
-function operation.join(wanted, index, exercise, before)
+--- before: as Run:result().carried; an empty table for the first. live: see above.
+function operation.join(wanted, index, exercise, before, live)
     local part = wanted.parts[index]
     overlay(exercise.patient, wanted.patient)
     overlay(exercise.patient, part.patient)
@@ -150,6 +160,7 @@ function operation.join(wanted, index, exercise, before)
     set_goals(exercise, part)
     exercise.tissues = part.tissues or exercise.tissues
     exercise.instruments = part.instruments or exercise.instruments
+    if part.continues and before.scene then continue_scene(exercise, before.scene, live) end
     exercise.time_limit_s = part.time_limit_s or exercise.time_limit_s
     exercise.mode = wanted.mode
     exercise.whole = { part = part, scoring = wanted.scoring, reference = wanted.reference, before = before }

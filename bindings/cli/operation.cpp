@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/operation.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -85,6 +88,17 @@ std::map<std::string, std::string> set_for(const OperationOptions& options, cons
 class Operating {
 public:
     explicit Operating(const OperationOptions& options) : options_(options) {}
+
+    /// Whether every part can be loaded, so that a mistake in the last one shows before the first is done.
+    [[nodiscard]] Status check() const {
+        for (std::size_t i = 0; i < options_.operation.parts.size(); ++i) {
+            const Result<ExerciseHost> host = ExerciseHost::load(exercise(i));
+            if (!host) {
+                return Error{"part " + part(i).id + ": " + host.error().text(), part(i).where, ""};
+            }
+        }
+        return success();
+    }
 
     Result<OperationResult> run(std::size_t first, std::size_t last) {
         for (std::size_t i = first; i <= last && result_.script_error.empty(); ++i) {
@@ -184,7 +198,7 @@ private:
     }
 
     Status do_part(std::size_t index) {
-        if (!options_.attempt.quiet) {
+        if (!options_.attempt.quiet && isatty(STDERR_FILENO) != 0) {
             std::fprintf(stderr, "part %zu of %zu: %s\n", index + 1, options_.operation.parts.size(),
                          part(index).title.c_str());
         }
@@ -251,6 +265,10 @@ Result<OperationResult> operate(const OperationOptions& options) {
     const Result<std::pair<std::size_t, std::size_t>> range = range_of(options);
     if (!range) {
         return range.error();
+    }
+    const Status fit = Operating(options).check();
+    if (!fit) {
+        return fit.error();
     }
     const Status prepared = prepare_folder(options.attempt.folder + "/parts");
     if (!prepared) {

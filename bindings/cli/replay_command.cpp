@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis replay: a recording described, simulated again and compared, judged again, or filmed.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include "cli/progress.hpp"
 #include "cli/report_json.hpp"
 #include "cli/rescore.hpp"
+#include "lua/operation_script.hpp"
 #include "session/replay.hpp"
 
 namespace rhexis::cli {
@@ -22,6 +24,8 @@ constexpr const char* help =
     "  rhexis replay runs/groove-expert-1 --verify           simulate again, compare every step\n"
     "  rhexis replay runs/groove-expert-1 --score-with my_exercise/\n"
     "  rhexis replay runs/groove-expert-1 --video --out film/\n"
+    "\n"
+    "  rhexis replay runs/full_operation-expert-1 --score-with full_operation     all its parts\n"
     "\n"
     "A recording that was cut short (recording.rhx.part) is used up to its last whole step.";
 
@@ -175,7 +179,65 @@ void simulate_with(const ReplayOptions& given, SceneDescription& scene) {
     scene.instruction_set = given.instruction_set;
 }
 
+/// The folders of the parts of an operation, in order; none: the folder is not one of an operation.
+std::vector<std::string> parts_of(const std::string& folder) {
+    std::vector<std::string> parts;
+    std::error_code failed;
+    for (std::filesystem::directory_iterator at(folder + "/parts", failed), end; !failed && at != end;
+         at.increment(failed)) {
+        parts.push_back(at->path().string());
+    }
+    std::sort(parts.begin(), parts.end());
+    return parts;
+}
+
+/// The part of an operation that a folder "parts/03_ID" holds.
+int index_of(const Operation& operation, const std::string& folder) {
+    const std::string name = std::filesystem::path(folder).filename().string();
+    for (std::size_t i = 0; i < operation.parts.size(); ++i) {
+        if (name.size() > 3 && name.substr(3) == operation.parts[i].id) {
+            return static_cast<int>(i) + 1;
+        }
+    }
+    return 0;
+}
+
+/// All parts judged again, each going on where the one before it ended.
+Result<nlohmann::json> score_whole(const Operation& operation, const std::vector<std::string>& parts,
+                                   const Context& context) {
+    nlohmann::json whole = nlohmann::json::object();
+    for (const std::string& folder : parts) {
+        const Result<Recording> recording = read_recording(recording_path(folder));
+        if (!recording) {
+            return recording.error();
+        }
+        const int index = index_of(operation, folder);
+        if (index == 0) {
+            return Error{"the operation " + operation.name + " has no such part", folder, ""};
+        }
+        ExerciseOptions options{
+            operation.parts[index - 1].exercise, "none", recording.value().header.seed, {}, context.root};
+        options.part = PartPlace{operation.name, index, whole.value("carried", nlohmann::json::object())};
+        const Result<Rescore> rescored = rescore(recording.value(), options);
+        if (!rescored) {
+            return rescored.error();
+        }
+        if (!rescored.value().script_error.empty()) {
+            return Error{rescored.value().script_error, folder, ""};
+        }
+        whole = rescored.value().result.at("operation");
+    }
+    whole.erase("carried");
+    return whole;
+}
+
+int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context);
+
 int replay(ReplayOptions given, const Context& context) {
+    const std::vector<std::string> parts = parts_of(given.recording);
+    if (!parts.empty()) {
+        return replay_whole(given, parts, context);
+    }
     given.recording = recording_path(given.recording);
     Result<Recording> read = read_recording(given.recording);
     if (!read) {
@@ -203,6 +265,41 @@ int replay(ReplayOptions given, const Context& context) {
         std::cout << out.dump(2) << '\n';
     } else {
         print(out);
+    }
+    return status;
+}
+
+/// Every part by itself, and the score over all of them.
+int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context) {
+    int status = done;
+    if (!given.score_with.empty()) {
+        const Result<std::optional<Operation>> operation = load_operation(given.score_with, context.root);
+        if (!operation) {
+            return complain(operation.error());
+        }
+        if (!operation.value()) {
+            return complain({"these are the parts of an operation, and " + given.score_with + " is an exercise",
+                             given.recording, "an operation, or one of the folders in parts/"});
+        }
+        const Result<nlohmann::json> whole = score_whole(*operation.value(), parts, context);
+        if (!whole) {
+            return complain(whole.error(), found_failures);
+        }
+        if (given.json) {
+            std::cout << nlohmann::json{{"recording", given.recording}, {"result", whole.value()}}.dump(2) << '\n';
+        } else {
+            std::printf("%s: %zu parts\n  score: %s\n", given.recording.c_str(), parts.size(),
+                        score_line(whole.value()).c_str());
+        }
+    }
+    if (given.score_with.empty() || given.verify || given.video) {
+        for (const std::string& part : parts) {
+            ReplayOptions own = given;
+            own.recording = part;
+            own.score_with.clear();
+            own.out = given.out.empty() ? "" : given.out + "/" + std::filesystem::path(part).filename().string();
+            status = std::max(status, replay(own, context));
+        }
     }
     return status;
 }

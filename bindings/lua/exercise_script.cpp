@@ -19,6 +19,16 @@ std::vector<std::string> setting_names() {
     return names;
 }
 
+std::vector<std::string> live_settings() {
+    std::vector<std::string> names;
+    for (const SettingInfo& info : setting_table()) {
+        if (info.live) {
+            names.emplace_back(info.name);
+        }
+    }
+    return names;
+}
+
 Patient patient_from(const json& given) {
     Patient patient;
     patient.age = given.value("age", patient.age);
@@ -101,7 +111,8 @@ Result<json> ExerciseScript::run_curriculum(const CurriculumFiles& files, const 
 }
 
 Status ExerciseScript::join(const JoinedPart& joined) {
-    const Result<json> made = ask("join", {{"index", joined.index}, {"before", joined.before}});
+    const Result<json> made =
+        ask("join", {{"index", joined.index}, {"before", joined.before}, {"live", live_settings()}});
     return made ? success() : Status(made.error());
 }
 

@@ -39,8 +39,8 @@ function host.accept(value)
     host.exercise = value
 end
 
---- Makes the exercise a part of the operation: place = { index, before }. Returns nothing.
-function host.join(place) operation.join(host.operation, place.index, host.exercise, place.before) end
+--- Makes the exercise a part of the operation: place = { index, before, live }. Returns nothing.
+function host.join(place) operation.join(host.operation, place.index, host.exercise, place.before, place.live) end
 
 --- --set name=text; settings: names that the kernel knows. Returns the complaint, or nil.
 function host.set(name, text, settings)
@@ -95,7 +95,10 @@ end
 function host.reached() return host.moment.test() end
 
 function host.result()
-    return host.run and host.run:result() or words.as_object({})
+    if not host.run then return words.as_object({}) end
+    local result = host.run:result()
+    if result.operation then result.operation.carried.scene = host.scene() end
+    return result
 end
 
 return host
