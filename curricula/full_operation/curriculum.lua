@@ -11,9 +11,9 @@ return operation {
 
     parts = {
         part "capsulorhexis" {},
-        part "phaco_sculpt" {},
-        part "phaco_crack" { start = "begin" },
-        part "phaco_quadrants" {},
+        part "phaco_sculpt" { patient = { tetrahedra = 1500 } },
+        part "phaco_crack" { continues = true },
+        part "phaco_quadrants" { continues = true },
         part "iol_injection" { opening = "capsulorhexis" },
     },
 
