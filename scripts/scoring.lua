@@ -18,6 +18,7 @@ local measure_rules = {
     during = { kind = "text" },                  -- only while this holds
     hold_s = { kind = "number", from = 0 },      -- time, share: only stretches as long as this
     quiet_s = { kind = "number", from = 0 },     -- count: rest needed before it counts again
+    per = { kind = "text" },                     -- name of a reference number: the result is told as a multiple of it
     if_never = { kind = "number" },              -- the value when it never was defined; without it: not scored
     unit = { kind = "text", required = true },
     digits = { kind = "number", default = 1, from = 0, to = 4, whole = true },
@@ -174,9 +175,10 @@ local function take_up(open, state)
 end
 
 --- Opens a score sheet. selection: what the exercise wrote as scoring; reference: its named reference numbers; dt: step
---- of time [s]. before: { time_s, measures }, of the sheet that it goes on with (Sheet:carried); nil: none.
-function scoring.sheet(selection, eye, reference, dt, before)
-    local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {},
+--- of time [s]. Of a part of an operation: before: { time_s, measures }, of the sheet that it goes on with
+--- (Sheet:carried); watched: set of the items that this part tells of.
+function scoring.sheet(selection, eye, reference, dt, before, watched)
+    local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {}, reference = reference,
         since_s = before and before.time_s or 0 }, Sheet)
     local resolve = resolver(eye, reference, self.since_s)
     for i, id in ipairs(selection.items) do
@@ -184,6 +186,7 @@ function scoring.sheet(selection, eye, reference, dt, before)
         local line = { item = item, open = {} }
         for k, measure in ipairs(item.measures) do
             line.open[k] = open_measure(measure, resolve)
+            if watched and not watched[id] then line.open[k].missing = true end
             if before then take_up(line.open[k], before.measures[measure.id]) end
             if not line.open[k].missing then table.insert(self.open, line.open[k]) end
         end
@@ -220,12 +223,13 @@ end
 
 local function round(value, digits) return tonumber(("%." .. digits .. "f"):format(value)) end
 
-local function measured(open)
+local function measured(open, reference)
     local measure = open.measure
     if open.missing and not open.seen_before then return nil end
     local value, at = open.collector.result()
     if value == nil then value = measure.if_never end
     if value == nil then return nil end
+    if measure.per then value = value / (reference[measure.per] or 1) end
     local score = scoring.interpolate(measure.curve, value)
     local result = { id = measure.id, name = measure.name, value = round(value, 6), unit = measure.unit,
         score = round(score, 2), weight = measure.weight, threshold_source = measure.source, time_s = at,
@@ -283,12 +287,12 @@ local function reasons(result, cap)
     return list
 end
 
-local function score_item(line, rubric, events)
+local function score_item(line, rubric, events, reference)
     local item = line.item
     local result = { id = item.id, name = item.name, measures = {} }
     local sum, weight = 0, 0
     for _, open in ipairs(line.open) do
-        local measure = measured(open)
+        local measure = measured(open, reference)
         if measure then
             table.insert(result.measures, measure)
             sum, weight = sum + measure.weight * measure.score, weight + measure.weight
@@ -321,7 +325,7 @@ function Sheet:score(events, completed)
     local result = { rubric = self.rubric.name, items = {}, total = 0, max = 0 }
     local n = 0
     for i, line in ipairs(self.lines) do
-        result.items[i] = score_item(line, self.rubric, events)
+        result.items[i] = score_item(line, self.rubric, events, self.reference)
         local score = result.items[i].score
         if score then n, result.total = n + 1, result.total + score end
     end
@@ -339,7 +343,7 @@ function Sheet:measures()
     local values = words.as_object({})
     for _, line in ipairs(self.lines) do
         for _, open in ipairs(line.open) do
-            local measure = measured(open)
+            local measure = measured(open, self.reference)
             if measure then values[measure.id] = measure.value end
         end
     end

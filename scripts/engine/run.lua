@@ -61,7 +61,7 @@ function Run.new(exercise, schema)
     if exercise.scoring then
         self.sheet = scoring.sheet(exercise.scoring, self.eye, exercise.reference, exercise.step_s)
     end
-    if exercise.whole then self.whole = Whole.new(exercise.whole, self.eye, exercise.step_s) end
+    if exercise.whole then self.whole = Whole.new(exercise.whole, exercise.scoring, self.eye, exercise.step_s) end
     return self
 end
 

@@ -8,13 +8,20 @@ local words = require "engine.words"
 local Whole = {}
 Whole.__index = Whole
 
---- given: { part, scoring, reference, before } of operation.join; eye: of the part.
-function Whole.new(given, eye, dt)
+-- An item is watched in the parts whose exercises score it; of others, its measures would tell something else.
+local function items_of(scoring_of_part)
+    local items = {}
+    for _, id in ipairs(scoring_of_part and scoring_of_part.items or {}) do items[id] = true end
+    return items
+end
+
+--- given: { part, scoring, reference, before } of operation.join; own: scoring of the part; eye: of the part.
+function Whole.new(given, own, eye, dt)
     local before = given.before
     local self = setmetatable({ part = given.part, before = before, eye = eye, since_s = before.time_s or 0 }, Whole)
     if given.scoring then
-        local score = before.score and { time_s = self.since_s, measures = before.score } or nil
-        self.sheet = scoring.sheet(given.scoring, eye, given.reference, dt, score)
+        local score = { time_s = self.since_s, measures = before.score or {} }
+        self.sheet = scoring.sheet(given.scoring, eye, given.reference, dt, score, items_of(own))
     end
     return self
 end
