@@ -14,7 +14,8 @@ local host = {}
 --- The words that a curriculum finds besides the standard ones.
 function host.environment()
     return setmetatable({ exercise = language.exercise, step = language.step, error_event = language.error_event,
-        operation = operation.operation, part = operation.part, osacss = osacss, rubric = scoring.rubric }, { __index = _G })
+        operation = operation.operation, part = operation.part, osacss = osacss,
+        rubric = scoring.rubric }, { __index = _G })
 end
 
 --- Before the curriculum runs: its name in messages and its text.
