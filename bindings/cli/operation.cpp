@@ -14,6 +14,7 @@
 #include "cli/operation_report.hpp"
 #include "cli/places.hpp"
 #include "cli/starts.hpp"
+#include "lua/curriculum_files.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -137,13 +138,17 @@ private:
         return same;
     }
 
-    /// What decides how a part goes.
+    /// What decides how a part goes: besides what was asked for, all scripts.
     [[nodiscard]] json fingerprint(std::size_t index) const {
+        const Result<CurriculumFiles> files = find_curriculum(part(index).exercise, options_.attempt.exercise.root);
+        const Result<std::string> scripts = hash_of_scripts(options_.attempt.exercise.root + "/scripts");
         const ExerciseOptions& all = options_.attempt.exercise;
         return {{"operation", options_.operation.identity},
                 {"part", part(index).id},
                 {"surgeon", all.surgeon},
                 {"seed", all.seed},
+                {"exercise", files ? files.value().sha256 : ""},
+                {"scripts", scripts ? scripts.value() : ""},
                 {"set", set_for(options_, part(index))}};
     }
 

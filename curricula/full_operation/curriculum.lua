@@ -4,18 +4,17 @@
 return operation {
     title = "Cataract operation",
     version = 1,
-    summary = "The whole operation on one eye: the capsule is opened, the nucleus sculpted, cracked and taken out, and "
-        .. "an implant laid into the bag.",
+    summary = "The whole operation on one eye: the capsule is opened, the nucleus, which a laser has cut into "
+        .. "quarters, taken out, and an implant laid into the bag.",
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 8 },
 
     parts = {
         part "capsulorhexis" {},
-        part "phaco_sculpt" { patient = { tetrahedra = 1500 } },
-        part "phaco_crack" { continues = true },
-        part "phaco_quadrants" { continues = true },
+        part "phaco_quadrants" {},
         part "iol_injection" { opening = "capsulorhexis" },
     },
 
-    scoring = osacss { "T3", "T4", "T5", "T7", "T8", "T9", "T10", "T11", "T13", "G2", "G3", "G4", "G5", "G6" },
+    scoring = osacss { "T3", "T4", "T5", "T7", "T8", "T11", "T13", "G2", "G3", "G4", "G5", "G6" },
+    reference = { time_s = 550 },
 }
