@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis study: groups of virtual surgeons attempt exercises, and how far apart their scores are.
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "base/hash.hpp"
+#include "cli/attempt.hpp"
+#include "cli/command.hpp"
+#include "cli/places.hpp"
+#include "cli/progress.hpp"
+#include "cli/study_result.hpp"
+#include "lua/curriculum_files.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* help =
+    "Virtual surgeons of each group attempt each exercise with each seed; studies/NAME.json says which.\n"
+    "\n"
+    "  rhexis study part_exercises              tables, and runs/study-part_exercises/\n"
+    "  rhexis study part_exercises --resume     without the attempts that are there already\n"
+    "  rhexis study my_study.json --jobs 2 --out DIR\n"
+    "\n"
+    "DIR receives study.json, study.md and a folder per attempt with report and recording. The numbers that the "
+    "groups\n"
+    "differ by are in scripts/surgeons/groups.lua; study.json names its hash.";
+
+struct StudyOptions {
+    std::string study;
+    std::string out;
+    int jobs = 0;
+    bool resume = false;
+    bool json = false;
+};
+
+struct StudyJob {
+    const StudyExercise* exercise = nullptr;
+    std::string folder;
+    json fingerprint;
+    Start start{};
+    StudyRun run;
+    std::string error{};
+};
+
+/// What decides how an attempt goes.
+json fingerprint_of(const StudyPlan& plan, const StudyExercise& exercise, const std::string& group, std::uint64_t seed,
+                    const Context& context) {
+    const Result<CurriculumFiles> files = find_curriculum(exercise.exercise, context.root);
+    const Result<std::string> scripts = hash_of_scripts(context.root + "/scripts");
+    return {{"exercise", files ? files.value().sha256 : ""},
+            {"scripts", scripts ? scripts.value() : ""},
+            {"start", exercise.start},
+            {"set", exercise.set},
+            {"group", group},
+            {"seed", seed},
+            {"limit_s", plan.limit_s}};
+}
+
+std::string folder_of(const std::string& out, std::size_t exercise, const StudyExercise& given,
+                      const std::string& group, std::uint64_t seed) {
+    const std::string name = std::filesystem::path(given.exercise).filename().string();
+    return out + "/" + std::to_string(exercise + 1) + "-" + name + "-" + group + "-" + std::to_string(seed);
+}
+
+std::vector<StudyJob> jobs_of(const StudyPlan& plan, const std::string& out, const Context& context) {
+    std::vector<StudyJob> jobs;
+    for (std::uint64_t seed = plan.first_seed; seed <= plan.last_seed; ++seed) {
+        for (const std::string& group : plan.groups) {
+            for (std::size_t i = 0; i < plan.exercises.size(); ++i) {
+                const StudyExercise& exercise = plan.exercises[i];
+                StudyJob& job = jobs.emplace_back();
+                job.exercise = &exercise;
+                job.folder = folder_of(out, i, exercise, group, seed);
+                job.fingerprint = fingerprint_of(plan, exercise, group, seed, context);
+                job.run = {group, seed, {}};
+            }
+        }
+    }
+    return jobs;
+}
+
+/// The start of each exercise, made once, and the exercises with their surgeons loaded once: mistakes show before the
+/// first attempt.
+Status prepare(const StudyPlan& plan, std::vector<StudyJob>& jobs, const Context& context) {
+    for (const StudyExercise& exercise : plan.exercises) {
+        for (const std::string& group : plan.groups) {
+            const Result<ExerciseHost> host =
+                ExerciseHost::load({exercise.exercise, group, plan.first_seed, exercise.set, context.root});
+            if (!host) {
+                return host.error();
+            }
+        }
+        const Result<Start> start = find_start({exercise.exercise, exercise.start, exercise.set, context.root, true});
+        if (!start) {
+            return start.error();
+        }
+        for (StudyJob& job : jobs) {
+            if (job.exercise == &exercise) {
+                job.start = start.value();
+            }
+        }
+    }
+    return success();
+}
+
+constexpr const char* done_file = "/study_run.json";  // the last file of an attempt: where it stands, that is whole
+
+bool take_up(StudyJob& job) {
+    const Result<std::string> mark = read_whole_file(job.folder + done_file);
+    const Result<std::string> report = read_whole_file(job.folder + "/report.json");
+    if (!mark || !report || json::parse(mark.value(), nullptr, false) != job.fingerprint) {
+        return false;
+    }
+    job.run.report = json::parse(report.value(), nullptr, false);
+    return job.run.report.is_object();
+}
+
+void run_job(const StudyPlan& plan, StudyJob& job, const Context& context) {
+    AttemptOptions options;
+    options.exercise = {job.exercise->exercise, job.run.group, job.run.seed, job.exercise->set, context.root};
+    options.folder = job.folder;
+    options.start = job.start;
+    options.drawing = Drawing::none;
+    options.limit_s = plan.limit_s;
+    options.quiet = true;
+    const Result<AttemptResult> result = attempt(options);
+    if (!result) {
+        job.error = result.error().text();
+        return;
+    }
+    job.error = result.value().script_error;
+    job.run.report = result.value().report;
+    const Status marked = write_whole_file(job.folder + done_file, job.fingerprint.dump() + "\n");
+    if (!marked && job.error.empty()) {
+        job.error = marked.error().text();
+    }
+}
+
+/// Runs what is not there already. The first attempt that fails ends the study.
+Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyOptions& given, const Context& context) {
+    Progress progress("study", given.json);
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> stop = false;
+    std::mutex mutex;
+    std::size_t finished = 0;
+    std::string error;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < jobs.size() && !stop; i = next++) {
+            if (!given.resume || !take_up(jobs[i])) {
+                run_job(plan, jobs[i], context);
+            }
+            const std::lock_guard lock(mutex);
+            ++finished;
+            progress.show(static_cast<double>(finished) / static_cast<double>(jobs.size()),
+                          std::to_string(finished) + " of " + std::to_string(jobs.size()) + " attempts");
+            if (!jobs[i].error.empty()) {
+                error = jobs[i].folder + ": " + jobs[i].error;
+                stop = true;
+            }
+        }
+    };
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<std::thread> workers;
+    for (int i = 0; i < (given.jobs > 0 ? given.jobs : cores); ++i) {
+        workers.emplace_back(work);
+    }
+    for (std::thread& worker : workers) {
+        worker.join();
+    }
+    return error.empty() ? success() : Status(Error{error, "study", "--resume goes on with the other attempts"});
+}
+
+int study(const StudyOptions& given, const Context& context) {
+    const Result<StudyPlan> plan = read_study(given.study, context.root);
+    if (!plan) {
+        return complain(plan.error());
+    }
+    const std::string out = given.out.empty() ? "runs/study-" + plan.value().name : given.out;
+    std::vector<StudyJob> jobs = jobs_of(plan.value(), out, context);
+    Status status = prepare(plan.value(), jobs, context);
+    if (status) {
+        status = prepare_folder(out);
+    }
+    if (!status) {
+        return complain(status.error());
+    }
+    status = run_jobs(plan.value(), jobs, given, context);
+    if (!status) {
+        return complain(status.error(), found_failures);
+    }
+    std::vector<StudyRun> runs;
+    for (StudyJob& job : jobs) {
+        runs.push_back(std::move(job.run));
+    }
+    nlohmann::json result = study_result(plan.value(), runs);
+    const Result<std::string> groups = read_whole_file(context.root + "/scripts/surgeons/groups.lua");
+    result["groups_sha256"] = groups ? sha256_hex(groups.value()) : "";
+    status = write_whole_file(out + "/study.json", result.dump(2) + "\n");
+    if (status) {
+        status = write_whole_file(out + "/study.md", study_text(result));
+    }
+    if (!status) {
+        return complain(status.error());
+    }
+    if (given.json) {
+        std::cout << result.dump(2) << '\n';
+    } else {
+        std::printf("%s\n  tables     %s/study.md\n  numbers    %s/study.json\n", study_text(result).c_str(),
+                    out.c_str(), out.c_str());
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("study", "Compare groups of virtual surgeons");
+    command->footer(help);
+    auto given = std::make_shared<StudyOptions>();
+    command->add_option("study", given->study, "File, or name of one in studies/")->required();
+    command->add_option("--out", given->out, "Folder for everything [runs/study-NAME]");
+    command->add_option("--jobs", given->jobs, "Attempts at a time [one per core]")->check(CLI::Range(1, 64));
+    command->add_flag("--resume", given->resume, "Keep the attempts that are whole in the folder");
+    command->add_flag("--json", given->json, "Print study.json on stdout instead of tables");
+    command->callback([given, &context] { context.status = study(*given, context); });
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/study_plan.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/near_names.hpp"
+#include "base/numbers.hpp"
+#include "cli/places.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uint64_t most_seeds = 1000;
+
+std::vector<std::string> studies_in(const std::string& root) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (fs::directory_iterator at(root + "/studies", failed), end; !failed && at != end; at.increment(failed)) {
+        if (at->path().extension() == ".json") {
+            names.push_back(at->path().stem().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Result<std::string> path_of(const std::string& name, const std::string& root) {
+    std::error_code ignored;
+    for (const std::string& path : {name, root + "/studies/" + name + ".json"}) {
+        if (fs::is_regular_file(path, ignored)) {
+            return path;
+        }
+    }
+    return Error{"there is no study '" + name + "'", "", suggestion(name, studies_in(root))};
+}
+
+/// Reads fields one after the other; the first mistake stays.
+class Fields {
+public:
+    Fields(const json& object, std::string where) : object_(object), where_(std::move(where)) {}
+
+    template <typename Value>
+    Value get(const char* field, const char* wanted, bool (*good)(const json&), Value other, bool required) {
+        known_.emplace_back(field);
+        if (!object_.contains(field)) {
+            if (required) {
+                complain(field, "is missing", wanted);
+            }
+            return other;
+        }
+        if (!good(object_[field])) {
+            complain(field, object_[field].dump().substr(0, 40), wanted);
+            return other;
+        }
+        return object_[field].get<Value>();
+    }
+
+    Status finish() {
+        for (const auto& [field, value] : object_.items()) {
+            if (std::find(known_.begin(), known_.end(), field) == known_.end()) {
+                complain(field.c_str(), "is no field of a study", suggestion(field, known_));
+            }
+        }
+        return status_;
+    }
+
+    void complain(const std::string& field, const std::string& what, const std::string& allowed) {
+        if (status_) {
+            status_ = Error{field + ": " + what, where_, allowed};
+        }
+    }
+
+private:
+    const json& object_;
+    std::string where_;
+    std::vector<std::string> known_;
+    Status status_ = success();
+};
+
+bool is_text(const json& value) { return value.is_string() && !value.get<std::string>().empty(); }
+bool is_texts(const json& value) {
+    return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), is_text);
+}
+bool is_object(const json& value) { return value.is_object(); }
+bool is_set(const json& value) { return value.is_object() && std::all_of(value.begin(), value.end(), is_text); }
+bool is_range(const json& value) {
+    return value.is_array() && value.size() == 2 && value[0].is_number_unsigned() && value[1].is_number_unsigned() &&
+           value[0].get<std::uint64_t>() <= value[1].get<std::uint64_t>() &&
+           value[1].get<std::uint64_t>() - value[0].get<std::uint64_t>() < most_seeds;
+}
+bool is_limit(const json& value) {
+    return value.is_number() && value.get<double>() >= 0.1 && value.get<double>() <= 7200.0;
+}
+bool is_list(const json& value) {
+    return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), is_object);
+}
+
+Result<StudyExercise> exercise_from(const json& given, const std::string& where) {
+    Fields fields(given, where);
+    StudyExercise exercise;
+    exercise.exercise = fields.get<std::string>("exercise", "a name in curricula/ or a folder", is_text, "", true);
+    exercise.start = fields.get<std::string>("start", "a name in starts.lua", is_text, "", false);
+    exercise.set =
+        fields.get<std::map<std::string, std::string>>("set", "texts by name, as of --set", is_set, {}, false);
+    const Status good = fields.finish();
+    return good ? Result<StudyExercise>(exercise) : good.error();
+}
+
+}  // namespace
+
+Result<StudyPlan> read_study(const std::string& name, const std::string& root) {
+    const Result<std::string> path = path_of(name, root);
+    if (!path) {
+        return path.error();
+    }
+    const Result<std::string> text = read_whole_file(path.value());
+    if (!text) {
+        return text.error();
+    }
+    const json given = json::parse(text.value(), nullptr, false);
+    if (!given.is_object()) {
+        return Error{"this is no JSON object", path.value(), "a study, as studies/part_exercises.json"};
+    }
+    Fields fields(given, path.value());
+    StudyPlan plan;
+    plan.name = fs::path(path.value()).stem().string();
+    plan.title = fields.get<std::string>("title", "a text", is_text, "", true);
+    plan.groups =
+        fields.get<std::vector<std::string>>("groups", "names of surgeons, as [\"a\", \"d\"]", is_texts, {}, true);
+    const auto seeds =
+        fields.get<std::vector<std::uint64_t>>("seeds", "[first, last], at most 1000", is_range, {0, 0}, true);
+    plan.first_seed = seeds[0];
+    plan.last_seed = seeds[1];
+    plan.limit_s = fields.get<double>("limit_s", "0.1 to 7200", is_limit, 90.0, false);
+    plan.published = fields.get<json>("published", "an object with source and groups", is_object, nullptr, false);
+    for (const json& entry : fields.get<json>("exercises", "a list of objects", is_list, json::array(), true)) {
+        Result<StudyExercise> exercise =
+            exercise_from(entry, path.value() + ", exercise " + std::to_string(plan.exercises.size() + 1));
+        if (!exercise) {
+            return exercise.error();
+        }
+        plan.exercises.push_back(std::move(exercise).value());
+    }
+    const Status good = fields.finish();
+    return good ? Result<StudyPlan>(plan) : good.error();
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Studies: groups of virtual surgeons on a small exercise; resumed; and what is wrong with them.
+set -u
+. "$(dirname "$0")/expect.sh"
+cd "$work" || exit 2
+
+exercise fill >/dev/null <<'L'
+return exercise {
+    title = "Fill", tissues = { "viscoelastic" }, instruments = { "cannula" },
+    settings = { ["viscoelastic.fill"] = 0.5 },
+    steps = { step "fill" { done = "viscoelastic.fill > 0.8", time_limit_s = 8 } },
+    errors = { error_event "Overfilled" { when = "viscoelastic.fill > 1.05", advice = "Less.", items = { "T3" } } },
+    scoring = osacss { "T3" },
+}
+L
+cat >fill/surgeon.lua <<'L'
+return function(me)
+    me.take_up({ 0, -8, 3 }, "cannula")
+    me.go({ 0, 0, 3 }, 20)
+    me.jaw(me.about(0.5))
+    me.wait(30)
+end
+L
+plan() { cat >"$1.json"; }
+plan small <<'J'
+{"title": "Small", "groups": ["a", "d"], "seeds": [1, 2], "limit_s": 5, "exercises": [{"exercise": "fill"}],
+ "published": {"source": "nobody", "groups": {"a": {"n": 3, "mean": 40.0, "sd": 2.0}}}}
+J
+expect 0 "" "$rhexis" study small.json --out study --jobs 2
+says "| a | 2 |"
+says "40.0 ± 2.0 (3)"
+says "| a and d |"
+python3 - <<'P' || fail "study.json is not what its runs say"
+import json, statistics
+study = json.load(open("study/study.json"))
+scores = {group: [20 * json.load(open(f"study/1-fill-{group}-{seed}/report.json"))["osacss"]["items"][0]["score"]
+                  for seed in (1, 2)] for group in "ad"}
+for group in study["groups"]:
+    own = scores[group["group"]]
+    assert abs(group["mean"] - statistics.mean(own)) < 1e-9, (group, own)
+    assert abs(group["sd"] - statistics.stdev(own)) < 1e-9, (group, own)
+assert [s["seed"] for s in study["surgeons"]] == [1, 2, 1, 2]
+assert len(study["groups_sha256"]) == 64
+P
+cp study/study.json before.json
+touch -d '2000-01-01' study/1-fill-a-1/recording.rhx study/1-fill-d-2/recording.rhx
+rm study/1-fill-d-2/study_run.json
+expect 0 "" "$rhexis" study small.json --out study --resume
+[ study/1-fill-a-1/recording.rhx -ot small.json ] || fail "an attempt that was there was made again"
+[ study/1-fill-d-2/recording.rhx -nt small.json ] || fail "an attempt that was not whole was kept"
+python3 -c "
+import json
+a, b = (json.load(open(f)) for f in ('before.json', 'study/study.json'))
+a.pop('cpu_s'), b.pop('cpu_s')
+assert a == b" || fail "a resumed study finds something else"
+
+wrong() {  # TEXT: the study on stdin is refused so
+    plan wrong
+    expect 2 "$1" "$rhexis" study wrong.json --out never
+    [ ! -e never ] || { fail "a wrong study left files"; rm -r never; }
+}
+expect 2 "there is no study 'part_exercise' (did you mean part_exercises?)" "$rhexis" study part_exercise
+wrong "wrong.json: this is no JSON object" <<<'{'
+wrong 'wrong.json: title: is missing (a text)' <<<'{"groups": ["a"], "seeds": [1, 2], "exercises": [{"exercise": "fill"}]}'
+wrong 'seeds: [2,1] ([first, last], at most 1000)' <<<'{"title": "x", "groups": ["a"], "seeds": [2, 1], "exercises": [{"exercise": "fill"}]}'
+wrong "seed: is no field of a study (did you mean seeds?)" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 2], "seed": 1, "exercises": [{"exercise": "fill"}]}'
+wrong "exercise 1: starts: is no field of a study (did you mean start?)" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 2], "exercises": [{"exercise": "fill", "starts": "x"}]}'
+wrong "there is no surgeon 'e'" <<<'{"title": "x", "groups": ["e"], "seeds": [1, 2], "exercises": [{"exercise": "fill"}]}'
+wrong "there is no curriculum 'fil'" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 2], "exercises": [{"exercise": "fil"}]}'
+finished
