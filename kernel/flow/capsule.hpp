@@ -12,11 +12,13 @@ struct CapsuleModel {
     double membrane_stiffness = 7500.0;  ///< Young's modulus times thickness [uN/mm]: 1.5 MPa, 5 um
     double thickness = 0.005;            ///< [mm] [Barraquer2006]
     double poisson_ratio = 0.47;
-    double ultimate_strain = 0.45;   ///< at which it gives way; falls with age
-    double tear_energy = 1.0e6;      ///< per area of crack [uN/mm], that is mJ/m^2
-    double dimple_radius = 2.0;      ///< of the region that one instrument draws in [mm]. Proposal
-    double ultrasound_damage = 0.8;  ///< share of its strength that full ultrasound takes from it. Proposal
-    double tear_speed = 3.0;         ///< of an edge at twice the energy that it needs [mm/s]. Proposal
+    double ultimate_strain = 0.45;         ///< at which it gives way; falls with age
+    double tear_energy = 1.0e6;            ///< per area of crack [uN/mm], that is mJ/m^2
+    double dimple_radius = 2.0;            ///< of the region that one instrument draws in [mm]. Proposal
+    double ultrasound_damage = 0.8;        ///< share of its strength that full ultrasound takes from it. Proposal
+    double start_hole = 0.0;               ///< radius of a hole that is there at the start [mm]; 0: none
+    Vec3 start_hole_place = Vec3::Zero();  ///< on the wall in the bag's frame [mm]
+    double tear_speed = 3.0;               ///< of an edge at twice the energy that it needs [mm/s]. Proposal
 };
 
 /// Changes from step to step.

@@ -49,7 +49,8 @@ struct ChamberControl {
     double pump_flow = 0.0;      ///< what the pump moves well below the vacuum limit [mm^3/s]
     double vacuum_limit = 0.0;   ///< the pump stands still at this vacuum [Pa]
     double tip_open = 1.0;       ///< share of the free tip's conductance, 0: occluded
-    double wound_open = 1.0;     ///< share of the wound's leak: 1 with an instrument in it, 0 closed, to 3 burnt
+    double wound_open =
+        1.0;  ///< share of the wound's leak: 1 with an instrument in it, 0 closed, to 3 burnt, to 30 gaping
 };
 
 /// Fluid moved since the start [mm^3]. Backward flow counts negative.

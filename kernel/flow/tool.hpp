@@ -13,8 +13,11 @@ namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
 /// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger
-/// pushes an implant out of a cartridge.
-enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector };
+/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it.
+enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter };
+
+/// Cuts per minute of a cutter at its fastest.
+inline constexpr double fastest_cutter = 5000.0;
 
 /// Opening from which on the jaws of forceps are closed, 0 to 1.
 inline constexpr double closed_jaw = 0.25;
@@ -53,6 +56,7 @@ struct ToolModel {
     double lens_reach = 0.0;  ///< likewise of those that close on an implant [mm]
     double hold = 0.0;        ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
     double max_power = 0.0;   ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
+    bool stains = false;      ///< cannula: what comes out of it is triamcinolone, not viscoelastic
     std::optional<Cartridge> cartridge;
 };
 
@@ -88,7 +92,8 @@ struct ToolState {
     double pedal = 0.0;                    ///< 0 to 3
     bool irrigation = false;               ///< pedal at 1 or more
     double aspiration = 0.0;               ///< share of the set vacuum, 0 to 1 (pedal 2)
-    double power = 0.0;          ///< share of full ultrasound power, 0 to 1 (pedal 3); mean over the step when pulsed
+    double power = 0.0;          ///< share of full ultrasound power, 0 to 1 (pedal 3); mean over the step when pulsed;
+                                 ///< cutter: cuts per time, share of fastest_cutter
     double ultrasound_s = 0.0;   ///< since the pedal went down to position 3: where a train of pulses is [s]
     double bottle_height = 0.0;  ///< phaco: drip chamber above the eye [mm]
     double pump_flow = 0.0;      ///< phaco: what the pedal asks of the pump [mm^3/s]

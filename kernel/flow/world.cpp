@@ -25,6 +25,8 @@ WorldState rest_state(const WorldModel& model) {
     }
     if (model.capsule) {
         state.capsule = CapsuleState{};
+        state.capsule->hole_radius = model.capsule->start_hole;
+        state.capsule->hole_place = model.capsule->start_hole_place;
     }
     if (model.iris) {
         state.iris = rest_state(*model.iris);
@@ -32,6 +34,9 @@ WorldState rest_state(const WorldModel& model) {
     if (model.viscoelastic) {
         const double fill = model.viscoelastic->start_fill;
         state.viscoelastic = ViscoelasticState{fill, 0.0, fill};
+    }
+    if (model.vitreous) {
+        state.vitreous = rest_state(*model.vitreous, *model.chamber);
     }
     if (model.microscope) {
         state.microscope = MicroscopeState{model.microscope->start};

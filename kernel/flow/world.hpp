@@ -18,6 +18,7 @@
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
 #include "flow/viscoelastic.hpp"
+#include "flow/vitreous.hpp"
 
 namespace rhexis {
 
@@ -55,6 +56,7 @@ struct WorldModel {
     std::optional<CapsuleModel> capsule;  ///< the posterior wall of bags[0]
     std::optional<IrisModel> iris;
     std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
+    std::optional<VitreousModel> vitreous;          ///< behind bags[0], whose wall has a capsule, and a chamber
     std::optional<MicroscopeModel> microscope;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
@@ -79,6 +81,7 @@ struct WorldState {
     std::optional<CapsuleState> capsule;
     std::optional<IrisState> iris;
     std::optional<ViscoelasticState> viscoelastic;
+    std::optional<VitreousState> vitreous;
     std::optional<MicroscopeState> microscope;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool

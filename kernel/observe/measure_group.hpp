@@ -85,6 +85,7 @@ std::unique_ptr<MeasureGroup> chamber_measures();
 std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
 std::unique_ptr<MeasureGroup> viscoelastic_measures();
+std::unique_ptr<MeasureGroup> vitreous_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
 std::unique_ptr<MeasureGroup> microscope_measures();
 /// injector: index of the instrument that holds shell 0.

@@ -73,7 +73,10 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.capsule) {
         groups.push_back(capsule_measures());
     }
-    if (anterior_capsule(world) >= 0 || world.microscope || world.implant) {
+    if (world.vitreous) {
+        groups.push_back(vitreous_measures());
+    }
+    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous) {
         groups.push_back(presence_measures());
     }
     if (anterior_capsule(world) >= 0) {

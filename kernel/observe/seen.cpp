@@ -97,6 +97,23 @@ void add_fragment_landmarks(const ObserveInput& input, const LensView& lens, std
     }
 }
 
+/// Clear vitreous shows by what it does: the pupil peaks towards a strand in the wound. Triamcinolone shows it itself.
+void add_vitreous_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    constexpr double shows = 0.3;  // of what hangs in front: share that is white
+    constexpr double peaks = 1.0;  // of what hangs in the wound [mm^3]
+    const VitreousState& vitreous = *input.state.vitreous;
+    const Vec3 hole = input.state.bags[0].pose.to_world(input.state.capsule->hole_place);
+    const double front = vitreous_in_front(vitreous);
+    const double radius = vitreous_radius(front);
+    marks.push_back({"pupil_peak", vitreous.wound > peaks, input.world.vitreous->wound, vitreous.wound});
+    marks.push_back({"vitreous", vitreous.marked > shows && front > 0.1, hole + radius * Vec3::UnitZ(), radius});
+    marks.push_back({"vitreous_strand", vitreous.marked > shows && vitreous.wound > 0.1, input.world.vitreous->wound,
+                     vitreous_radius(vitreous.wound)});
+    // Its edge bends the light: how full the chamber is of it can be judged as in a still chamber.
+    marks.push_back({"viscoelastic", true, Vec3(0.0, 0.0, input.eye.anatomy.iris_z),
+                     filled_share(*input.world.vitreous, vitreous)});
+}
+
 /// What shows of a capsule that is held or open, and of an iris that is caught.
 void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
     if (input.state.capsule) {
@@ -105,6 +122,9 @@ void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks)
         marks.push_back({"capsule_folds", capsule.captured, bag.to_world(capsule.place), 1.0});
         marks.push_back(
             {"capsule_hole", capsule.hole_radius > 0.0, bag.to_world(capsule.hole_place), capsule.hole_radius});
+    }
+    if (input.state.vitreous) {
+        add_vitreous_landmarks(input, marks);
     }
     if (input.state.iris) {
         marks.push_back({"iris_caught", input.state.iris->tool >= 0, input.state.iris->place, 0.5});

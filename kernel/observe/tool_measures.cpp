@@ -34,6 +34,8 @@ public:
 
 private:
     void describe_phaco(ObservationSchema& schema) const;
+    void describe_cutter(ObservationSchema& schema) const;
+    void describe_mouth(ObservationSchema& schema) const;
     void describe_lens(ObservationSchema& schema) const;
     void describe_bag(ObservationSchema& schema) const;
 
@@ -52,6 +54,12 @@ void ToolMeasures::describe(ObservationSchema& schema) const {
     schema.push_back({group + "path_mm", "mm", "Length of the way of the tip inside the eye so far."});
     if (model_.kind == ToolKind::phaco) {
         describe_phaco(schema);
+    }
+    if (model_.kind == ToolKind::cutter) {
+        describe_cutter(schema);
+    }
+    if (around_.chamber && (model_.kind == ToolKind::phaco || model_.kind == ToolKind::cutter)) {
+        describe_mouth(schema);
     }
     if (around_.lens) {
         describe_lens(schema);
@@ -75,12 +83,23 @@ void ToolMeasures::describe_phaco(ObservationSchema& schema) const {
     schema.push_back({group + "idle_ultrasound_s", "s", "Part of it in which the tip touched no lens."});
     schema.push_back(
         {group + "cde", "% s", "Cumulative dissipated energy: ultrasound power in percent times seconds."});
-    if (around_.chamber) {
-        schema.push_back({group + "occlusion", "1", "Share of its mouth that is shut."});
-        schema.push_back({group + "occluded_by_lens", "1", "Share of its mouth that lens covers."});
-        schema.push_back({group + "suction_mmhg", "mmHg", "Vacuum that acts at its mouth."});
-        schema.push_back({group + "hold_mN", "mN", "Force with which it holds tissue."});
-    }
+}
+
+void ToolMeasures::describe_cutter(ObservationSchema& schema) const {
+    const std::string group = model_.name + ".";
+    schema.push_back({group + "pedal", "1", "Foot pedal: 0 up, 1 irrigation, 2 and 3 as cutter.cut_first says."});
+    schema.push_back({group + "irrigating", "bool", "Irrigation flows."});
+    schema.push_back({group + "aspirating", "bool", "Aspiration draws."});
+    schema.push_back({group + "cutting", "bool", "Its blade cuts."});
+    schema.push_back({group + "cuts_per_min", "1/min", "Cuts per minute now."});
+}
+
+void ToolMeasures::describe_mouth(ObservationSchema& schema) const {
+    const std::string group = model_.name + ".";
+    schema.push_back({group + "occlusion", "1", "Share of its mouth that is shut."});
+    schema.push_back({group + "occluded_by_lens", "1", "Share of its mouth that lens covers."});
+    schema.push_back({group + "suction_mmhg", "mmHg", "Vacuum that acts at its mouth."});
+    schema.push_back({group + "hold_mN", "mN", "Force with which it holds tissue."});
 }
 
 void ToolMeasures::describe_lens(ObservationSchema& schema) const {
@@ -145,6 +164,14 @@ void measure_phaco(const ToolState& tool, bool idle, double dt, std::span<double
     out.put(memory[dissipated]);
 }
 
+void measure_cutter(const ToolState& tool, Writer& out) {
+    out.put(tool.pedal);
+    out.put(truth(tool.irrigation));
+    out.put(truth(tool.aspiration > 0.0));
+    out.put(truth(tool.present && tool.power > 0.0));
+    out.put(fastest_cutter * tool.power);
+}
+
 void measure_mouth(const TipState& tip, Writer& out) {
     out.put(1.0 - tip.open);
     out.put(tip.lens);
@@ -204,9 +231,12 @@ void ToolMeasures::measure(const ObserveInput& input, const LensView& lens, std:
     out.put(memory[path_mm]);
     if (model_.kind == ToolKind::phaco) {
         measure_phaco(tool, !contact.touching, input.dt, memory, out);
-        if (around_.chamber) {
-            measure_mouth(input.state.tips[tool_], out);
-        }
+    }
+    if (model_.kind == ToolKind::cutter) {
+        measure_cutter(tool, out);
+    }
+    if (around_.chamber && (model_.kind == ToolKind::phaco || model_.kind == ToolKind::cutter)) {
+        measure_mouth(input.state.tips[tool_], out);
     }
     if (around_.lens) {
         measure_lens(tool, lens, contact, out);

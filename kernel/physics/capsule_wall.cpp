@@ -98,8 +98,10 @@ void tear_on(const WorldModel& model, double dt, WorldState& state) {
     if (capsule.hole_radius == 0.0 || !state.chamber) {
         return;
     }
-    // The vitreous keeps the pressure of rest for a while when the chamber loses it.
-    const double behind = std::max(0.0, model.chamber->rest_pressure - state.flows.lowest_eye_pressure);
+    // The vitreous keeps the pressure of rest for a while when the chamber loses it; where it is simulated, its own.
+    const double behind = state.vitreous
+                              ? state.vitreous->drive
+                              : std::max(0.0, model.chamber->rest_pressure - state.flows.lowest_eye_pressure);
     const BagShape& shape = model.bags[0].shape;
     const double wall_radius = shape.radius * shape.radius / shape.posterior;
     const double excess =

@@ -56,7 +56,7 @@ constexpr std::array<Field<ChamberControl>, 5> control_fields{{
     {"pump_flow", &ChamberControl::pump_flow, 0.0, 1000.0, " mm^3/s"},
     {"vacuum_limit", &ChamberControl::vacuum_limit, 0.0, 94000.0, " Pa"},
     {"tip_open", &ChamberControl::tip_open, 0.0, 1.0, ""},
-    {"wound_open", &ChamberControl::wound_open, 0.0, 3.0, ""},
+    {"wound_open", &ChamberControl::wound_open, 0.0, 30.0, ""},
 }};
 
 constexpr double highest_pressure = 100000.0;  ///< of either tank, above or below atmospheric [Pa]

@@ -7,6 +7,7 @@
 #include "mesh/places.hpp"
 #include "physics/chamber_flow.hpp"
 #include "physics/iris_motion.hpp"
+#include "physics/vitreous_motion.hpp"
 #include "physics/wound_heat.hpp"
 
 namespace rhexis {
@@ -66,9 +67,15 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
     if (model.chamber) {
         const ChamberModel& chamber = *model.chamber;
         const int hand = handpiece(tools, probes);
-        state.flows = advance_chamber(chamber, chamber_control(model, tools, state.tips, probes, state.chamber->wound),
-                                      dt, *state.chamber);
-        heat_wound(hand >= 0 ? tools[hand].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
+        if (model.vitreous) {
+            lay_viscoelastic(model, tools, probes, dt, state);
+        }
+        ChamberControl control = chamber_control(model, tools, state.tips, probes, state.chamber->wound);
+        if (model.vitreous) {
+            control.wound_open = wound_release(*model.vitreous, *state.vitreous, control.wound_open);
+        }
+        state.flows = advance_chamber(chamber, control, dt, *state.chamber);
+        heat_wound(hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
         const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;
@@ -81,6 +88,9 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
             // What the flow loses in the tubing does not pull at the mouth.
             tip.suction = std::max(0.0, before - state.flows.tip * chamber.tube_resistance);
             tip.hold = tip.suction * probes[hand].area * (1.0 - tip.open);
+        }
+        if (model.vitreous) {
+            move_vitreous(model, tools, probes, dt, state);
         }
     }
     if (model.iris) {

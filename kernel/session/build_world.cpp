@@ -119,6 +119,30 @@ MicroscopeModel make_microscope(const std::map<std::string, double>& settings, c
     return microscope;
 }
 
+/// A hole that an operation left.
+void open_capsule(const std::map<std::string, double>& settings, const BagShape& bag, CapsuleModel& capsule) {
+    capsule.start_hole = 0.5 * settings.at("capsule.hole_mm");
+    const double x = settings.at("capsule.hole_x_mm");
+    const double y = settings.at("capsule.hole_y_mm");
+    const double share = (x * x + y * y) / (bag.radius * bag.radius);
+    capsule.start_hole_place = Vec3(x, y, -bag.posterior * std::sqrt(std::max(0.0, 1.0 - share)));
+}
+
+/// Of a tear's edge that vitreous lies against [mm/s]: slower than without. Proposal
+constexpr double backed_tear_speed = 0.4;
+
+VitreousModel make_vitreous(const std::map<std::string, double>& settings, const EyeAnatomy& eye) {
+    VitreousModel vitreous;
+    vitreous.push = settings.at("vitreous.push_mmhg") * pascal_per_mmhg;
+    vitreous.hyaloid_strength *= settings.at("vitreous.hyaloid");
+    vitreous.wound = eye.incision;
+    vitreous.start_front = settings.at("vitreous.front_mm3");
+    vitreous.start_wound = settings.at("vitreous.wound_mm3");
+    vitreous.start_marked = settings.at("vitreous.marked");
+    vitreous.start_fill = settings.at("tamponade.fill");
+    return vitreous;
+}
+
 constexpr double side_port_width = 1.0;  // [mm]
 
 bool has_instrument(const SceneDescription& scene, const std::string& name) {
@@ -126,7 +150,7 @@ bool has_instrument(const SceneDescription& scene, const std::string& name) {
 }
 
 bool needs_side_port(const SceneDescription& scene) {
-    return has_instrument(scene, "spatula") || has_instrument(scene, "hook");
+    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_tissue(scene, "vitreous");
 }
 
 /// Of viscoelastic that an implant shears some ten times a second [Pa s]: a hundredth and less of that at rest.
@@ -220,6 +244,11 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     if (has_tissue(scene, "capsule")) {
         world->capsule = make_capsule(scene.patient.age);
         world->capsule->ultimate_strain *= all_settings(scene).at("capsule.strength");
+        open_capsule(all_settings(scene), eye.value().bag.shape, *world->capsule);
+    }
+    if (has_tissue(scene, "vitreous")) {
+        world->vitreous = make_vitreous(all_settings(scene), eye.value().anatomy);
+        world->capsule->tear_speed = backed_tear_speed;
     }
     if (has_tissue(scene, "anterior_capsule")) {
         world->membranes.push_back(make_anterior_capsule(lens_shape(scene.patient), eye.value().bag, scene.patient.age,

@@ -157,6 +157,29 @@ void fluid_fields(auto& io, auto& world) {
         inner(chamber.injected);
         inner(chamber.peak_fill);
     });
+    io.maybe(world.vitreous, [](auto& inner, auto& vitreous) {
+        inner(vitreous.broken);
+        inner(vitreous.behind);
+        inner(vitreous.drive);
+        for (auto& volume : vitreous.front) {
+            inner(volume);
+        }
+        inner(vitreous.wound);
+        inner(vitreous.marked);
+        inner(vitreous.cut);
+        inner(vitreous.tool);
+        inner(vitreous.caught);
+        inner(vitreous.traction);
+        inner(vitreous.peak_traction);
+        inner(vitreous.checked);
+        for (auto& volume : vitreous.plug) {
+            inner(volume);
+        }
+        inner(vitreous.filled);
+        inner(vitreous.given);
+        inner(vitreous.open_s);
+        inner(vitreous.inside);
+    });
     io.maybe(world.microscope, [](auto& inner, auto& microscope) { inner(microscope.position); });
     io.maybe(world.capsule, [](auto& inner, auto& capsule) {
         inner(capsule.tool);

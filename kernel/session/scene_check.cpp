@@ -16,8 +16,8 @@
 namespace rhexis {
 namespace {
 
-const std::array<std::string, 9> known_tissues{"lens",   "bag",     "capsule",      "anterior_capsule", "iris",
-                                               "cornea", "chamber", "viscoelastic", "implant"};
+const std::array<std::string, 10> known_tissues{"lens",   "bag",     "capsule",      "anterior_capsule", "iris",
+                                                "cornea", "chamber", "viscoelastic", "implant",          "vitreous"};
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -96,6 +96,10 @@ Status check_combination(const SceneDescription& scene) {
     const auto named = [&](const char* name) {
         return std::find(scene.tissues.begin(), scene.tissues.end(), name) != scene.tissues.end();
     };
+    if (named("vitreous") && !(named("capsule") && named("chamber"))) {
+        return Error{"tissues names vitreous without capsule and chamber", "",
+                     "all three: it comes forward through the one into the other"};
+    }
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};
     }

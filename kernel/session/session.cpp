@@ -123,6 +123,10 @@ ToolSettings tool_settings(const std::map<std::string, double>& settings) {
     limits.bottle_height = 10.0 * settings.at("machine.bottle_cm");
     limits.pump_flow = mm3_s_per_ml_min * settings.at("machine.flow_ml_min");
     limits.vacuum_limit = pascal_per_mmhg * settings.at("machine.vacuum_mmhg");
+    limits.cut_rate = settings.at("cutter.cuts_per_min") / fastest_cutter;
+    limits.cutter_flow = mm3_s_per_ml_min * settings.at("cutter.flow_ml_min");
+    limits.cutter_vacuum = pascal_per_mmhg * settings.at("cutter.vacuum_mmhg");
+    limits.cut_first = settings.at("cutter.cut_first") >= 0.5;
     return limits;
 }
 

@@ -2,6 +2,7 @@
 #include "session/snapshot_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/chamber_flow.hpp"
 #include "session/settings.hpp"
@@ -158,11 +159,23 @@ Status microscope_fits(const WorldState& state, const WorldModel& world) {
 
 bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
 
+bool sound(const VitreousState& vitreous) {
+    const double sum = vitreous.behind + vitreous.drive + vitreous.wound + vitreous.marked + vitreous.cut +
+                       vitreous.traction + vitreous.peak_traction + vitreous.checked + vitreous.filled +
+                       vitreous.given + vitreous.open_s + vitreous.inside + vitreous.front[0] + vitreous.front[1] +
+                       vitreous.plug[0] + vitreous.plug[1];
+    return std::isfinite(sum) && vitreous.caught.allFinite();
+}
+
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
     if (state.chamber.has_value() != world.chamber.has_value() ||
         state.capsule.has_value() != world.capsule.has_value() || state.iris.has_value() != world.iris.has_value() ||
         state.viscoelastic.has_value() != world.viscoelastic.has_value() || state.tips.size() != world.tools.size()) {
         return misfit("chamber, capsule, iris or viscoelastic");
+    }
+    if (state.vitreous.has_value() != world.vitreous.has_value() ||
+        (state.vitreous && !(tool_fits(state.vitreous->tool, world) && sound(*state.vitreous)))) {
+        return misfit("the vitreous");
     }
     for (std::size_t i = 0; i < state.bags.size(); ++i) {
         const std::size_t nodes = world.solids.empty() ? 0 : world.solids[0].coarse.nodes.size();

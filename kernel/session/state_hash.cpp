@@ -178,6 +178,20 @@ void add(StateHash& hash, const CapsuleState& capsule) {
     }
 }
 
+void add(StateHash& hash, const VitreousState& vitreous) {
+    hash.add(static_cast<std::uint64_t>(vitreous.tool + 1) * 2 + (vitreous.broken ? 1 : 0));
+    add(hash, vitreous.caught);
+    for (const double value : {vitreous.behind, vitreous.drive, vitreous.wound, vitreous.marked, vitreous.cut,
+                               vitreous.traction, vitreous.peak_traction, vitreous.checked, vitreous.filled,
+                               vitreous.given, vitreous.open_s, vitreous.inside}) {
+        hash.add(value);
+    }
+    for (std::size_t i = 0; i < opening_count; ++i) {
+        hash.add(vitreous.front[i]);
+        hash.add(vitreous.plug[i]);
+    }
+}
+
 void add(StateHash& hash, const IrisState& iris) {
     hash.add(static_cast<std::uint64_t>(iris.tool + 1));
     add(hash, iris.place);
@@ -243,6 +257,9 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     add_if(hash, world.chamber);
     add_if(hash, world.capsule);
     add_if(hash, world.viscoelastic);
+    if (world.vitreous) {
+        add(hash, *world.vitreous);
+    }
     if (world.microscope) {
         add(hash, world.microscope->position);
     }

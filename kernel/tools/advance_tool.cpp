@@ -53,8 +53,23 @@ double pulse_share(double since, double dt, const ToolSettings& settings) {
     return (pulsed_time(since + dt, period, settings.duty) - pulsed_time(since, period, settings.duty)) / dt;
 }
 
+void apply_pedal_to_cutter(const ToolSettings& settings, ToolState& state) {
+    const double second = std::clamp(state.pedal - 1.0, 0.0, 1.0);
+    const double third = std::clamp(state.pedal - 2.0, 0.0, 1.0);
+    state.irrigation = state.pedal >= 1.0 && settings.infusion;
+    state.bottle_height = settings.bottle_height;
+    state.aspiration = settings.cut_first ? third : second;
+    state.power = (settings.cut_first ? second : third) > 0.0 ? settings.cut_rate : 0.0;
+    state.pump_flow = state.aspiration * settings.cutter_flow;
+    state.vacuum_limit = state.aspiration * settings.cutter_vacuum;
+}
+
 void apply_pedal(const ToolModel& model, double pedal, double dt, const ToolSettings& settings, ToolState& state) {
     state.pedal = std::clamp(pedal, 0.0, 3.0);
+    if (model.kind == ToolKind::cutter) {
+        apply_pedal_to_cutter(settings, state);
+        return;
+    }
     if (model.kind != ToolKind::phaco) {
         return;
     }

@@ -3,6 +3,7 @@
 
 #include "base/near_names.hpp"
 #include "flow/microscope.hpp"
+#include "tools/cutter.hpp"
 #include "tools/hook.hpp"
 #include "tools/injector.hpp"
 #include "tools/lens_forceps.hpp"
@@ -14,7 +15,8 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe", "spatula"};
+    return {"cannula",      "cutter", "cystotome", "forceps", "hook",         "injector",
+            "lens_forceps", "phaco",  "probe",     "spatula", "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -51,8 +53,15 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "cannula") {
         return viscoelastic_cannula();
     }
-    return Error{"there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-                 "cannula, cystotome, forceps, hook, injector, lens_forceps, phaco, probe, spatula"};
+    if (name == "cutter") {
+        return cutter();
+    }
+    if (name == "triamcinolone") {
+        return triamcinolone_cannula();
+    }
+    return Error{
+        "there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
+        "cannula, cutter, cystotome, forceps, hook, injector, lens_forceps, phaco, probe, spatula, triamcinolone"};
 }
 
 }  // namespace rhexis

@@ -31,4 +31,11 @@ ToolModel viscoelastic_cannula() {
     return tool;
 }
 
+ToolModel triamcinolone_cannula() {
+    ToolModel tool = viscoelastic_cannula();
+    tool.name = "triamcinolone";
+    tool.stains = true;
+    return tool;
+}
+
 }  // namespace rhexis

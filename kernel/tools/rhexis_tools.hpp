@@ -15,4 +15,7 @@ ToolModel capsulorhexis_forceps();
 /// A blunt cannula of 27 gauge; what the hand presses out of its syringe, viscoelastic, comes out of its end.
 ToolModel viscoelastic_cannula();
 
+/// The same with triamcinolone, which makes vitreous white.
+ToolModel triamcinolone_cannula();
+
 }  // namespace rhexis

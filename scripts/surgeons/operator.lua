@@ -85,12 +85,14 @@ local function hand_words(self, side)
     function words.tip() return side.hand.place end
 
     --- The instrument appears with its tip at a place outside the wound; its shaft turns about the wound from then on.
-    --- instrument: by name, when it is another one than before.
-    function words.take_up(place, instrument)
+    --- instrument: by name, when it is another one than before. wound: landmark of another wound than it goes through
+    --- otherwise.
+    function words.take_up(place, instrument, wound)
         if instrument and not self.index[instrument] then
             error(("take_up: the scene has no instrument '%s'"):format(instrument), 2)
         end
         side.instrument = instrument or side.instrument
+        side.wound = wound
         side.present, side.jaw, side.jaw_target = true, 0, 0
         side.hand:put(place)
     end
@@ -228,7 +230,7 @@ function Operator:done() return coroutine.status(self.thread) == "dead" end
 -- What one hand does in the coming step. The wound holds the shaft, wherever one believes it to be.
 local function move(self, side, landmarks, pedal)
     local hold = instruments.held(side.instrument)
-    local wound = landmarks[hold.wound]
+    local wound = landmarks[side.wound or hold.wound]
     local tip = vector.add(side.hand:advance(self.dt), side.tremble())
     side.jaw = towards(side.jaw, side.jaw_target, side.jaw_rate * self.dt)
     local shaft = wound and instruments.shaft(hold, wound.position, tip) or vector.unit({ 0, -1, 0.5 })

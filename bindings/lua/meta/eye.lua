@@ -24,11 +24,12 @@ local eye = {}
 ---surgeon at -y, +x to the surgeon's right. Instruments are withdrawn until the script moves them.
 ---
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
----"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". In place of the
----lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
+---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". With capsule and
+---chamber "vitreous": it comes forward through a hole in the capsule. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe", "spatula",
----and as the last one "microscope", which makes the picture what it shows and stands where its settings leave it.
+---Instruments: "cannula", "cutter", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe",
+---"spatula", "triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
+---where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
 ---assert(eye:step(2))

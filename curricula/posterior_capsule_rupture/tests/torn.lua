@@ -1,0 +1,91 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A hole in the posterior capsule, with the hyaloid behind it whole.
+
+-- The tip over the hole with irrigation, as it was when the edge showed.
+local function found(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
+    t:wait(1)
+    t:expect_event("Capsule torn, hyaloid intact")
+end
+
+-- Viscoelastic over the hole through the side port, until the chamber is full of it.
+local function cover(t)
+    t.cannula:enter { through = "side_port" }
+    t.cannula:move_to({ 0.4, 0.8, -1 }, { speed = 8 })
+    t.cannula:jaw(1)
+    t:wait_until("tamponade.fill > 0.5", 8)
+    t.cannula:jaw(0)
+end
+
+return scenarios {
+    scenario "a hole, covered before the tip leaves" {
+        function(t)
+            found(t)
+            t:set { ["machine.bottle_cm"] = 50 }
+            cover(t)
+            t:expect("tamponade.cover > 0.95 and chamber.depth_share > 0.9")
+            t.phaco:withdraw()
+            t.cannula:withdraw()
+            t:expect_event("Capsule torn, hyaloid intact", { recovered = true, within = 2 })
+            t:expect("capsule.hole_growth <= 0.1")
+            t:expect_no_event("Vitreous")
+        end },
+
+    scenario "a hole, and the tip comes out at once" {
+        function(t)
+            found(t)
+            t.phaco:withdraw()
+            t:wait(0.5)
+            t:expect("capsule.hole_growth > 0.1 and vitreous.hyaloid_broken")
+            t:expect_event("Capsule torn, hyaloid intact", { recovered = false, within = 46 })
+        end },
+
+    scenario "a hole, and aspiration goes on" {
+        function(t)
+            found(t)
+            t.phaco:pedal(2)
+            t:wait(1)
+            t:expect("capsule.hole_growth > 0.1")
+        end },
+
+    scenario "bottle down step by step: the hole stays as it is" {
+        function(t)
+            found(t)
+            for height = 60, 40, -5 do
+                t:set { ["machine.bottle_cm"] = height }
+                t:wait(0.5)
+            end
+            t:expect("capsule.hole_growth <= 0.1 and not vitreous.hyaloid_broken")
+        end },
+
+    scenario "close to a whole capsule" {
+        set = { capsule = { hole_mm = 0 } },
+        silent_twin_of = "Capsule torn, hyaloid intact",
+        function(t)
+            t.phaco:enter()
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
+            t.phaco:move_to({ 0.6, 0.8, -3 }, { speed = 2, stop = "phaco.tip_posterior_mm < 0.1" })
+            t:wait(1)
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 2 })
+            t.phaco:withdraw()
+            t:expect("not capsule.open")
+        end },
+
+    scenario "the tip pushes through a weak capsule" {
+        set = { capsule = { hole_mm = 0, strength = 0.3 } },
+        function(t)
+            t.phaco:enter()
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
+            t.phaco:move_to({ 0.6, 0.8, -6 }, { speed = 2, stop = "capsule.open" })
+            t:wait(0.1)
+            t:expect_event("Capsule torn, hyaloid intact")
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 4 })
+            cover(t)
+            t.phaco:withdraw()
+            t:expect_event("Capsule torn, hyaloid intact", { recovered = true, within = 2 })
+        end },
+}

@@ -1,0 +1,137 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Vitreous in the chamber: cut away, left, pulled at, and not there.
+
+-- As the operation left it: a hole with a broken hyaloid, vitreous before it and a strand in the wound.
+local came = { capsule = { hole_mm = 2.5 }, vitreous = { hyaloid = 0, front_mm3 = 6, wound_mm3 = 1 },
+    tamponade = { fill = 0.3 } }
+local hole = { 0.4, 0.8, -1.5 }
+
+local function inject(t, name, place, seconds)
+    t[name]:enter { through = "side_port" }
+    t[name]:move_to(place, { speed = 15 })
+    t[name]:jaw(1)
+    t:wait(seconds)
+    t[name]:jaw(0)
+    t[name]:withdraw { speed = 15 }
+end
+
+local function cover(t) inject(t, "cannula", hole, 3) end
+local function make_white(t) inject(t, "triamcinolone", { 0, 0.8, 1 }, 0.6) end
+
+-- Cuts before the hole, then along the strand to the wound.
+local function cut(t)
+    t.cutter:enter()
+    t.cutter:pedal(1)
+    t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 10 })
+    t.cutter:pedal(3)
+    t:wait_until("vitreous.front_mm3 < 0.3", 8)
+    t.cutter:move_to({ 0.3, -4.4, 2.3 }, { speed = 5, stop = "vitreous.wound_mm3 < 0.1" })
+    t:wait_until("vitreous.wound_mm3 < 0.1", 4)
+    t.cutter:pedal(1)
+end
+
+return scenarios {
+    scenario "vitreous made white, cut away, and looked for again" {
+        set = came,
+        function(t)
+            t:wait(0.1)
+            t:expect_event("Vitreous")
+            make_white(t)
+            t:expect("vitreous.marked_share > 0.8")
+            cover(t)
+            cut(t)
+            cover(t)
+            t.cutter:withdraw()
+            make_white(t)
+            t:expect_event("Vitreous", { recovered = true, within = 2 })
+            t:expect_no_event("Vitreous pulled")
+        end },
+
+    scenario "vitreous cut away, but nobody looks for what is left" {
+        set = came,
+        function(t)
+            t:wait(0.1)
+            t:expect_event("Vitreous")
+            cover(t)
+            cut(t)
+            cover(t)
+            t.cutter:withdraw()
+            t:expect_event("Vitreous", { recovered = false, within = 121 })
+        end },
+
+    scenario "vitreous sucked in without cutting, pedal up at once" {
+        set = came,
+        function(t)
+            t.phaco:enter()
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0.6, 0.8, -1.5 }, { speed = 8 })
+            t.phaco:pedal(2)
+            t:wait_until("vitreous.traction_mN > 1", 3)
+            t:wait(0.15)
+            t.phaco:pedal(1)
+            t:expect_event("Vitreous pulled", { recovered = true, within = 2 })
+        end },
+
+    scenario "vitreous sucked in without cutting, and drawn up with the tip" {
+        set = came,
+        function(t)
+            t.phaco:enter()
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0.6, 0.8, -1.5 }, { speed = 8 })
+            t.phaco:pedal(2)
+            t:wait_until("vitreous.traction_mN > 1", 3)
+            t.phaco:move_by({ 0, 0, 0.8 }, { speed = 0.5 })
+            t:expect("vitreous.peak_traction_mN > 2")
+            t:expect_event("Vitreous pulled", { recovered = false, within = 3 })
+        end },
+
+    scenario "the cutter sucks before it cuts: it pulls" {
+        set = came,
+        function(t)
+            t:set { ["cutter.cut_first"] = 0, ["cutter.flow_ml_min"] = 30, ["cutter.vacuum_mmhg"] = 500 }
+            t.cutter:enter()
+            t.cutter:pedal(1)
+            t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 8 })
+            t.cutter:pedal(2)
+            t:wait(1)
+            t:expect("vitreous.uncut_s > 0.5 and vitreous.cut_mm3 <= 0 and vitreous.front_mm3 > 6")
+        end },
+
+    scenario "the cutter cuts before it sucks: it does not" {
+        set = came,
+        silent_twin_of = "Vitreous pulled",
+        function(t)
+            t.cutter:enter()
+            t.cutter:pedal(1)
+            t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 8 })
+            t.cutter:pedal(3)
+            t:wait(1)
+            t:expect("vitreous.cut_mm3 > 1 and vitreous.uncut_s <= 0")
+        end },
+
+    scenario "a hole with the hyaloid whole: no vitreous" {
+        set = { tamponade = { fill = 0.6 } },
+        silent_twin_of = "Vitreous",
+        function(t)
+            t.phaco:enter()
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
+            cover(t)
+            t.phaco:withdraw()
+            make_white(t)
+            t:expect("vitreous.front_mm3 <= 0 and vitreous.checked_ml > 0.01")
+        end },
+
+    scenario "the tip sucks at the hyaloid until it breaks" {
+        function(t)
+            t.phaco:enter()
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
+            t:set { ["machine.flow_ml_min"] = 60, ["machine.vacuum_mmhg"] = 500 }
+            t.phaco:pedal(2)
+            t:wait_until("vitreous.hyaloid_broken", 4)
+            t:expect_event("Capsule torn, hyaloid intact")
+            t:wait_until("vitreous.front_mm3 > 1", 3)
+            t:expect_event("Vitreous", { within = 1 })
+        end },
+}
