@@ -23,6 +23,36 @@ function phaco_events.chamber_collapse(own)
     }, own)
 end
 
+--- Fluid that the tubing stored as vacuum is filled from the eye when an occlusion breaks.
+function phaco_events.surge(own)
+    return with({
+        when = "chamber.depth_lost_share > 0.3",
+        recovered = "phaco.pedal < 1.5 and chamber.depth_share > 0.9",
+        deadline_s = 2,
+        near_miss_s = 0,
+        severity = "critical",
+        cue = "The iris and the capsule bounce as the piece clears.",
+        advice = "Surge: pedal to 1 at once and let the chamber fill. Less vacuum, or a higher bottle, before you "
+            .. "go on.",
+        evidence = { "chamber.depth_share", "chamber.lowest_pressure_mmhg", "panel.vacuum_mmhg", "phaco.pedal" },
+    }, own)
+end
+
+--- The posterior capsule is sucked onto the mouth of the tip.
+function phaco_events.capsule_in_tip(own)
+    return with({
+        when = "capsule.captured",
+        recovered = "not capsule.captured and not capsule.open",
+        deadline_s = 1.5,
+        near_miss_s = 0,
+        harm = "capsule.strain_share > 0.9",
+        severity = "critical",
+        cue = "Folds run like a star to the tip.",
+        advice = "The capsule is in the tip: let go of the pedal, and do not pull away while it is held.",
+        evidence = { "capsule.strain_share", "phaco.suction_mmhg", "phaco.pedal" },
+    }, own)
+end
+
 --- Ultrasound is off, and something flows. Into a full chamber flows no more than what leaks at the wound.
 phaco_events.flows_again = "not phaco.ultrasound and (chamber.infusion_ml_min > 5 "
     .. "or (chamber.infusion_ml_min > 1 and chamber.depth_share > 1))"
@@ -76,6 +106,21 @@ function phaco_events.capsule_torn(ready, own)
         advice = "The posterior capsule is torn: stay in with irrigation only, no vacuum, no ultrasound; fill the "
             .. "chamber, then leave. Do not chase what sinks.",
         evidence = { "capsule.hole_mm2", "chamber.diaphragm_mm", "fragments.sunk_mm" },
+    }, own)
+end
+
+--- A piece falls behind the posterior capsule. Not chased: no aspiration, the tip away from the depth.
+function phaco_events.dropped_piece(own)
+    return with({
+        when = "fragments.sunk_mm > 2",
+        recovered = "phaco.pedal < 1.5 and phaco.tip_posterior_mm > 1",
+        deadline_s = 5,
+        near_miss_s = 0,
+        severity = "critical",
+        cue = "A piece grows dim and small, and tumbles away behind the capsule.",
+        advice = "The piece is in the vitreous: do not chase it. Irrigation only, tip up and out of the depth; "
+            .. "it is taken out from behind, later.",
+        evidence = { "fragments.sunk_mm", "capsule.hole_mm2", "phaco.pedal", "phaco.tip_posterior_mm" },
     }, own)
 end
 

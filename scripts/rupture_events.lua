@@ -47,7 +47,7 @@ end
 --- A mouth that sucks on vitreous without cutting it pulls on the retina.
 function rupture_events.pulled(own)
     return with({
-        when = "vitreous.held and vitreous.traction_mN > 1",
+        when = "vitreous.held and vitreous.traction_mN > 0.5",
         hold_s = 0.1,
         recovered = "not vitreous.held",
         deadline_s = 2,

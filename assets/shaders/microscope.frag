@@ -180,6 +180,9 @@ uniform int has_sheets;
 uniform float trypan_blue;
 uniform vec4 folds;  // place where a tip holds the posterior capsule; 1 if it does
 uniform vec4 hole;   // of the posterior capsule: place, radius
+uniform vec4 vitreous;         // ball that it fills before the hole: place, radius
+uniform vec4 vitreous_strand;  // that leads to the wound: place, radius; 0: there is none
+uniform float vitreous_white;  // share that triamcinolone shows
 uniform vec4 crumbs[24];
 uniform int crumb_count;
 
@@ -260,6 +263,41 @@ vec2 crumbs_at(vec3 entry, vec3 way) {
     return look;
 }
 
+// Strands of vitreous across a part of the picture: fibres along `along`, 0 none to 1.
+float fibres(vec2 at, vec2 along) {
+    vec2 across = vec2(-along.y, along.x);
+    vec2 turned = vec2(dot(at, along), dot(at, across));
+    float wave = texture(detail_map, turned * 0.06).r - 0.5;
+    float fine = texture(detail_map, vec2(0.05 * turned.x, 0.7 * turned.y + 0.5 * wave)).r;
+    float coarse = texture(detail_map, vec2(0.03 * turned.x, 0.25 * turned.y + 0.3 * wave) + 0.37).g;
+    return smoothstep(0.35, 0.85, fine) * (0.35 + 0.65 * smoothstep(0.3, 0.7, coarse));
+}
+
+// Vitreous before the hole and on its way to the wound: how much of it the light meets. Clear it hardly shows.
+float vitreous_at(vec3 entry, vec3 way) {
+    float amount = 0.0;
+    if (vitreous.w > 0.0) {
+        vec2 off = (entry + (vitreous.z - entry.z) / way.z * way).xy - vitreous.xy;
+        float share = length(off) / (1.25 * vitreous.w);
+        vec2 along = length(vitreous_strand.xy - vitreous.xy) > 0.1 ? normalize(vitreous_strand.xy - vitreous.xy)
+                                                                    : vec2(0.0, -1.0);
+        amount = smoothstep(1.0, 0.35, share + 0.5 * (texture(detail_map, off * 0.11).r - 0.5)) * fibres(off, along);
+    }
+    if (vitreous_strand.w > 0.0) {
+        vec3 root = vec3(vitreous.xyz);
+        vec3 line = vitreous_strand.xyz - root;
+        vec3 normal = normalize(cross(line, way));
+        vec3 from = entry - root;
+        float beside = dot(from, normal);
+        vec2 at = (entry + (root.z - entry.z) / way.z * way).xy - root.xy;
+        float along = dot(at, normalize(line.xy)) / max(length(line.xy), 0.1);
+        float wide = 0.18 + 0.6 * vitreous_strand.w * (1.0 - 0.6 * clamp(along, 0.0, 1.0));
+        float inside = smoothstep(1.0, 0.4, abs(beside) / wide) * step(0.0, along) * step(along, 1.0);
+        amount = max(amount, inside * (0.25 + 0.75 * fibres(at, normalize(line.xy))));
+    }
+    return amount;
+}
+
 vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float blocked = texelFetch(stop, pixel, 0).r < 1000.0 ? 1.0 : 0.0;
@@ -279,6 +317,8 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     vec3 haze = 0.5 * scattered * (1.0 - exp(-2.0 * depth)) * lamp * lit;
     vec3 behind = reflex * (1.0 - tool.a) * (1.0 - 0.28 * look.steep) + tool.rgb;
     vec3 lens = haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
+    float strands = vitreous_at(entry, way) * (1.0 - tool.a);
+    lens = mix(lens * (1.0 - 0.05 * strands), vec3(0.74, 0.74, 0.72) * lamp, 0.85 * vitreous_white * strands);
     vec2 crumb = crumbs_at(entry, way);
     return mix(lens, (0.04 + 0.16 * crumb.y) * vec3(0.95, 0.85, 0.66) * lamp, 0.85 * crumb.x * (1.0 - tool.a));
 }
@@ -397,8 +437,9 @@ void main() {
 #if PART >= 2
     vec3 deep = under_sheets(pupil_colour(entry, inside, tool, iris_rho)) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
-    float aside = caught_edge.z > 0.0 ? dot(on_iris.xy, caught_edge.xy) / max(iris_rho, 0.01) : -1.0;
-    float edge = pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);
+    float aside = caught_edge.z != 0.0 ? dot(on_iris.xy, caught_edge.xy) / max(iris_rho, 0.01) : -1.0;
+    float edge = caught_edge.z < 0.0 ? pupil_radius + caught_edge.z * (1.0 - exp(-(1.0 - aside) / 0.06))
+                                     : pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);
     deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, iris_rho);
 #if PART == 3
     vec3 inner = deep;

@@ -58,31 +58,9 @@ return exercise {
     },
 
     errors = {
-        error_event "Surge" {
-            when = "chamber.depth_lost_share > 0.3",
-            recovered = "phaco.pedal < 1.5 and chamber.depth_share > 0.9",
-            deadline_s = 2,
-            near_miss_s = 0,
-            severity = "critical",
-            cue = "The iris and the capsule bounce as the piece clears.",
-            advice = "Surge: pedal to 1 at once and let the chamber fill. Less vacuum, or a higher bottle, before you "
-                .. "go on.",
-            items = { "T8", "T11", "G4" },
-            evidence = { "chamber.depth_share", "chamber.lowest_pressure_mmhg", "panel.vacuum_mmhg", "phaco.pedal" },
-        },
+        error_event "Surge" (phaco_events.surge { items = { "T8", "T11", "G4" } }),
         error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
-        error_event "Capsule in the tip" {
-            when = "capsule.captured",
-            recovered = "not capsule.captured and not capsule.open",
-            deadline_s = 1.5,
-            near_miss_s = 0,
-            harm = "capsule.strain_share > 0.9",
-            severity = "critical",
-            cue = "Folds run like a star to the tip.",
-            advice = "The capsule is in the tip: let go of the pedal, and do not pull away while it is held.",
-            items = { "T11", "G4" },
-            evidence = { "capsule.strain_share", "phaco.suction_mmhg", "phaco.pedal" },
-        },
+        error_event "Capsule in the tip" (phaco_events.capsule_in_tip { items = { "T11", "G4" } }),
         error_event "Capsule torn" (phaco_events.capsule_torn(nil, { items = { "T11", "G4" } })),
         error_event "Iris in the tip" {
             when = "iris.captured",
@@ -96,19 +74,7 @@ return exercise {
             items = { "G5", "G4" },
             evidence = { "iris.strain", "phaco.suction_mmhg", "phaco.pedal" },
         },
-        error_event "Dropped piece" {
-            when = "fragments.sunk_mm > 2",
-            -- Not chased: no aspiration, the tip away from the depth.
-            recovered = "phaco.pedal < 1.5 and phaco.tip_posterior_mm > 1",
-            deadline_s = 5,
-            near_miss_s = 0,
-            severity = "critical",
-            cue = "A piece grows dim and small, and tumbles away behind the capsule.",
-            advice = "The piece is in the vitreous: do not chase it. Irrigation only, tip up and out of the depth; "
-                .. "it is taken out from behind, later.",
-            items = { "T11", "G4" },
-            evidence = { "fragments.sunk_mm", "capsule.hole_mm2", "phaco.pedal", "phaco.tip_posterior_mm" },
-        },
+        error_event "Dropped piece" (phaco_events.dropped_piece { items = { "T11", "G4" } }),
         error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "G4" } }),
     },
 

@@ -24,6 +24,7 @@ struct Frame {
     std::vector<Debris> debris;
     std::optional<MicroscopeState> microscope;
     double time_s = 0.0;
+    std::optional<VitreousState> vitreous{};
 };
 
 /// Where the picture is taken from. Orthogonal views are not needed: a microscope is far away.

@@ -19,7 +19,7 @@ enum Opening : std::size_t { capsule_hole, zonule_gap, opening_count };
 struct VitreousModel {
     double push = 0.0;                 ///< of an eye whose vitreous presses, beyond the pressure of the eye [Pa]
     double lag = 0.3;                  ///< with which the pressure behind follows that in front [s]. Proposal
-    double hyaloid_strength = 1500.0;  ///< tension at which the hyaloid breaks over an opening [uN/mm]; 0: broken
+    double hyaloid_strength = 1000.0;  ///< tension at which the hyaloid breaks over an opening [uN/mm]; 0: broken
     double mobility = 1.2e-3;          ///< flow through an opening per pressure and area [mm^3/(s Pa mm^2)]. Proposal
     double chamber_volume = 250.0;     ///< of the anterior chamber [mm^3]
     double injection = 40.0;           ///< of a syringe pressed with full force [mm^3/s]. Proposal

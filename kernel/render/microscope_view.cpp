@@ -30,11 +30,22 @@ double reach_of_wound(const EyeAnatomy& eye, const Vec3& inner_lip, double width
 
 constexpr std::size_t most_crumbs = 24;  ///< that are drawn; as in the shader
 
+/// A strand in the wound holds the pupil's edge there, and the rest comes in: towards the wound, negative [mm].
+Vec3 peaked_edge(const Frame& frame) {
+    if (!frame.vitreous || !(frame.vitreous->wound > 0.0)) {
+        return Vec3::Zero();
+    }
+    constexpr double half = 3.0;  // vitreous in the wound that draws half as far as any [mm^3]
+    const double drawn = 1.1 * frame.vitreous->wound / (frame.vitreous->wound + half);
+    const Vec2 direction = frame.eye->incision.head<2>().normalized();
+    return {direction.x(), direction.y(), -drawn};
+}
+
 /// Where the pupil's edge is drawn into a mouth: its direction from the axis, and how far it has come from where it was
-/// [mm]; 0: it is not.
+/// [mm]; 0: it is not; negative: see above.
 Vec3 caught_edge(const Frame& frame) {
     if (!frame.iris || frame.iris->tool < 0) {
-        return Vec3::Zero();
+        return peaked_edge(frame);
     }
     const Vec2 edge = frame.iris->place.head<2>();
     const Vec2 mouth = frame.tools[frame.iris->tool].pose.position.head<2>();
@@ -50,7 +61,7 @@ double core_radius(const Frame& frame) {
     const double wound = std::min(reach_of_wound(eye, eye.incision, eye.incision_width),
                                   reach_of_wound(eye, eye.side_port, eye.side_port_width));
     const double clear = std::min(wound, eye.limbus_radius - 1.5) / magnified;
-    return std::max(0.0, std::min(opening_of(eye) - 0.25 - caught_edge(frame).z(), clear));
+    return std::max(0.0, std::min(opening_of(eye) - 0.25 - std::abs(caught_edge(frame).z()), clear));
 }
 
 PupilOnScreen pupil_on_screen(const EyeAnatomy& eye, const View& inner) {
@@ -81,6 +92,23 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("side_port_width", eye.side_port_width);
 }
 
+/// The ball that stands on the hole, and the strand from there to the wound.
+void set_vitreous(const Program& program, const Frame& frame) {
+    Eigen::Vector4d ball = Eigen::Vector4d::Zero();
+    Eigen::Vector4d strand = Eigen::Vector4d::Zero();
+    double white = 0.0;
+    if (frame.vitreous && frame.capsule && !frame.bags.empty()) {
+        const double radius = vitreous_radius(vitreous_in_front(*frame.vitreous));
+        const Vec3 place = frame.bags[0].pose.to_world(frame.capsule->hole_place);
+        ball << place + radius * Vec3::UnitZ(), radius;
+        strand << frame.eye->incision, frame.vitreous->wound > 0.0 ? vitreous_radius(frame.vitreous->wound) : 0.0;
+        white = frame.vitreous->marked;
+    }
+    program.set("vitreous", ball);
+    program.set("vitreous_strand", strand);
+    program.set("vitreous_white", white);
+}
+
 /// What a posterior capsule that is held or open shows, an iris that is caught, and crumbs.
 void set_harm(const Program& program, const Frame& frame) {
     Eigen::Vector4d folds = Eigen::Vector4d::Zero();
@@ -93,6 +121,7 @@ void set_harm(const Program& program, const Frame& frame) {
     program.set("folds", folds);
     program.set("hole", hole);
     program.set("caught_edge", caught_edge(frame));
+    set_vitreous(program, frame);
     const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
     program.set("crumb_count", static_cast<int>(crumbs));
     for (std::size_t i = 0; i < crumbs; ++i) {

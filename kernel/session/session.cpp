@@ -462,7 +462,8 @@ Frame Session::frame() const {
             p.state.iris,
             p.state.debris,
             p.state.microscope,
-            p.state.time_s};
+            p.state.time_s,
+            p.state.vitreous};
 }
 
 Snapshot Session::snapshot() const {

@@ -66,7 +66,7 @@ return scenarios {
             t.phaco:pedal(1)
             t.phaco:move_to({ 0.6, 0.8, -1.5 }, { speed = 8 })
             t.phaco:pedal(2)
-            t:wait_until("vitreous.traction_mN > 1", 3)
+            t:wait_until("vitreous.traction_mN > 0.5", 3)
             t:wait(0.15)
             t.phaco:pedal(1)
             t:expect_event("Vitreous pulled", { recovered = true, within = 2 })
@@ -79,9 +79,9 @@ return scenarios {
             t.phaco:pedal(1)
             t.phaco:move_to({ 0.6, 0.8, -1.5 }, { speed = 8 })
             t.phaco:pedal(2)
-            t:wait_until("vitreous.traction_mN > 1", 3)
+            t:wait_until("vitreous.traction_mN > 0.5", 3)
             t.phaco:move_by({ 0, 0, 0.8 }, { speed = 0.5 })
-            t:expect("vitreous.peak_traction_mN > 2")
+            t:expect("vitreous.peak_traction_mN > 1")
             t:expect_event("Vitreous pulled", { recovered = false, within = 3 })
         end },
 
@@ -126,8 +126,9 @@ return scenarios {
         function(t)
             t.phaco:enter()
             t.phaco:pedal(1)
-            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
-            t:set { ["machine.flow_ml_min"] = 60, ["machine.vacuum_mmhg"] = 500 }
+            t.phaco:move_to({ 0.6, 0.8, -2 }, { speed = 8 })
+            t:wait(0.5)
+            t:set { ["machine.flow_ml_min"] = 50, ["machine.vacuum_mmhg"] = 500 }
             t.phaco:pedal(2)
             t:wait_until("vitreous.hyaloid_broken", 4)
             t:expect_event("Capsule torn, hyaloid intact")

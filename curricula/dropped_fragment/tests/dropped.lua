@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A piece behind the posterior capsule: left alone, chased, and none there.
+
+local function come_in(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 2 }, { speed = 8 })
+    t:wait(0.5)
+end
+
+local function cover(t)
+    t.cannula:enter { through = "side_port" }
+    t.cannula:move_to({ -0.4, 0, -1.2 }, { speed = 10 })
+    t.cannula:jaw(1)
+    t:wait_until("tamponade.cover > 0.96 and tamponade.fill > 0.42", 12)
+    t.cannula:jaw(0)
+end
+
+local function chase(t)
+    come_in(t)
+    t:expect("fragments.sunk_mm > 2")
+    t.phaco:pedal(2)
+    t.phaco:move_to({ 0, 0, -3.2 }, { speed = 4, stop = "phaco.tip_posterior_mm < 0.3" })
+    t:wait(0.2)
+    t:expect_event("Piece chased")
+end
+
+return scenarios {
+    scenario "piece left alone, hole covered, then out" {
+        function(t)
+            come_in(t)
+            t:expect_event("Dropped piece")
+            cover(t)
+            t.phaco:withdraw()
+            t.cannula:withdraw()
+            t:expect_event("Dropped piece", { recovered = true, within = 2 })
+            t:expect_no_event("Piece chased")
+        end },
+
+    scenario "piece left alone, but the tip comes out of an uncovered hole" {
+        function(t)
+            come_in(t)
+            t:expect_event("Dropped piece")
+            t.phaco:withdraw()
+            t:expect_event("Dropped piece", { recovered = false, within = 41 })
+        end },
+
+    scenario "piece chased, and given up" {
+        function(t)
+            chase(t)
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0, 0, 2 }, { speed = 6 })
+            t:expect_event("Piece chased", { recovered = true, within = 2 })
+        end },
+
+    scenario "piece chased, and on" {
+        function(t)
+            chase(t)
+            t:expect_event("Piece chased", { recovered = false, within = 4 })
+        end },
+
+    scenario "aspiration in the plane of the iris goes after nothing" {
+        silent_twin_of = "Piece chased",
+        function(t)
+            come_in(t)
+            t.phaco:pedal(1.3)
+            t:wait(1)
+            t.phaco:pedal(1)
+            t:expect("phaco.tip_posterior_mm > 1")
+        end },
+}

@@ -1,0 +1,81 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- A chamber that empties, and the posterior capsule that comes to the tip.
+
+local function come_in(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t:wait(1.5)
+end
+
+local function empty(t)
+    come_in(t)
+    t:set { ["machine.bottle_cm"] = 0, ["machine.flow_ml_min"] = 50 }
+    t.phaco:pedal(2)
+    t:wait_until("chamber.depth_share < 0.4", 10)
+    t:expect_event("Chamber collapse")
+end
+
+-- A hole straight down the middle, between the quarters, until the tip is close to the capsule; pedal at 1.
+local function drill(t)
+    come_in(t)
+    t.phaco:pedal(3)
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < 0.05" })
+end
+
+local function capture(t)
+    t:set { ["machine.vacuum_mmhg"] = 120 }
+    drill(t)
+    t.phaco:pedal(2)
+    t:wait_until("capsule.captured", 5)
+    t:expect_event("Capsule in the tip")
+end
+
+return scenarios {
+    scenario "chamber empty, bottle up and pedal 1" {
+        function(t)
+            empty(t)
+            t:set { ["machine.bottle_cm"] = 95 }
+            t.phaco:pedal(1)
+            t:expect_event("Chamber collapse", { recovered = true, within = 4 })
+        end },
+
+    scenario "chamber empty, and aspiration goes on" {
+        function(t)
+            empty(t)
+            t:expect_event("Chamber collapse", { recovered = false, within = 5 })
+        end },
+
+    scenario "much flow from a bottle that is high enough" {
+        silent_twin_of = "Chamber collapse",
+        function(t)
+            come_in(t)
+            t:set { ["machine.bottle_cm"] = 95, ["machine.flow_ml_min"] = 45 }
+            t.phaco:pedal(2)
+            t:wait(3)
+            t:expect("chamber.depth_share > 0.6")
+        end },
+
+    scenario "capsule in the tip, let go in time" {
+        function(t)
+            capture(t)
+            t.phaco:pedal(1)
+            t:expect_event("Capsule in the tip", { recovered = true, within = 2 })
+        end },
+
+    scenario "capsule in the tip, and held there" {
+        function(t)
+            capture(t)
+            t:expect_event("Capsule in the tip", { recovered = false, within = 3 })
+        end },
+
+    scenario "close to the capsule without aspiration" {
+        silent_twin_of = "Capsule in the tip",
+        function(t)
+            drill(t)
+            t:wait(1)
+            t:expect("phaco.tip_posterior_mm < 0.3")
+        end },
+}

@@ -1,0 +1,61 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Surge when an occlusion breaks: pedal up at once, too late, before it breaks, and with a careful machine.
+
+local careful = { machine = { tubing_mm3_mmhg = 0.15, vacuum_mmhg = 200, bottle_cm = 95 } }
+
+-- From the trench into the far right quarter with ultrasound, and pressed on until it shuts the tip.
+local function occlude(t)
+    t.phaco:enter()
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 6 })
+    t:wait(1.5)
+    t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
+    t.phaco:pedal(3)
+    t.phaco:move_to({ 1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
+    t.phaco:pedal(2)
+    t.phaco:move_to({ 1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
+    t:wait_until("phaco.occlusion > 0.9 and panel.vacuum_mmhg > 180", 6)
+end
+
+local function tear_away(t) t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30 }) end
+
+return scenarios {
+    scenario "the occlusion breaks, pedal up at once" {
+        function(t)
+            occlude(t)
+            t:wait(2)
+            t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30, stop = "chamber.depth_lost_share > 0.3" })
+            t.phaco:pedal(1)
+            t:expect_event("Surge", { recovered = true, within = 3 })
+        end },
+
+    scenario "the occlusion breaks, and the pedal stays down" {
+        function(t)
+            occlude(t)
+            t:wait(2)
+            tear_away(t)
+            t:expect_event("Surge", { recovered = false, within = 6 })
+        end },
+
+    scenario "pedal to 1 and the vacuum gone before the piece is left" {
+        silent_twin_of = "Surge",
+        function(t)
+            occlude(t)
+            t.phaco:pedal(1)
+            t:wait_until("panel.vacuum_mmhg < 20", 3)
+            tear_away(t)
+            t:wait(1)
+            t:expect("chamber.depth_share > 0.9")
+        end },
+
+    scenario "stiff tubing, less vacuum, a higher bottle" {
+        set = careful,
+        silent_twin_of = "Surge",
+        function(t)
+            occlude(t)
+            t:wait(1)
+            tear_away(t)
+            t:wait(1)
+            t:expect("chamber.depth_lost_share < 0.3")
+        end },
+}
