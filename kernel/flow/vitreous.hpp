@@ -13,7 +13,7 @@
 namespace rhexis {
 
 /// Where vitreous can come forward.
-enum Opening : std::size_t { capsule_hole, zonule_gap, opening_count };
+enum VitreousOpening : std::size_t { capsule_hole, zonule_gap, opening_count };
 
 /// Constant while a scene runs.
 struct VitreousModel {
