@@ -53,6 +53,11 @@ struct RunOptions {
     std::string from;
     std::string to;
     bool resume = false;
+    std::string level;
+    std::string mode;
+    std::string eye;
+    std::string hand;
+    std::string language;
 };
 
 Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) {
@@ -75,6 +80,13 @@ Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) 
             return given_one.error();
         }
         set.insert_or_assign(given_one.value().first, given_one.value().second);
+    }
+    for (const auto& [name, value] :
+         {std::pair("level", given.level), std::pair("mode", given.mode), std::pair("patient.side", given.eye),
+          std::pair("handedness", given.hand), std::pair("language", given.language)}) {
+        if (!value.empty()) {
+            set.insert_or_assign(name, value);
+        }
     }
     return set;
 }
@@ -113,11 +125,18 @@ std::string default_folder(const RunOptions& given) {
     return "runs/" + (name.empty() ? "exercise" : name) + "-" + given.surgeon + "-" + std::to_string(given.seed);
 }
 
+void print_objectives(const nlohmann::json& report) {
+    for (const nlohmann::json& objective : report.value("objectives", nlohmann::json::array())) {
+        std::printf("  objective  %s\n", objective.get<std::string>().c_str());
+    }
+}
+
 void print_summary(const RunOptions& given, const std::string& folder, const AttemptResult& result) {
     const nlohmann::json& report = result.report;
     std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), given.surgeon.c_str(),
                 static_cast<unsigned long long>(given.seed),
                 report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
+    print_objectives(report);
     std::printf("  score      %s\n", score_line(report).c_str());
     std::printf("  errors     %zu\n", report["events"].size());
     if (result.html_error.empty()) {
@@ -299,6 +318,13 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--set", given->set, "Change a value: patient.*, goal.*, or a setting (repeatable)")
         ->take_all()
         ->allow_extra_args(false);
+    command->add_option("--level", given->level, "Difficulty: one of the exercise's levels");
+    command->add_option("--mode", given->mode, "teaching: hints and advice are said; exam: none [as the exercise says]")
+        ->check(CLI::IsMember({"teaching", "exam"}));
+    command->add_option("--eye", given->eye, "Which eye of the patient [as the exercise says]")
+        ->check(CLI::IsMember({"right", "left"}));
+    command->add_option("--hand", given->hand, "Of the surgeon, for the main instrument [as the exercise says]")
+        ->check(CLI::IsMember({"right", "left"}));
     command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

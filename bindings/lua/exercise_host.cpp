@@ -82,6 +82,9 @@ ExerciseHost::ExerciseHost(ExerciseHost&&) noexcept = default;
 
 const SceneDescription& ExerciseHost::scene() const { return parts_->exercise.scene(); }
 const json& ExerciseHost::identity() const { return parts_->identity; }
+const std::vector<std::string>& ExerciseHost::objectives() const { return parts_->exercise.objectives(); }
+const std::vector<std::string>& ExerciseHost::levels() const { return parts_->exercise.levels(); }
+Result<json> ExerciseHost::review() { return parts_->exercise.ask("review"); }
 
 Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
     Status status = parts_->exercise.start(schema);

@@ -47,6 +47,14 @@ public:
     [[nodiscard]] const SceneDescription& scene() const;
     [[nodiscard]] const nlohmann::json& identity() const;  ///< {"id","title","version","sha256","time_limit_s"}
 
+    /// What the trainee is to learn, in the language of the run.
+    [[nodiscard]] const std::vector<std::string>& objectives() const;
+
+    /// Names of its levels of difficulty, sorted.
+    [[nodiscard]] const std::vector<std::string>& levels() const;
+    /// What rhexis check tells of an exercise that runs: "faults", "notes", "untranslated", lists of lines. After start.
+    [[nodiscard]] Result<nlohmann::json> review();
+
     /// Once, before the first step.
     Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);
 

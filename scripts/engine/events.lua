@@ -50,7 +50,9 @@ local function raise(self, step, log)
     self.right_since = nil
     self.record = { id = declared.id, title = declared.title, step = step, time_s = self.since,
         severity = declared.severity, items = declared.items or {}, advice = declared.advice, cue = declared.cue,
-        evidence = evidence_of(self), recovered = false, outcome = "open", harmed = false }
+        evidence = evidence_of(self), recovered = false, outcome = "open", harmed = false,
+        consequences = words.as_object({ texts = declared.consequences.texts,
+            settings = words.as_object(declared.consequences.settings) }) }
     table.insert(log.events, self.record)
     log.raised(self.record, declared)
 end

@@ -58,6 +58,14 @@ function words.keys(t)
     return keys
 end
 
+--- Whether a list holds a value.
+function words.has(list, value)
+    for _, one in ipairs(list) do
+        if one == value then return true end
+    end
+    return false
+end
+
 --- Joins a list as a person would: "a, b and c".
 function words.list(items)
     if #items < 2 then return items[1] or "" end
@@ -111,6 +119,9 @@ function words.where(field, from)
     end
     return reading.name .. ":" .. (from or line_of_exercise())
 end
+
+--- Line on which `field = ...` stands at or after line `from`, or `from`.
+function words.line_of(field, from) return tonumber(words.where(field, from):match(":(%d+)$")) end
 
 --- Raises "where: message" without another position before it.
 function words.fail(where, message) error(where .. ": " .. message, 0) end

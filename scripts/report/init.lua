@@ -37,16 +37,35 @@ local function patient_text(patient)
     return table.concat(parts, ", ")
 end
 
+local function incision_text(o)
+    if not o then return nil end
+    return ("%s, at %s degrees; surgeon %s-handed, the nose lies %s, above lies %s"):format(o.incision,
+        number(o.incision_deg, 0), o.handedness, o.nose, o.above)
+end
+
+local function mode_text(report)
+    if not report.mode then return nil end
+    return report.mode .. (report.hints and " (hints and advice said)" or " (no hints)")
+end
+
 local function header(w, report)
     w('<header><div class="head"><div><p class="soft small">rhexis: report of an exercise</p><h1>', e(title_of(report)),
         "</h1>")
     if report.summary then w("<p>", e(report.summary), "</p>") end
+    if #(report.objectives or {}) > 0 then
+        w("<p><b>Objectives:</b></p><ul>")
+        for _, objective in ipairs(report.objectives) do w("<li>", e(objective), "</li>") end
+        w("</ul>")
+    end
     w('<ul class="facts">')
     local function fact(name, value)
         if value then w("<li>", name, " <b>", e(value), "</b></li>") end
     end
     fact("By", who(report))
     fact("Patient", patient_text(report.patient))
+    fact("Incision", incision_text(report.orientation))
+    fact("Level", report.level)
+    fact("Mode", mode_text(report))
     fact("Time", time(report.duration_s))
     w("</ul></div>", scores.badge(report.osacss), "</div></header>")
 end
@@ -109,10 +128,23 @@ local function evidence_text(evidence)
     return table.concat(parts, " · ")
 end
 
+local function consequences_text(consequences)
+    local parts, names = {}, {}
+    for _, text in ipairs(consequences and consequences.texts or {}) do parts[#parts + 1] = text end
+    for name in pairs(consequences and consequences.settings or {}) do names[#names + 1] = name end
+    table.sort(names)
+    for _, name in ipairs(names) do
+        parts[#parts + 1] = name .. " set to " .. number(consequences.settings[name], 3)
+    end
+    return table.concat(parts, " ")
+end
+
 local function occurrence(w, event)
     local outcome = outcomes[event.outcome] or outcomes[event.recovered and "recovered" or "not_recovered"]
     w('<li>at ', time(event.time_s), ' <span class="tag ', outcome[2], '">', outcome[1],
         event.recovery_s and " after " .. time(event.recovery_s) or "", "</span>")
+    local followed = consequences_text(event.consequences)
+    if followed ~= "" then w('<br><span class="soft small">What the exercise let follow: ', e(followed), "</span>") end
     local evidence = evidence_text(event.evidence)
     if evidence ~= "" then w('<br><span class="soft small">Measured then: ', e(evidence), "</span>") end
     w("</li>")
