@@ -98,6 +98,10 @@ local exercise_rules = {
     advance = { kind = "text", default = "automatic", choices = { "automatic", "explicit", "implicit" } },
 }
 
+for _, field in ipairs({ "tissues", "instruments" }) do
+    for _, name in ipairs(exercise_rules[field].choices) do words.parts[#words.parts + 1] = name end
+end
+
 -- A level of difficulty: what it changes of the exercise.
 local level_rules = {
     meaning = { kind = "text" },           -- in a few words

@@ -23,8 +23,10 @@ constexpr const char* help =
     "  rhexis check curricula/groove\n"
     "  rhexis check my_exercise/ other.lua my_exercise/tests/iris.lua\n"
     "\n"
-    "Each mistake is one line, file:line first: misspelt names with the near ones, settings out of range, steps that are\n"
-    "never reached, conditions that never change, recoveries that can never hold. Then what the trainee is to learn, the\n"
+    "Each mistake is one line, file:line first: misspelt names with the near ones, settings out of range, steps that "
+    "are\n"
+    "never reached, conditions that never change, recoveries that can never hold. Then what the trainee is to learn, "
+    "the\n"
     "levels, and the texts that lack a translation.\n"
     "Of scenario tests it checks form, exercise, settings and start; rhexis test runs them.";
 
@@ -61,7 +63,7 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     }
     Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
     if (!started) {
-        return started;
+        return started.error();
     }
     for (int step = 0; step <= dry_steps && !host.value().finished(); ++step) {
         const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
@@ -143,8 +145,7 @@ Result<Findings> check_levels(const std::string& path, const Context& context) {
     }
     Result<Findings> found = dry_run({path, "none", 1, {}, context.root});
     for (const std::string& level : host.value().levels()) {
-        const Result<Findings> harder =
-            found ? dry_run({path, "none", 1, {{"level", level}}, context.root}) : found;
+        const Result<Findings> harder = found ? dry_run({path, "none", 1, {{"level", level}}, context.root}) : found;
         if (!harder) {
             return found ? Error{"level " + level + ": " + harder.error().text(), "", ""} : found.error();
         }

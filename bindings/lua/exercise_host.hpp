@@ -52,7 +52,8 @@ public:
 
     /// Names of its levels of difficulty, sorted.
     [[nodiscard]] const std::vector<std::string>& levels() const;
-    /// What rhexis check tells of an exercise that runs: "faults", "notes", "untranslated", lists of lines. After start.
+    /// What rhexis check tells of an exercise that runs: "faults", "notes", "untranslated", lists of lines. After
+    /// start.
     [[nodiscard]] Result<nlohmann::json> review();
 
     /// Once, before the first step.

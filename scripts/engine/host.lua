@@ -75,8 +75,8 @@ end
 --- The scene that the exercise asks for.
 function host.scene()
     local exercise = host.exercise
-    return { title = exercise.title, objectives = exercise.objectives, levels = words.keys(exercise.levels), version = exercise.version,
-        surgeon = exercise.surgeon,
+    return { title = exercise.title, objectives = exercise.objectives, levels = words.keys(exercise.levels),
+        version = exercise.version, surgeon = exercise.surgeon,
         patient = words.as_object(exercise.patient), tissues = exercise.tissues, instruments = exercise.instruments,
         settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance,
         time_limit_s = exercise.time_limit_s, goals = words.as_object(exercise.goals) }
