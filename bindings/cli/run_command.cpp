@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis run: one attempt at an exercise, by a virtual surgeon or by nobody.
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -60,7 +61,20 @@ struct RunOptions {
     std::string language;
 };
 
-Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) {
+/// The language that the environment asks for, where the shared scripts have texts in it; empty: English.
+std::string language_of_environment(const std::string& root) {
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (value != nullptr && *value != '\0') {
+            const std::string language = std::string(value).substr(0, 2);
+            std::error_code ignored;
+            return std::filesystem::exists(root + "/scripts/texts/" + language + ".lua", ignored) ? language : "";
+        }
+    }
+    return "";
+}
+
+Result<std::map<std::string, std::string>> settings_of(const RunOptions& given, const std::string& root) {
     std::map<std::string, std::string> set;
     if (!given.patient.empty()) {
         const Result<Patient> patient = read_patient(given.patient);
@@ -83,7 +97,8 @@ Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) 
     }
     for (const auto& [name, value] :
          {std::pair("level", given.level), std::pair("mode", given.mode), std::pair("patient.side", given.eye),
-          std::pair("handedness", given.hand), std::pair("language", given.language)}) {
+          std::pair("handedness", given.hand),
+          std::pair("language", given.language.empty() ? language_of_environment(root) : given.language)}) {
         if (!value.empty()) {
             set.insert_or_assign(name, value);
         }
@@ -237,7 +252,7 @@ int run(const RunOptions& given, const Context& context) {
     if (const Status status = check_range("--limit", given.limit_s, shortest_limit, longest_limit); !status) {
         return complain(status.error());
     }
-    Result<std::map<std::string, std::string>> set = settings_of(given);
+    Result<std::map<std::string, std::string>> set = settings_of(given, context.root);
     if (!set) {
         return complain(set.error());
     }
@@ -325,6 +340,8 @@ void add_run(CLI::App& app, Context& context) {
         ->check(CLI::IsMember({"right", "left"}));
     command->add_option("--hand", given->hand, "Of the surgeon, for the main instrument [as the exercise says]")
         ->check(CLI::IsMember({"right", "left"}));
+    command->add_option("--language", given->language,
+                        "Of all texts: en, fr, ... [as LANG says, where there are texts]");
     command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What rhexis check finds in an exercise that loads and runs: steps that are never reached, conditions that never change
--- or can never hold, errors that can never be put right; and what its reader should know besides.
+-- What rhexis check finds in an exercise that loads and runs: steps that are never reached, conditions that never
+-- change or can never hold, errors that can never be put right; and what its reader should know besides.
 
 local satisfy = require "engine.satisfy"
 local texts = require "engine.texts"
@@ -67,7 +67,8 @@ function Review:steps()
             if way.late then reached[step.next_late_at or step.next_at or i + 1] = true end
             if not way.done and not way.late then blocked = step end
         elseif blocked then
-            self:fault(step.where, "step '%s' is never reached: step '%s' before it never ends", step.name, blocked.name)
+            self:fault(step.where, "step '%s' is never reached: step '%s' before it never ends", step.name,
+                blocked.name)
         else
             self:fault(step.where, "step '%s' is never reached: the steps before it lead past it", step.name)
         end

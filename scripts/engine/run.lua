@@ -57,6 +57,7 @@ end
 function Run.new(exercise, schema)
     local self = setmetatable({ exercise = exercise, events = {}, commands = {}, time_s = 0 }, Run)
     self.t = exercise.translated or function(text) return text end
+    scoring.translate_with(self.t)
     self.eye = Eye.new(schema, exercise.goals)
     self.act = actions(self)
     self.log = event_log(self)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Whether a condition written as text can ever hold, found from its form alone: "x < 1 and x > 2" cannot, whatever x is.
--- Goals count as the numbers that they are; measures may be anything, but one and the same at a time. What cannot be
--- decided is taken to be possible.
+-- Whether a condition written as text can ever hold, found from its form alone: "x < 1 and x > 2" cannot, whatever x
+-- is. Goals count as the numbers that they are; measures may be anything, but one and the same at a time. What cannot
+-- be decided is taken to be possible.
 
 local satisfy = {}
 

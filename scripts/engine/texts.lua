@@ -13,7 +13,9 @@ texts.shared = { "fr" }
 local files = {}  -- language -> table, of files beside the curriculum
 
 local function check_table(given, owner)
-    if type(given) ~= "table" then words.fail(owner, "a file of texts must end with: return { [\"English\"] = ... }") end
+    if type(given) ~= "table" then
+        words.fail(owner, "a file of texts must end with: return { [\"English\"] = ... }")
+    end
     for key, value in pairs(given) do
         if type(key) ~= "string" or type(value) ~= "string" or value == "" then
             words.fail(owner, ("texts must be pairs [\"English\"] = \"translated\", not %s"):format(tostring(key)))
