@@ -212,6 +212,15 @@ function Sheet:tick(time_s)
     end
 end
 
+--- Goes on where the sheet of the same attempt had come to before its exercise was changed. measures: of Sheet:carried.
+function Sheet:take_up(measures)
+    for _, line in ipairs(self.lines) do
+        for _, open in ipairs(line.open) do
+            if not open.missing then take_up(open, measures[open.measure.id]) end
+        end
+    end
+end
+
 --- What a sheet needs that goes on with this one in the next part of an operation: { time_s, measures }.
 function Sheet:carried(time_s)
     local measures = words.as_object({})

@@ -59,6 +59,7 @@ struct RunOptions {
     std::string eye;
     std::string hand;
     std::string language;
+    bool watch = false;
 };
 
 /// The language that the environment asks for, where the shared scripts have texts in it; empty: English.
@@ -244,6 +245,7 @@ AttemptOptions attempt_options(const RunOptions& given, std::map<std::string, st
     options.threads = given.threads;
     options.instruction_set = given.instruction_set;
     options.limit_s = given.limit_s;
+    options.watch = given.watch;
     options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
     return options;
 }
@@ -342,6 +344,7 @@ void add_run(CLI::App& app, Context& context) {
         ->check(CLI::IsMember({"right", "left"}));
     command->add_option("--language", given->language,
                         "Of all texts: en, fr, ... [as LANG says, where there are texts]");
+    command->add_flag("--watch", given->watch, "Read the exercise again between two steps when its files have changed");
     command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

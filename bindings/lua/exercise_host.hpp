@@ -76,6 +76,13 @@ public:
     /// Those that were raised so far: [{"id", "title", "time_s", "outcome", "recovery_s"}].
     [[nodiscard]] Result<nlohmann::json> events();
 
+    /// Whether the turn has just come to another step of the exercise.
+    Result<bool> at_boundary();
+    /// Reads the exercise again if its files have changed, and goes on with it where it was: steps, events and scores
+    /// of the same names keep what is known of them. Gives the commands that its changed settings need; nothing when no
+    /// file has changed. Refused, and the exercise stays as it was, where it has mistakes or wants another scene.
+    Result<std::optional<std::vector<Command>>> reload();
+
     /// Watches for a moment of the run: a condition, as the exercise may write it. After start; where: for messages.
     Status watch(const std::string& when, const std::string& where);
     /// Whether that moment is now.

@@ -121,6 +121,19 @@ function Watch:tick(time_s, step, log)
     end
 end
 
+--- What the watch of a changed exercise goes on from. index_of: of a record in the list of events.
+function Watch:left(index_of)
+    return { id = self.declared.id, state = self.state, since = self.since, right_since = self.right_since,
+        calm_since = self.calm_since, record = self.record and index_of[self.record] }
+end
+
+--- Goes on where the event of the same name had come to. records: the events so far.
+function Watch:take_up(left, records)
+    self.state, self.since, self.right_since, self.calm_since = left.state, left.since, left.right_since,
+        left.calm_since
+    self.record = left.record and records[left.record]
+end
+
 --- The exercise is over: what is still open was not put right.
 function Watch:finish(time_s, log)
     if self.state == "raised" then close(self, "not_recovered", time_s, log) end

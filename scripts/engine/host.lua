@@ -98,6 +98,13 @@ end
 
 function host.observe(time_s) return host.run:observe(time_s, host.row) end
 
+--- Whether the turn has just come to another step: when a changed exercise may be taken up.
+function host.at_boundary() return host.run ~= nil and not host.run.finished and host.run.steps:has_turned() end
+
+--- Of the exercise as it was, and to the exercise as it is now, after start.
+function host.left() return host.run:left() end
+function host.take_up(left) host.run:take_up(left) end
+
 function host.finished() return host.run ~= nil and host.run.finished == true end
 
 --- The error events so far.

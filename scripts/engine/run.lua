@@ -104,6 +104,30 @@ function Run:observe(time_s, row)
     return self.commands
 end
 
+--- What the run of a changed exercise goes on from: steps, events and scores so far.
+function Run:left()
+    local index_of, watches = {}, {}
+    for i, record in ipairs(self.events) do index_of[record] = i end
+    for i, watch in ipairs(self.watches) do watches[i] = watch:left(index_of) end
+    return { time_s = self.time_s, steps = self.steps:left(), events = self.events, watches = watches,
+        score = self.sheet and self.sheet:carried(self.time_s).measures }
+end
+
+--- Goes on where the run of the exercise before it was changed had come to. Steps, events and measures of the same name
+--- keep what is known of them; the others begin now.
+function Run:take_up(left)
+    self.time_s, self.events = left.time_s, left.events
+    self.log.events = self.events
+    for _, record in ipairs(self.events) do words.as_object(record.evidence) end
+    local known = {}
+    for _, watch in ipairs(left.watches) do known[watch.id] = watch end
+    for _, watch in ipairs(self.watches) do
+        if known[watch.declared.id] then watch:take_up(known[watch.declared.id], self.events) end
+    end
+    self.steps:take_up(left.steps, left.time_s)
+    if self.sheet and left.score then self.sheet:take_up(left.score) end
+end
+
 --- The part of report.json that the exercise knows, as far as it has come..
 function Run:result()
     local exercise = self.exercise

@@ -65,7 +65,7 @@ end
 -- The turn of step `at` has come.
 local function turn_to(self, at, time_s)
     for i = self.at + 1, math.min(at - 1, #self.declared) do self.records[i].skipped = true end
-    self.at, self.turn_s = at, time_s
+    self.at, self.turn_s, self.turned = at, time_s, true
     if not self.declared[at] then return end
     self.waiting = true
     if entered(self) then enter(self, time_s) end
@@ -76,7 +76,7 @@ local function give_hint(self, time_s)
     local step = self.declared[self.at]
     if self.hint and not self.waiting and time_s - self.records[self.at].start_s >= step.hint_after_s - 1e-9 then
         self.act.hint(self.hint)
-        self.hint = nil
+        self.hinted, self.hint = self.hint, nil
     end
 end
 
@@ -134,6 +134,48 @@ function Runner:tick(time_s)
         if completed or late then finish(self, completed, late, time_s) end
     end
     if self.declared[self.at] then give_hint(self, time_s) end
+end
+
+--- True once after each time that the turn has come to another step.
+function Runner:has_turned()
+    local turned = self.turned
+    self.turned = false
+    return turned == true
+end
+
+--- What the steps of a changed exercise go on from: see take_up.
+function Runner:left() return { steps = self.records, at = self:turn(), hinted = self.hinted } end
+
+--- Id of the step whose turn it is, begun or not.
+function Runner:turn() return self.declared[self.at] and self.declared[self.at].id end
+
+-- The place in the list of the step whose turn it is: by its name, or the first that has not had its turn.
+local function place_of(self, id)
+    for i, step in ipairs(self.declared) do
+        if step.id == id then return i end
+    end
+    for i, record in ipairs(self.records) do
+        if not record.end_s and not record.skipped and not record.not_entered then return i end
+    end
+    return #self.declared + 1
+end
+
+--- Goes on where the steps of the exercise before it was changed had come to: what is known of steps of the same name
+--- stays known.
+function Runner:take_up(left, time_s)
+    local known = {}
+    for _, record in ipairs(left.steps) do known[record.id] = record end
+    for i, record in ipairs(self.records) do
+        local before = known[record.id]
+        if before and record.id ~= left.at then
+            self.records[i] = before
+            before.title = record.title
+        end
+    end
+    local at = place_of(self, left.at)
+    self.at = at
+    turn_to(self, at, time_s)
+    if self.hint and self.hint == left.hinted then self.hint = nil end
 end
 
 --- Ends the step that runs, undone.
