@@ -47,6 +47,9 @@ Patient patient_from(const json& given) {
 json settings_known() {
     json list = json::array();
     for (const SettingInfo& info : setting_table()) {
+        if (info.name.empty()) {
+            continue;
+        }
         list.push_back({{"name", info.name},
                         {"from", info.minimum},
                         {"to", info.maximum},

@@ -294,8 +294,9 @@ return {
     ["The cuts are where the groups of Saleh et al. 2007 part."] =
         "Les limites sont celles qui séparent les groupes de Saleh et coll. 2007.",
     ["Each item has 1 to 5 points. These scores have not been validated clinically; thresholds marked “proposal” "
-        .. "have no published ground."] = "Chaque critère vaut 1 à 5 points. Ces notes ne sont pas validées cliniquement ; les "
-        .. "seuils marqués « proposal » n'ont pas d'origine publiée.",
+        .. "have no published ground."] =
+        "Chaque critère vaut 1 à 5 points. Ces notes ne sont pas validées cliniquement ; "
+        .. "les seuils marqués « proposal » n'ont pas d'origine publiée.",
 
     -- report: pictures
     ["Pictures"] = "Images",

@@ -183,7 +183,10 @@ Result<std::vector<Base>> make_bases(const std::string& root, int steps) {
 Outcome curriculum_case(const CurriculaPlan& plan, std::uint64_t number) {
     Random random(plan.seed * 1'000'003 + number);
     const Base& base = (*plan.bases)[pick(random, plan.bases->size())];
-    const std::string text = pick(random, 4) == 0 ? mutate_bytes(base.text, random) : mutate_tokens(base.text, random);
+    const std::size_t way = pick(random, 10);
+    const std::string text = way < 2   ? mutate_bytes(base.text, random)
+                             : way < 5 ? mutate_tokens(base.text, random)
+                                       : mutate_meaning(base.text, random);
     const std::string folder = plan.work + "/case";
     fs::create_directories(folder);
     std::ofstream(folder + "/curriculum.lua", std::ios::binary) << text;

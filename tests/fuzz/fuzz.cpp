@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include "cli/places.hpp"
@@ -22,7 +24,7 @@ struct Options {
     std::uint64_t curricula = 200;
     std::uint64_t recordings = 200;
     std::uint64_t seed = 1;
-    std::uint64_t first = 0;
+    std::uint64_t first = 1;
     unsigned limit_s = 60;
 };
 
@@ -50,7 +52,7 @@ std::map<std::string, std::string> names_in(const std::string& folder) {
 }
 
 /// Prints a table of outcomes; returns the number of faults.
-int tell(const char* what, const std::vector<Told>& all) {
+int tell(const char* what, const std::vector<Told>& all, double seconds) {
     std::map<std::string, std::uint64_t> kinds;
     std::uint64_t long_enough = 0;
     int faults = 0;
@@ -68,10 +70,16 @@ int tell(const char* what, const std::vector<Told>& all) {
     for (const auto& [kind, count] : kinds) {
         std::printf(" %s %llu", kind.c_str(), static_cast<unsigned long long>(count));
     }
-    std::printf("; %.1f %% ran at least %llu steps; %d faults\n",
+    std::printf("; %.1f %% ran at least %llu steps; %d faults; %.0f s\n",
                 all.empty() ? 0.0 : 100.0 * static_cast<double>(long_enough) / static_cast<double>(all.size()),
-                static_cast<unsigned long long>(many_steps), faults);
+                static_cast<unsigned long long>(many_steps), faults, seconds);
     return faults;
+}
+
+int timed(const char* what, const std::function<std::vector<Told>()>& cases) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Told> all = cases();
+    return tell(what, all, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
 }
 
 int run(const Options& options) {
@@ -93,8 +101,10 @@ int run(const Options& options) {
         }
         CurriculaPlan plan{root, work, options.seed};
         plan.bases = &bases.value();
-        faults += tell("curricula", run_batches(options.first, options.curricula, options.limit_s,
-                                                [&](std::uint64_t n) { return curriculum_case(plan, n); }));
+        faults += timed("curricula", [&] {
+            return run_batches(options.first, options.curricula, options.limit_s,
+                               [&](std::uint64_t n) { return curriculum_case(plan, n); });
+        });
     }
     if (options.recordings > 0) {
         const Result<std::vector<std::string>> recordings = make_recordings(root, work);
@@ -103,8 +113,10 @@ int run(const Options& options) {
             return 2;
         }
         const RecordingsPlan plan{work, options.seed, &recordings.value()};
-        faults += tell("recordings", run_batches(options.first, options.recordings, options.limit_s,
-                                                 [&](std::uint64_t n) { return recording_case(plan, n); }));
+        faults += timed("recordings", [&] {
+            return run_batches(options.first, options.recordings, options.limit_s,
+                               [&](std::uint64_t n) { return recording_case(plan, n); });
+        });
     }
     const bool stray = listing(root) != before || !names_in(elsewhere).empty() || names_in(place).size() != 2;
     std::printf("files outside its own folder: %s\n", stray ? "SOME" : "none");

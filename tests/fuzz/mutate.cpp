@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstring>
 #include <limits>
+#include <regex>
 #include <utility>
 
 namespace rhexis::fuzz {
@@ -59,10 +60,49 @@ std::string spoil_token(const std::string& token, Random& random) {
     return odd_numbers[pick(random, odd_numbers.size())];
 }
 
+/// 'n' number, 'w' word, 'q' text in quotes, ' ' space, else a sign.
+char kind_of(const std::string& token) {
+    if (token.empty() || std::isspace(static_cast<unsigned char>(token[0])) != 0) {
+        return ' ';
+    }
+    if (token[0] == '"' || token[0] == '\'') {
+        return 'q';
+    }
+    return !is_word(token[0]) ? token[0] : std::isdigit(static_cast<unsigned char>(token[0])) != 0 ? 'n' : 'w';
+}
+
+/// A token that is no space.
+std::size_t pick_token(const std::vector<std::string>& tokens, Random& random) {
+    for (int tries = 0; tries < 50; ++tries) {
+        const std::size_t at = pick(random, tokens.size());
+        if (kind_of(tokens[at]) != ' ') {
+            return at;
+        }
+    }
+    return 0;
+}
+
+/// Most changes keep the kind of a token, so that the text still reads as a curriculum and goes wrong later.
 void change_tokens(std::vector<std::string>& tokens, Random& random) {
-    const std::size_t at = pick(random, tokens.size());
-    const std::size_t other = pick(random, tokens.size());
-    switch (pick(random, 6)) {
+    std::size_t at = pick_token(tokens, random);
+    std::size_t other = pick_token(tokens, random);
+    if (pick(random, 4) != 0) {
+        for (int tries = 0; tries < 50 && !(kind_of(tokens[at]) == 'n' || kind_of(tokens[at]) == 'q'); ++tries) {
+            at = pick_token(tokens, random);
+        }
+        for (int tries = 0; tries < 50 && kind_of(tokens[at]) != kind_of(tokens[other]); ++tries) {
+            other = pick_token(tokens, random);
+        }
+        if (pick(random, 2) == 0) {
+            std::swap(tokens[at], tokens[other]);
+        } else {
+            tokens[at] = kind_of(tokens[at]) == kind_of(tokens[other]) && pick(random, 2) == 0
+                             ? tokens[other]
+                             : spoil_token(tokens[at], random);
+        }
+        return;
+    }
+    switch (pick(random, 4)) {
         case 0:
             tokens[at].clear();
             break;
@@ -72,11 +112,8 @@ void change_tokens(std::vector<std::string>& tokens, Random& random) {
         case 2:
             std::swap(tokens[at], tokens[other]);
             break;
-        case 3:
-            tokens[at] = tokens[other];
-            break;
         default:
-            tokens[at] = spoil_token(tokens[at], random);
+            tokens[at] = tokens[other];
     }
 }
 
@@ -134,7 +171,7 @@ std::vector<std::string> tokens_of(std::string_view text) {
 
 std::string mutate_tokens(const std::string& text, Random& random) {
     std::vector<std::string> tokens = tokens_of(text);
-    for (std::size_t n = 1 + pick(random, 4); n > 0 && !tokens.empty(); --n) {
+    for (std::size_t n = 1 + pick(random, 3); n > 0 && !tokens.empty(); --n) {
         change_tokens(tokens, random);
     }
     std::string joined;
@@ -142,6 +179,37 @@ std::string mutate_tokens(const std::string& text, Random& random) {
         joined += token;
     }
     return joined;
+}
+
+std::string mutate_meaning(const std::string& text, Random& random) {
+    static const std::regex wanted(R"(\b\d+\.?\d*\b|[<>]=?|\b(and|or)\b|\b[a-z_]+\.[a-z_]+\b)");
+    std::string changed = text;
+    for (std::size_t n = 1 + pick(random, 5); n > 0; --n) {
+        std::vector<std::pair<std::size_t, std::size_t>> places;
+        for (std::sregex_iterator at(changed.begin(), changed.end(), wanted), end; at != end; ++at) {
+            places.emplace_back(at->position(), at->length());
+        }
+        if (places.empty()) {
+            break;
+        }
+        const auto [at, size] = places[pick(random, places.size())];
+        const auto [other, other_size] = places[pick(random, places.size())];
+        const std::string one = changed.substr(at, size);
+        std::string instead = changed.substr(other, other_size);
+        if (std::isdigit(static_cast<unsigned char>(one[0])) != 0) {
+            static constexpr std::array<double, 6> factors{0.0, 0.5, 0.9, 1.1, 2.0, 10.0};
+            instead = std::to_string(std::stod(one) * factors[pick(random, factors.size())]);
+        } else if (one[0] == '<' || one[0] == '>') {
+            instead = pick(random, 2) == 0 ? "<" : ">=";
+        } else if (one == "and" || one == "or") {
+            instead = one == "and" ? "or" : "and";
+        } else if (instead.find('.') == std::string::npos ||
+                   std::isdigit(static_cast<unsigned char>(instead[0])) != 0) {
+            continue;
+        }
+        changed.replace(at, size, instead);
+    }
+    return changed;
 }
 
 std::string mutate_bytes(const std::string& bytes, Random& random) {

@@ -13,7 +13,8 @@
 namespace rhexis::fuzz {
 namespace {
 
-constexpr std::size_t replayed_steps = 5;
+constexpr std::size_t replayed_steps = 8;
+constexpr std::uint64_t replayed_each = 5;  ///< building an eye takes a tenth of a second and more
 
 std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -41,7 +42,7 @@ std::string mutate_chunks(const std::string& bytes, Random& random) {
         at += view.size;
     }
     const std::size_t one =
-        pick(random, 3) == 0 ? pick(random, std::min<std::size_t>(3, chunks.size())) : pick(random, chunks.size());
+        pick(random, 2) == 0 ? pick(random, std::min<std::size_t>(8, chunks.size())) : pick(random, chunks.size());
     switch (pick(random, 8)) {
         case 0:
             std::swap(chunks[one], chunks[pick(random, chunks.size())]);
@@ -104,6 +105,9 @@ Outcome recording_case(const RecordingsPlan& plan, std::uint64_t number) {
     Recording& read = recording.value();
     if (read.fault.find('\n') != std::string::npos) {
         return {"read", 0, "a fault of several lines: " + read.fault};
+    }
+    if (number % replayed_each != 0) {
+        return {"read", 0, ""};
     }
     read.steps.resize(std::min(read.steps.size(), replayed_steps));
     read.header.scene.threads = 1;
