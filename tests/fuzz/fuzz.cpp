@@ -2,9 +2,9 @@
 // rhexis_fuzz: spoilt curricula and recordings. No crash, no hang, no file outside its own folder. docs/fuzz.md.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -125,17 +125,37 @@ int run(const Options& options) {
     return faults > 0 || stray ? 1 : 0;
 }
 
+/// --curricula, --recordings, --seed, --first, --limit, each with a whole number. False on anything else.
+bool read_options(int argc, char** argv, Options& options) {
+    std::uint64_t limit = options.limit_s;
+    const std::map<std::string, std::uint64_t*> known{{"--curricula", &options.curricula},
+                                                      {"--recordings", &options.recordings},
+                                                      {"--seed", &options.seed},
+                                                      {"--first", &options.first},
+                                                      {"--limit", &limit}};
+    for (int i = 1; i < argc; i += 2) {
+        const auto option = known.find(argv[i]);
+        char* end = nullptr;
+        const std::uint64_t value = i + 1 < argc ? std::strtoull(argv[i + 1], &end, 10) : 0;
+        if (option == known.end() || end == nullptr || end == argv[i + 1] || *end != '\0') {
+            return false;
+        }
+        *option->second = value;
+    }
+    options.limit_s = static_cast<unsigned>(limit);
+    return true;
+}
+
 }  // namespace
 }  // namespace rhexis::fuzz
 
 int main(int argc, char** argv) {
-    CLI::App app("Spoilt curricula and recordings: no crash, no hang, no file outside a folder of its own.");
     rhexis::fuzz::Options options;
-    app.add_option("--curricula", options.curricula, "How many")->capture_default_str();
-    app.add_option("--recordings", options.recordings, "How many")->capture_default_str();
-    app.add_option("--seed", options.seed, "Of all chance")->capture_default_str();
-    app.add_option("--first", options.first, "Number of the first case: to repeat one")->capture_default_str();
-    app.add_option("--limit", options.limit_s, "Wall clock of a case [s]")->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
+    if (!rhexis::fuzz::read_options(argc, argv, options)) {
+        std::fprintf(stderr,
+                     "rhexis_fuzz [--curricula N] [--recordings N] [--seed N] [--first NUMBER] [--limit SECONDS]\n"
+                     "Spoilt curricula and recordings: no crash, no hang, no file outside a folder of its own.\n");
+        return 2;
+    }
     return rhexis::fuzz::run(options);
 }
