@@ -70,9 +70,12 @@ int tell(const char* what, const std::vector<Told>& all, double seconds) {
     for (const auto& [kind, count] : kinds) {
         std::printf(" %s %llu", kind.c_str(), static_cast<unsigned long long>(count));
     }
-    std::printf("; %.1f %% ran at least %llu steps; %d faults; %.0f s\n",
-                all.empty() ? 0.0 : 100.0 * static_cast<double>(long_enough) / static_cast<double>(all.size()),
-                static_cast<unsigned long long>(many_steps), faults, seconds);
+    if (std::string(what) == "curricula" && !all.empty()) {
+        std::printf("; %.1f %% ran at least %llu steps",
+                    100.0 * static_cast<double>(long_enough) / static_cast<double>(all.size()),
+                    static_cast<unsigned long long>(many_steps));
+    }
+    std::printf("; %d faults; %.0f s\n", faults, seconds);
     return faults;
 }
 
