@@ -20,6 +20,8 @@
 -- (function(eye) return eye.groove.length_mm > 4 end), or a list of either that must come true in that order.
 
 local fields = require "engine.fields"
+local settings_check = require "engine.settings_check"
+local texts = require "engine.texts"
 local words = require "engine.words"
 
 local language = {}
@@ -27,9 +29,14 @@ local language = {}
 local step_rules = {
     title = { kind = "text" },             -- what the trainee reads; the name of the step if missing
     hint = { kind = "text" },              -- said when the step begins, in teaching mode
+    hint_after_s = { kind = "number", default = 0, from = 0, to = 7200 },  -- or only if it is not done by then
+    enter_when = { kind = "condition" },   -- the step begins once this holds
+    enter_limit_s = { kind = "number", from = 0.1, to = 7200 },  -- it is left out when it has not begun by then
     done = { kind = "condition" },         -- the step is complete
     script = { kind = "call" },            -- function(eye, act): act.say, .wait, .wait_until, .picture, .set
     time_limit_s = { kind = "number", from = 0.1, to = 7200 },  -- then the next step begins, this one undone
+    next = { kind = "text" },              -- name of the later step that follows; the next in the list if missing
+    next_late = { kind = "text" },         -- the one that follows when the time limit has ended this one
 }
 
 local event_rules = {
@@ -45,6 +52,8 @@ local event_rules = {
     severity = { kind = "text", default = "critical", choices = { "critical", "minor" } },
     cue = { kind = "text" },               -- what the surgeon sees of it
     advice = { kind = "text", required = true },  -- what to do
+    consequences = { kind = "table", default = {} },  -- what the educator lets follow: texts that are said, settings
+                                           -- of the machine that are changed (only such as may change while it runs)
     items = { kind = "texts" },            -- items of the rubric that it caps
     evidence = { kind = "texts" },         -- measures to note besides those of `when`
     steps = { kind = "texts" },            -- only during these steps
@@ -57,7 +66,8 @@ local patient_rules = {
     cortical_opacity = { kind = "number", from = 0, to = 1 },
     cataract = { kind = "text" },
     pupil_mm = { kind = "number", from = 3, to = 9 },
-    side = { kind = "text", choices = { "right", "left" } },
+    side = { kind = "text", choices = { "right", "left" } },  -- which eye
+    incision_deg = { kind = "number", from = 0, to = 360 },   -- site of the main incision: see engine/orientation.lua
     tetrahedra = { kind = "number", from = 500, to = 24000, whole = true },
 }
 
@@ -80,9 +90,26 @@ local exercise_rules = {
     over = { kind = "condition" },         -- ends the exercise, whatever step it is in
     time_limit_s = { kind = "number", default = 300, from = 1, to = 7200 },
     mode = { kind = "text", default = "teaching", choices = { "teaching", "exam" } },
+    levels = { kind = "table", default = {} },     -- easy = { patient, settings, goals, ... }: see level_rules
+    handedness = { kind = "text", default = "right", choices = { "right", "left" } },  -- hand of the main instrument
+    texts = { kind = "table", default = {} },      -- fr = { ["English text"] = "French text" }
     surgeon = { kind = "text", default = "surgeon" },  -- the plan that virtual surgeons follow: a file beside this one
     step_s = { kind = "number", default = 0.01, from = 0.001, to = 0.02 },
     advance = { kind = "text", default = "automatic", choices = { "automatic", "explicit", "implicit" } },
+}
+
+for _, field in ipairs({ "tissues", "instruments" }) do
+    for _, name in ipairs(exercise_rules[field].choices) do words.parts[#words.parts + 1] = name end
+end
+
+-- A level of difficulty: what it changes of the exercise.
+local level_rules = {
+    meaning = { kind = "text" },           -- in a few words
+    patient = { kind = "table", default = {} },
+    settings = { kind = "table", default = {} },
+    goals = { kind = "table", default = {} },
+    time_limit_s = { kind = "number", from = 1, to = 7200 },
+    mode = { kind = "text", choices = { "teaching", "exam" } },
 }
 
 local function id_of(name) return (name:lower():gsub("[^%w]+", "_"):gsub("^_+", ""):gsub("_+$", "")) end
@@ -110,7 +137,26 @@ language.step = language.declaration("step", step_rules, function(step)
     end
 end)
 
-language.error_event = language.declaration("error_event", event_rules)
+-- { "text", ["phaco.power_limit"] = 0.3 } becomes { texts, settings }.
+local function read_consequences(event)
+    local said, settings = {}, {}
+    for key, value in pairs(event.consequences) do
+        if type(key) == "string" then
+            settings[key] = value
+        elseif type(value) == "string" then
+            said[#said + 1] = value
+        else
+            words.fail(words.where("consequences", event.line), ("error_event '%s': consequences hold texts and "
+                .. "settings, like { \"The nurse turns the power down.\", [\"phaco.power_limit\"] = 0.3 }"):format(
+                event.name))
+        end
+    end
+    settings = language.flatten(settings, "", {})
+    settings_check.live(settings, event.line, ("error_event '%s': consequences: "):format(event.name))
+    event.consequences = { texts = said, settings = settings }
+end
+
+language.error_event = language.declaration("error_event", event_rules, function(event) read_consequences(event) end)
 
 function language.check_list(list, kind, field)
     local seen = {}
@@ -199,28 +245,100 @@ local function check_items(result)
     end
 end
 
+-- Steps that `next` names must come later: an exercise goes on, never round.
+local function link_steps(result)
+    local at = {}
+    for i, step in ipairs(result.steps) do at[step.id] = i end
+    for i, step in ipairs(result.steps) do
+        for _, field in ipairs({ "next", "next_late" }) do
+            local name = step[field]
+            local where = name and words.where(field, step.line)
+            local target = name and at[id_of(name)]
+            if name and not target then
+                words.fail(where, ("step '%s': %s: there is no step '%s'%s"):format(step.name, field, name,
+                    words.hint(id_of(name), words.keys(at))))
+            elseif name and target <= i then
+                words.fail(where, ("step '%s': %s: step '%s' does not come later"):format(step.name, field, name))
+            end
+            step[field .. "_at"] = target
+        end
+    end
+end
+
+local function check_goals(result, given, where_line, owner)
+    for _, name in ipairs(words.keys(given)) do
+        local where = words.where(name, where_line)
+        local rule = result.goal_rules[name]
+        if not rule then
+            words.fail(where, ("%s: the exercise has no goal '%s'%s"):format(owner, name,
+                words.hint(name, words.keys(result.goal_rules))))
+        end
+        fields.check_value(rule, given[name], where, owner .. ": goal " .. name)
+    end
+end
+
+local function read_levels(result)
+    local levels = {}
+    for _, name in ipairs(words.keys(result.levels)) do
+        local owner = ("level '%s'"):format(name)
+        local line = words.line_of(name, words.line_of("levels"))
+        local level = fields.read(result.levels[name], level_rules, owner, line)
+        level.patient = language.read_patient(level.patient)
+        level.settings = language.flatten(level.settings, "", {})
+        settings_check.all(level.settings, line, owner .. ": ")
+        check_goals(result, level.goals, line, owner)
+        levels[name] = level
+    end
+    result.levels = levels
+end
+
 --- exercise { ... }: checks everything that can be checked before there is an eye.
 function language.exercise(given)
     local result = fields.read(given, exercise_rules, "exercise")
     result.kind = "exercise"
     result.patient = language.read_patient(result.patient)
     result.settings = language.flatten(result.settings, "", {})
+    settings_check.all(result.settings, words.line_of("settings"), "settings: ")
     result.goals, result.goal_rules = read_goals(result.goals)
     local known = language.check_list(result.steps, "step", "steps")
     if #result.steps == 0 then words.fail(words.where("steps"), "an exercise needs at least one step") end
     language.check_list(result.errors, "error_event", "errors")
     check_steps_of_events(result, known)
     check_items(result)
+    link_steps(result)
+    read_levels(result)
+    texts.check(result.texts)
     return result
 end
 
+local function overlay(under, over)
+    for _, key in ipairs(words.keys(over)) do under[key] = over[key] end
+end
+
+--- Makes the exercise what one of its levels says.
+function language.set_level(exercise, name)
+    local level = exercise.levels[name]
+    if not level then
+        local known = words.keys(exercise.levels)
+        words.fail("--level " .. name, ("the exercise has no level '%s'%s"):format(name,
+            #known == 0 and " (it has none)" or words.hint(name, known)))
+    end
+    overlay(exercise.patient, level.patient)
+    overlay(exercise.settings, level.settings)
+    overlay(exercise.goals, level.goals)
+    exercise.time_limit_s = level.time_limit_s or exercise.time_limit_s
+    exercise.mode = level.mode or exercise.mode
+    exercise.level = name
+end
+
 -- Fields of the exercise that --set may change, besides patient.*, goal.* and the settings of the machine.
-local changeable = { "mode", "step_s", "advance", "time_limit_s" }
+local changeable = { "mode", "step_s", "advance", "time_limit_s", "handedness" }
 
 --- Every name that --set knows. settings: names of the machine's settings, from the kernel.
 function language.changeable(exercise, settings)
     local names = {}
     for _, name in ipairs(changeable) do names[#names + 1] = name end
+    names[#names + 1], names[#names + 2] = "language", "level"
     for _, name in ipairs(words.keys(patient_rules)) do names[#names + 1] = "patient." .. name end
     for _, name in ipairs(words.keys(exercise.goal_rules)) do names[#names + 1] = "goal." .. name end
     for _, name in ipairs(settings) do names[#names + 1] = name end
@@ -239,6 +357,11 @@ end
 --- Applies --set name=text. settings: the names of the machine's settings; their ranges are the kernel's to check.
 function language.set(exercise, name, text, settings)
     local patient, goal = name:match("^patient%.(.+)$"), name:match("^goal%.(.+)$")
+    if name == "level" then return language.set_level(exercise, text) end
+    if name == "language" then
+        exercise.language = texts.known(text, "--language " .. text, exercise)
+        return
+    end
     for _, known in ipairs(changeable) do
         if known == name then
             exercise[name] = fields.from_text(exercise_rules[name], text, name)

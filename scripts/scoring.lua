@@ -9,6 +9,12 @@ local words = require "engine.words"
 
 local scoring = {}
 
+-- The rubric's words in the language of the attempt.
+local function t(text) return text end
+
+--- f: gives a text in the language of the attempt.
+function scoring.translate_with(f) t = f end
+
 local measure_rules = {
     id = { kind = "text", required = true },
     name = { kind = "text", required = true },   -- what it is, for the reader of a report
@@ -117,16 +123,17 @@ end
 
 local function threshold_text(measure, threshold)
     if type(threshold) ~= "table" then return amount(measure, threshold) end
-    return number(threshold[1], measure.digits) .. " to " .. amount(measure, threshold[2])
+    return t("%s to %s"):format(number(threshold[1], measure.digits), amount(measure, threshold[2]))
 end
 
 -- "5 points at 0.2 mm, 3 at 0.5 mm, 1 at 1.0 mm"
 local function scale_text(measure)
-    local t = measure.thresholds
-    local one = type(t.one) == "table" and number(t.one[1], measure.digits) .. " or " .. amount(measure, t.one[2])
-        or amount(measure, t.one)
-    return ("5 points at %s, 3 at %s, 1 at %s"):format(threshold_text(measure, t.five),
-        threshold_text(measure, t.three), one)
+    local at = measure.thresholds
+    local one = type(at.one) == "table"
+        and t("%s or %s"):format(number(at.one[1], measure.digits), amount(measure, at.one[2]))
+        or amount(measure, at.one)
+    return t("5 points at %s, 3 at %s, 1 at %s"):format(threshold_text(measure, at.five),
+        threshold_text(measure, at.three), one)
 end
 
 -- What would have been better, of a value that lost points.
@@ -205,6 +212,15 @@ function Sheet:tick(time_s)
     end
 end
 
+--- Goes on where the sheet of the same attempt had come to before its exercise was changed. measures: of Sheet:carried.
+function Sheet:take_up(measures)
+    for _, line in ipairs(self.lines) do
+        for _, open in ipairs(line.open) do
+            if not open.missing then take_up(open, measures[open.measure.id]) end
+        end
+    end
+end
+
 --- What a sheet needs that goes on with this one in the next part of an operation: { time_s, measures }.
 function Sheet:carried(time_s)
     local measures = words.as_object({})
@@ -231,10 +247,10 @@ local function measured(open, reference)
     if value == nil then return nil end
     if measure.per then value = value / (reference[measure.per] or 1) end
     local score = scoring.interpolate(measure.curve, value)
-    local result = { id = measure.id, name = measure.name, value = round(value, 6), unit = measure.unit,
+    local result = { id = measure.id, name = t(measure.name), value = round(value, 6), unit = measure.unit,
         score = round(score, 2), weight = measure.weight, threshold_source = measure.source, time_s = at,
-        text = ("%s: %s (%s)"):format(measure.name, amount(measure, value), scale_text(measure)) }
-    if score < 4.995 then result.better = advice_of(measure, value) end
+        text = t("%s: %s (%s)"):format(t(measure.name), amount(measure, value), scale_text(measure)) }
+    if score < 4.995 then result.better = t(advice_of(measure, value)) end
     return result
 end
 
@@ -261,8 +277,9 @@ local outcomes = { near_miss = "a near miss, put right at once", recovered = "pu
 -- "Iris touched at 5.6 s and 2 times more, put right: at most 4 points."
 local function cap_reason(by, same)
     local more = ""
-    if same == 1 then more = " and once more" elseif same > 1 then more = (" and %d times more"):format(same) end
-    return ("%s at %.1f s%s, %s: at most %d points."):format(by.title, by.time_s, more, outcomes[by.outcome], by.cap)
+    if same == 1 then more = t(" and once more") elseif same > 1 then more = t(" and %d times more"):format(same) end
+    return t("%s at %.1f s%s, %s: at most %d points."):format(by.title, by.time_s, more, t(outcomes[by.outcome]),
+        by.cap)
 end
 
 local function cap_reasons(list, capped_by)
@@ -283,13 +300,13 @@ local function reasons(result, cap)
             list[#list + 1] = measure.text .. (measure.better and ". " .. measure.better or ".")
         end
     end
-    if #list == 0 and cap == 5 then list[1] = "All measures in the range for full points." end
+    if #list == 0 and cap == 5 then list[1] = t("All measures in the range for full points.") end
     return list
 end
 
 local function score_item(line, rubric, events, reference)
     local item = line.item
-    local result = { id = item.id, name = item.name, measures = {} }
+    local result = { id = item.id, name = t(item.name), measures = {} }
     local sum, weight = 0, 0
     for _, open in ipairs(line.open) do
         local measure = measured(open, reference)
@@ -304,8 +321,7 @@ local function score_item(line, rubric, events, reference)
         result.score = round(math.max(1, math.min(cap, sum / weight)), 2)
         result.reasons = reasons(result, cap)
     else
-        result.reasons = { "Not scored: " .. (item.not_scored or "nothing that this attempt "
-            .. "showed tells of it.") }
+        result.reasons = { t("Not scored: ") .. t(item.not_scored or "nothing that this attempt showed tells of it.") }
     end
     return result
 end
@@ -333,7 +349,7 @@ function Sheet:score(events, completed)
     if n > 0 then
         result.scaled = round((result.total - n) / (4 * n), 4)
         local band = band_of(self.rubric, result.scaled)
-        if band and completed then result.band, result.band_meaning = band.name, band.meaning end
+        if band and completed then result.band, result.band_meaning = t(band.name), t(band.meaning) end
     end
     return result
 end

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "cli/html.hpp"
 #include "cli/pictures.hpp"
@@ -91,6 +92,9 @@ private:
             return false;
         }
         commands_ = std::move(commands).value();
+        if (options_.watch) {
+            look_for_changes();
+        }
         if (!host_.has_surgeon() || host_.finished()) {
             return true;
         }
@@ -101,6 +105,27 @@ private:
         }
         samples_ = std::move(samples).value();
         return true;
+    }
+
+    /// Between two steps of the exercise: takes up its changed files, or says why not and goes on with what there is.
+    void look_for_changes() {
+        const Result<bool> boundary = host_.at_boundary();
+        if (!boundary || !boundary.value() || session_.time_s() <= 0.0) {
+            return;
+        }
+        const Result<std::optional<std::vector<Command>>> changes = host_.reload();
+        if (changes && !changes.value()) {
+            return;
+        }
+        nlohmann::json note = {{"time_s", session_.time_s()}, {"sha256", host_.identity().at("sha256")}};
+        if (changes) {
+            commands_.insert(commands_.end(), changes.value()->begin(), changes.value()->end());
+        } else {
+            note["refused"] = changes.error().text();
+        }
+        std::fprintf(stderr, "rhexis: after %.2f s: %s\n", session_.time_s(),
+                     changes ? "the changed exercise is taken up" : changes.error().text().c_str());
+        reloads_.push_back(std::move(note));
     }
 
     bool wants_save(bool last) {
@@ -201,6 +226,7 @@ private:
     std::vector<Command> commands_;
     std::vector<DeviceSample> samples_;
     std::string script_error_;
+    nlohmann::json reloads_ = nlohmann::json::array();
     bool end_pictured_ = false;
     bool cut_off_ = false;
     bool saved_ = false;
@@ -226,6 +252,9 @@ Result<AttemptResult> Attempt::write_results() {
     if (input.result.contains("operation")) {
         result.operation = std::move(input.result["operation"]);
         input.result.erase("operation");
+    }
+    if (!reloads_.empty()) {
+        input.result["reloads"] = reloads_;
     }
     input.script_error = script_error_;
     if (book_) {

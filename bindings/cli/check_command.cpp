@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis check: loads exercises and runs them for a moment, so that their mistakes are found by file and line.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -22,11 +23,36 @@ constexpr const char* help =
     "  rhexis check curricula/groove\n"
     "  rhexis check my_exercise/ other.lua my_exercise/tests/iris.lua\n"
     "\n"
+    "Each mistake is one line, file:line first: misspelt names with the near ones, settings out of range, steps that "
+    "are\n"
+    "never reached, conditions that never change, recoveries that can never hold. Then what the trainee is to learn, "
+    "the\n"
+    "levels, and the texts that lack a translation.\n"
     "Of scenario tests it checks form, exercise, settings and start; rhexis test runs them.";
 
 constexpr int dry_steps = 20;
 
-Status dry_run(const ExerciseOptions& options) {
+/// What was found of an exercise that runs.
+struct Findings {
+    std::vector<std::string> faults;    ///< each a line, "file:line: what"
+    std::vector<std::string> notes;     ///< lines that are no faults
+    std::vector<std::string> untold{};  ///< texts without a translation
+};
+
+std::vector<std::string> lines_of(const nlohmann::json& found, const char* key) {
+    return found.value(key, nlohmann::json::array()).get<std::vector<std::string>>();
+}
+
+Result<Findings> review(ExerciseHost& host) {
+    const Result<nlohmann::json> found = host.review();
+    if (!found) {
+        return found.error();
+    }
+    return Findings{lines_of(found.value(), "faults"), lines_of(found.value(), "notes"),
+                    lines_of(found.value(), "untranslated")};
+}
+
+Result<Findings> dry_run(const ExerciseOptions& options) {
     Result<ExerciseHost> host = ExerciseHost::load(options);
     if (!host) {
         return host.error();
@@ -37,7 +63,7 @@ Status dry_run(const ExerciseOptions& options) {
     }
     Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
     if (!started) {
-        return started;
+        return started.error();
     }
     for (int step = 0; step <= dry_steps && !host.value().finished(); ++step) {
         const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
@@ -47,7 +73,7 @@ Status dry_run(const ExerciseOptions& options) {
         session.value().step({}, commands.value());
     }
     const Result<nlohmann::json> result = host.value().result();
-    return result ? success() : Status(result.error());
+    return result ? review(host.value()) : Result<Findings>(result.error());
 }
 
 /// The scenario tests in a file: their form, their exercise, what they set and start from.
@@ -66,29 +92,31 @@ Status check_scenarios(const std::string& path, const Context& context) {
 }
 
 /// Each part as the operation has it, with nothing handed over.
-Status check_operation(const Operation& operation, const Context& context) {
+Result<Findings> check_operation(const Operation& operation, const Context& context) {
+    Findings all;
     for (std::size_t i = 0; i < operation.parts.size(); ++i) {
         const OperationPart& part = operation.parts[i];
         ExerciseOptions options{part.exercise, "none", 1, {}, context.root};
         options.part = PartPlace{operation.name, static_cast<int>(i) + 1};
-        const Status runs = dry_run(options);
-        if (!runs) {
-            return Error{"part " + part.id + ": " + runs.error().text(), part.where, ""};
+        const Result<Findings> found = dry_run(options);
+        if (!found) {
+            return Error{"part " + part.id + ": " + found.error().text(), part.where, ""};
+        }
+        for (const std::string& fault : found.value().faults) {
+            all.faults.push_back("part " + part.id + ": " + fault);
         }
     }
-    return success();
+    for (const std::string& objective : operation.objectives) {
+        all.notes.push_back("objective: " + objective);
+    }
+    return all;
 }
 
-/// An exercise with its starts and its scenario tests; or an operation.
-Status check_exercise(const std::string& path, const Context& context) {
-    const Result<std::optional<Operation>> operation = load_operation(path, context.root);
-    if (!operation || operation.value()) {
-        return operation ? check_operation(*operation.value(), context) : Status(operation.error());
-    }
-    const Status runs = dry_run({path, "none", 1, {}, context.root});
+/// Its starts and its scenario tests.
+Status check_beside(const std::string& path, const Context& context) {
     const Result<CurriculumFiles> files = find_curriculum(path, context.root);
-    if (!runs || !files) {
-        return runs ? Status(files.error()) : runs;
+    if (!files) {
+        return files.error();
     }
     if (std::filesystem::path(files.value().script).filename() != "curriculum.lua") {
         return success();  // a lone file: what lies beside it is not its own
@@ -109,17 +137,68 @@ Status check_exercise(const std::string& path, const Context& context) {
     return success();
 }
 
+/// An exercise as it is written, and at each of its levels.
+Result<Findings> check_levels(const std::string& path, const Context& context) {
+    const Result<ExerciseHost> host = ExerciseHost::load({path, "none", 1, {}, context.root});
+    if (!host) {
+        return host.error();
+    }
+    Result<Findings> found = dry_run({path, "none", 1, {}, context.root});
+    for (const std::string& level : host.value().levels()) {
+        const Result<Findings> harder = found ? dry_run({path, "none", 1, {{"level", level}}, context.root}) : found;
+        if (!harder) {
+            return found ? Error{"level " + level + ": " + harder.error().text(), "", ""} : found.error();
+        }
+        for (const std::string& fault : harder.value().faults) {
+            const auto& known = found.value().faults;
+            if (std::find(known.begin(), known.end(), fault) == known.end()) {
+                found.value().faults.push_back(fault + " (at level " + level + ")");
+            }
+        }
+    }
+    return found;
+}
+
+/// An exercise with its starts and its scenario tests; or an operation.
+Result<Findings> check_exercise(const std::string& path, const Context& context) {
+    const Result<std::optional<Operation>> operation = load_operation(path, context.root);
+    if (!operation || operation.value()) {
+        return operation ? check_operation(*operation.value(), context) : Result<Findings>(operation.error());
+    }
+    Result<Findings> found = check_levels(path, context);
+    const Status beside = found ? check_beside(path, context) : success();
+    return beside ? found : Result<Findings>(beside.error());
+}
+
+int tell(const std::string& path, const Findings& found) {
+    for (const std::string& fault : found.faults) {
+        std::fprintf(stderr, "rhexis: %s\n", fault.c_str());
+    }
+    if (!found.faults.empty()) {
+        return found_failures;
+    }
+    std::printf("%s: good\n", path.c_str());
+    for (const auto* lines : {&found.notes, &found.untold}) {
+        for (const std::string& line : *lines) {
+            std::printf("  %s\n", line.c_str());
+        }
+    }
+    return done;
+}
+
+int check_one(const std::string& path, const Context& context) {
+    if (is_scenario_file(std::filesystem::absolute(path).string())) {
+        const Status good = check_scenarios(path, context);
+        return good ? tell(path, {}) : complain(good.error(), found_failures);
+    }
+    const Result<Findings> found = check_exercise(path, context);
+    return found ? tell(path, found.value()) : complain(found.error(), found_failures);
+}
+
 int check(const std::vector<std::string>& paths, const Context& context) {
     int status = done;
     for (const std::string& path : paths) {
-        const Status checked = is_scenario_file(std::filesystem::absolute(path).string())
-                                   ? check_scenarios(path, context)
-                                   : check_exercise(path, context);
-        if (checked) {
-            std::printf("%s: good\n", path.c_str());
-        } else {
-            status = complain(checked.error(), found_failures);
-        }
+        status = std::max(status, check_one(path, context));
     }
     return status;
 }

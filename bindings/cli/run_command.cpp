@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis run: one attempt at an exercise, by a virtual surgeon or by nobody.
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -53,9 +54,28 @@ struct RunOptions {
     std::string from;
     std::string to;
     bool resume = false;
+    std::string level;
+    std::string mode;
+    std::string eye;
+    std::string hand;
+    std::string language;
+    bool watch = false;
 };
 
-Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) {
+/// The language that the environment asks for, where the shared scripts have texts in it; empty: English.
+std::string language_of_environment(const std::string& root) {
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (value != nullptr && *value != '\0') {
+            const std::string language = std::string(value).substr(0, 2);
+            std::error_code ignored;
+            return std::filesystem::exists(root + "/scripts/texts/" + language + ".lua", ignored) ? language : "";
+        }
+    }
+    return "";
+}
+
+Result<std::map<std::string, std::string>> settings_of(const RunOptions& given, const std::string& root) {
     std::map<std::string, std::string> set;
     if (!given.patient.empty()) {
         const Result<Patient> patient = read_patient(given.patient);
@@ -75,6 +95,14 @@ Result<std::map<std::string, std::string>> settings_of(const RunOptions& given) 
             return given_one.error();
         }
         set.insert_or_assign(given_one.value().first, given_one.value().second);
+    }
+    for (const auto& [name, value] :
+         {std::pair("level", given.level), std::pair("mode", given.mode), std::pair("patient.side", given.eye),
+          std::pair("handedness", given.hand),
+          std::pair("language", given.language.empty() ? language_of_environment(root) : given.language)}) {
+        if (!value.empty()) {
+            set.insert_or_assign(name, value);
+        }
     }
     return set;
 }
@@ -113,11 +141,18 @@ std::string default_folder(const RunOptions& given) {
     return "runs/" + (name.empty() ? "exercise" : name) + "-" + given.surgeon + "-" + std::to_string(given.seed);
 }
 
+void print_objectives(const nlohmann::json& report) {
+    for (const nlohmann::json& objective : report.value("objectives", nlohmann::json::array())) {
+        std::printf("  objective  %s\n", objective.get<std::string>().c_str());
+    }
+}
+
 void print_summary(const RunOptions& given, const std::string& folder, const AttemptResult& result) {
     const nlohmann::json& report = result.report;
     std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), given.surgeon.c_str(),
                 static_cast<unsigned long long>(given.seed),
                 report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
+    print_objectives(report);
     std::printf("  score      %s\n", score_line(report).c_str());
     std::printf("  errors     %zu\n", report["events"].size());
     if (result.html_error.empty()) {
@@ -210,6 +245,7 @@ AttemptOptions attempt_options(const RunOptions& given, std::map<std::string, st
     options.threads = given.threads;
     options.instruction_set = given.instruction_set;
     options.limit_s = given.limit_s;
+    options.watch = given.watch;
     options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
     return options;
 }
@@ -218,7 +254,7 @@ int run(const RunOptions& given, const Context& context) {
     if (const Status status = check_range("--limit", given.limit_s, shortest_limit, longest_limit); !status) {
         return complain(status.error());
     }
-    Result<std::map<std::string, std::string>> set = settings_of(given);
+    Result<std::map<std::string, std::string>> set = settings_of(given, context.root);
     if (!set) {
         return complain(set.error());
     }
@@ -299,6 +335,16 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--set", given->set, "Change a value: patient.*, goal.*, or a setting (repeatable)")
         ->take_all()
         ->allow_extra_args(false);
+    command->add_option("--level", given->level, "Difficulty: one of the exercise's levels");
+    command->add_option("--mode", given->mode, "teaching: hints and advice are said; exam: none [as the exercise says]")
+        ->check(CLI::IsMember({"teaching", "exam"}));
+    command->add_option("--eye", given->eye, "Which eye of the patient [as the exercise says]")
+        ->check(CLI::IsMember({"right", "left"}));
+    command->add_option("--hand", given->hand, "Of the surgeon, for the main instrument [as the exercise says]")
+        ->check(CLI::IsMember({"right", "left"}));
+    command->add_option("--language", given->language,
+                        "Of all texts: en, fr, ... [as LANG says, where there are texts]");
+    command->add_flag("--watch", given->watch, "Read the exercise again between two steps when its files have changed");
     command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

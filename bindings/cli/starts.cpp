@@ -46,7 +46,7 @@ bool is_name(const std::string& start) { return start.find_first_of("./") == std
 /// A value that decides what is built, which the state and the run that starts from it must share.
 bool builds_the_scene(const std::string& name) {
     const SettingInfo* setting = find_setting(name);
-    return name.starts_with("patient.") || name == "step_s" || name == "advance" ||
+    return name.starts_with("patient.") || name == "level" || name == "step_s" || name == "advance" ||
            (setting != nullptr && !setting->live);
 }
 

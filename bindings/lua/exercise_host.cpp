@@ -6,12 +6,15 @@
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_script.hpp"
 #include "lua/surgeon_script.hpp"
+#include "session/settings.hpp"
 
 namespace rhexis {
 
 using nlohmann::json;
 
 struct ExerciseHost::Parts {
+    ExerciseOptions options;
+    ObservationSchema schema;
     ExerciseScript exercise;
     std::optional<SurgeonScript> surgeon;
     json identity;
@@ -73,7 +76,8 @@ Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
                            {"version", exercise.value().version()},
                            {"sha256", files.value().sha256},
                            {"time_limit_s", exercise.value().time_limit_s()}};
-    return ExerciseHost(std::make_unique<Parts>(Parts{std::move(exercise).value(), std::move(surgeon), identity}));
+    return ExerciseHost(
+        std::make_unique<Parts>(Parts{options, {}, std::move(exercise).value(), std::move(surgeon), identity}));
 }
 
 ExerciseHost::ExerciseHost(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -82,8 +86,12 @@ ExerciseHost::ExerciseHost(ExerciseHost&&) noexcept = default;
 
 const SceneDescription& ExerciseHost::scene() const { return parts_->exercise.scene(); }
 const json& ExerciseHost::identity() const { return parts_->identity; }
+const std::vector<std::string>& ExerciseHost::objectives() const { return parts_->exercise.objectives(); }
+const std::vector<std::string>& ExerciseHost::levels() const { return parts_->exercise.levels(); }
+Result<json> ExerciseHost::review() { return parts_->exercise.ask("review"); }
 
 Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
+    parts_->schema = schema;
     Status status = parts_->exercise.start(schema);
     if (!status || !parts_->surgeon) {
         return status;
@@ -108,6 +116,86 @@ const json& ExerciseHost::goals() const { return parts_->exercise.goals(); }
 Result<json> ExerciseHost::declared_events() { return parts_->exercise.ask("declared_events"); }
 Result<json> ExerciseHost::events() { return parts_->exercise.ask("events"); }
 Result<json> ExerciseHost::result() { return parts_->exercise.ask("result"); }
+
+Result<bool> ExerciseHost::at_boundary() {
+    const Result<json> now = parts_->exercise.ask("at_boundary");
+    return now ? Result<bool>(now.value() == true) : now.error();
+}
+
+namespace {
+
+/// What of a scene is built before the first step.
+json built(const SceneDescription& scene) {
+    json settings = json::object();
+    for (const auto& [name, value] : scene.settings) {
+        const SettingInfo* info = find_setting(name);
+        if (info != nullptr && !info->live) {
+            settings[name] = value;
+        }
+    }
+    const Patient& patient = scene.patient;
+    return {scene.tissues,    scene.instruments,     scene.step_s, static_cast<int>(scene.advance),
+            patient.age,      patient.nuclear_grade, patient.side, patient.cortical_opacity,
+            patient.pupil_mm, patient.tetrahedra,    settings};
+}
+
+/// The settings that a changed exercise wants otherwise.
+std::vector<Command> changes(const SceneDescription& before, const SceneDescription& after) {
+    std::vector<Command> commands;
+    for (const SettingInfo& info : setting_table()) {
+        const auto of = [&info](const SceneDescription& scene) {
+            const auto found = scene.settings.find(std::string(info.name));
+            return found == scene.settings.end() ? info.standard : found->second;
+        };
+        if (info.live && of(before) != of(after)) {
+            commands.push_back({CommandKind::set, std::string(info.name), of(after), ""});
+        }
+    }
+    return commands;
+}
+
+}  // namespace
+
+Result<std::optional<std::vector<Command>>> ExerciseHost::reload() {
+    const Result<CurriculumFiles> files = find_curriculum(parts_->options.curriculum, parts_->options.root);
+    if (!files) {
+        return files.error();
+    }
+    if (files.value().sha256 == parts_->identity.at("sha256")) {
+        return std::optional<std::vector<Command>>();
+    }
+    parts_->identity["sha256"] = files.value().sha256;  // a mistake is told once, until the file changes again
+    ExerciseOptions options = parts_->options;
+    options.surgeon = "none";
+    std::erase_if(options.set, [](const auto& entry) { return entry.first.starts_with(surgeon_prefix); });
+    Result<ExerciseHost> changed = load(options);
+    if (!changed) {
+        return changed.error();
+    }
+    if (built(changed.value().scene()) != built(scene())) {
+        return Error{"the changed exercise wants another patient, tissues, instruments or fixed settings", "",
+                     "a new run"};
+    }
+    const Result<json> left = parts_->exercise.ask("left");
+    Status going = left ? changed.value().start(parts_->schema, {}) : Status(left.error());
+    ExerciseScript& next = changed.value().parts_->exercise;
+    if (going) {
+        const Result<json> taken = next.ask("take_up", left.value());
+        going = taken ? success() : Status(taken.error());
+    }
+    if (!going) {
+        return going.error();
+    }
+    std::vector<Command> commands = changes(scene(), next.scene());
+    Parts& fresh = *changed.value().parts_;
+    fresh.options = parts_->options;
+    if (parts_->surgeon) {
+        fresh.surgeon.emplace(std::move(*parts_->surgeon));  // whoever operates goes on with the plan that was begun
+        parts_->surgeon.reset();
+    }
+    parts_ = std::move(changed.value().parts_);
+    return std::optional<std::vector<Command>>(std::move(commands));
+}
 
 Status ExerciseHost::watch(const std::string& when, const std::string& where) {
     const Result<json> watching = parts_->exercise.ask("watch", {{"when", when}, {"where", where}});

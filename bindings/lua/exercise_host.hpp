@@ -47,6 +47,15 @@ public:
     [[nodiscard]] const SceneDescription& scene() const;
     [[nodiscard]] const nlohmann::json& identity() const;  ///< {"id","title","version","sha256","time_limit_s"}
 
+    /// What the trainee is to learn, in the language of the run.
+    [[nodiscard]] const std::vector<std::string>& objectives() const;
+
+    /// Names of its levels of difficulty, sorted.
+    [[nodiscard]] const std::vector<std::string>& levels() const;
+    /// What rhexis check tells of an exercise that runs: "faults", "notes", "untranslated", lists of lines. After
+    /// start.
+    [[nodiscard]] Result<nlohmann::json> review();
+
     /// Once, before the first step.
     Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);
 
@@ -66,6 +75,13 @@ public:
     [[nodiscard]] Result<nlohmann::json> declared_events();
     /// Those that were raised so far: [{"id", "title", "time_s", "outcome", "recovery_s"}].
     [[nodiscard]] Result<nlohmann::json> events();
+
+    /// Whether the turn has just come to another step of the exercise.
+    Result<bool> at_boundary();
+    /// Reads the exercise again if its files have changed, and goes on with it where it was: steps, events and scores
+    /// of the same names keep what is known of them. Gives the commands that its changed settings need; nothing when no
+    /// file has changed. Refused, and the exercise stays as it was, where it has mistakes or wants another scene.
+    Result<std::optional<std::vector<Command>>> reload();
 
     /// Watches for a moment of the run: a condition, as the exercise may write it. After start; where: for messages.
     Status watch(const std::string& when, const std::string& where);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lua/exercise_script.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "lua/json.hpp"
 #include "lua/samples.hpp"
 #include "lua/stack.hpp"
@@ -38,6 +41,51 @@ Patient patient_from(const json& given) {
     patient.side = given.value("side", patient.side);
     patient.tetrahedra = given.value("tetrahedra", patient.tetrahedra);
     return patient;
+}
+
+/// What the engine checks the settings of a curriculum against.
+json settings_known() {
+    json list = json::array();
+    for (const SettingInfo& info : setting_table()) {
+        if (info.name.empty()) {
+            continue;
+        }
+        list.push_back({{"name", info.name},
+                        {"from", info.minimum},
+                        {"to", info.maximum},
+                        {"standard", info.standard},
+                        {"live", info.live}});
+    }
+    return list;
+}
+
+/// The names in `set` in the order in which they are applied: a level first, what is set besides changes it.
+std::vector<std::string> in_order(const std::map<std::string, std::string>& set) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : set) {
+        names.insert(name == "level" ? names.begin() : names.end(), name);
+    }
+    return names;
+}
+
+/// Files of texts beside a curriculum, such as curriculum.fr.lua, sorted.
+std::vector<CurriculumFiles> texts_beside(const CurriculumFiles& files) {
+    namespace fs = std::filesystem;
+    const fs::path script(files.script);
+    const std::string stem = script.stem().string() + ".";
+    std::vector<CurriculumFiles> found;
+    std::error_code failed;
+    for (fs::directory_iterator at(script.parent_path(), failed), end; !failed && at != end; at.increment(failed)) {
+        const std::string name = at->path().filename().string();
+        if (name.starts_with(stem) && name.ends_with(".lua") && name.size() == stem.size() + 6) {
+            CurriculumFiles texts = files;
+            texts.script = at->path().string();
+            texts.chunk = files.chunk.substr(0, files.chunk.size() - script.filename().string().size()) + name;
+            found.push_back(std::move(texts));
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.script < b.script; });
+    return found;
 }
 
 Advance advance_from(const std::string& name) {
@@ -84,6 +132,9 @@ Status ExerciseScript::open_engine() {
         lua_pushstring(L, "engine.host");
         lua_call(L, 1, 1);
         host_ = LuaRef(state_, L);
+        push_function(L, "know_settings");
+        lua::push_json(L, settings_known());
+        lua_call(L, 1, 0);
     });
 }
 
@@ -119,10 +170,10 @@ Status ExerciseScript::join(const JoinedPart& joined) {
 Status ExerciseScript::apply(const std::map<std::string, std::string>& set) {
     std::string complaint;
     Status status = state_.run([&](lua_State* L) {
-        for (const auto& [name, value] : set) {
+        for (const std::string& name : in_order(set)) {
             push_function(L, "set");
             lua::push(L, std::string_view(name));
-            lua::push(L, std::string_view(value));
+            lua::push(L, std::string_view(set.at(name)));
             lua::push(L, setting_names());
             lua_call(L, 3, 1);
             if (lua_isstring(L, -1) != 0) {
@@ -150,6 +201,8 @@ Status ExerciseScript::read_scene() {
     }
     scene_ = scene_from(given);
     title_ = given.at("title");
+    levels_ = given.at("levels").get<std::vector<std::string>>();
+    objectives_ = given.at("objectives").get<std::vector<std::string>>();
     version_ = given.at("version");
     plan_ = given.at("surgeon");
     time_limit_s_ = given.at("time_limit_s");
@@ -195,6 +248,12 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
             return operation.error();
         }
     }
+    for (const CurriculumFiles& texts : texts_beside(files)) {
+        const Result<json> read = script.run_curriculum(texts, "accept_texts");
+        if (!read) {
+            return read.error();
+        }
+    }
     const Result<json> accepted = script.run_curriculum(files, "accept");
     Status status = accepted ? success() : Status(accepted.error());
     if (status && joined) {
@@ -202,6 +261,10 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
     }
     if (status) {
         status = script.apply(set);
+    }
+    if (status) {
+        const Result<json> ready = script.ask("ready");
+        status = ready ? success() : Status(ready.error());
     }
     if (status) {
         status = script.read_scene();

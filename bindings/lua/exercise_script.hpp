@@ -37,6 +37,8 @@ public:
 
     [[nodiscard]] const SceneDescription& scene() const { return scene_; }
     [[nodiscard]] const std::string& title() const { return title_; }
+    [[nodiscard]] const std::vector<std::string>& objectives() const { return objectives_; }
+    [[nodiscard]] const std::vector<std::string>& levels() const { return levels_; }
     [[nodiscard]] const nlohmann::json& version() const { return version_; }
     [[nodiscard]] double time_limit_s() const { return time_limit_s_; }
     [[nodiscard]] const nlohmann::json& goals() const { return goals_; }
@@ -46,7 +48,8 @@ public:
     Status start(const ObservationSchema& schema);
     Result<std::vector<Command>> observe(const Observation& observation);
     [[nodiscard]] bool finished() const { return finished_; }
-    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "watch", "reached".
+    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "watch", "reached",
+    /// "review".
     Result<nlohmann::json> ask(const char* function, const nlohmann::json& argument = nullptr);
 
 private:
@@ -66,6 +69,8 @@ private:
     LuaRef row_;
     SceneDescription scene_;
     std::string title_;
+    std::vector<std::string> objectives_;
+    std::vector<std::string> levels_;
     std::string plan_;
     nlohmann::json version_;
     nlohmann::json goals_;

@@ -24,6 +24,11 @@ return exercise {
     step_s = rhexis_exercise.step_s,
 
     goals = rhexis_exercise.goals,
+    levels = {
+        easy = { meaning = "wide pupil, chamber already filled", patient = { pupil_mm = 8.5 },
+            settings = { ["viscoelastic.fill"] = 1 } },
+        hard = { meaning = "narrow pupil, no hints", patient = { pupil_mm = 6 }, mode = "exam" },
+    },
     reference = { time_s = 75, path_mm = 120 },
 
     steps = {

@@ -50,7 +50,9 @@ local function raise(self, step, log)
     self.right_since = nil
     self.record = { id = declared.id, title = declared.title, step = step, time_s = self.since,
         severity = declared.severity, items = declared.items or {}, advice = declared.advice, cue = declared.cue,
-        evidence = evidence_of(self), recovered = false, outcome = "open", harmed = false }
+        evidence = evidence_of(self), recovered = false, outcome = "open", harmed = false,
+        consequences = words.as_object({ texts = declared.consequences.texts,
+            settings = words.as_object(declared.consequences.settings) }) }
     table.insert(log.events, self.record)
     log.raised(self.record, declared)
 end
@@ -117,6 +119,19 @@ function Watch:tick(time_s, step, log)
     else
         calm(self, time_s)
     end
+end
+
+--- What the watch of a changed exercise goes on from. index_of: of a record in the list of events.
+function Watch:left(index_of)
+    return { id = self.declared.id, state = self.state, since = self.since, right_since = self.right_since,
+        calm_since = self.calm_since, record = self.record and index_of[self.record] }
+end
+
+--- Goes on where the event of the same name had come to. records: the events so far.
+function Watch:take_up(left, records)
+    self.state, self.since, self.right_since, self.calm_since = left.state, left.since, left.right_since,
+        left.calm_since
+    self.record = left.record and records[left.record]
 end
 
 --- The exercise is over: what is still open was not put right.

@@ -162,10 +162,19 @@ local function compared(f)
         end
     end
 end
-make["<"] = compared(function(x, y) return x < y end)
-make["<="] = compared(function(x, y) return x <= y end)
-make[">"] = compared(function(x, y) return x > y end)
-make[">="] = compared(function(x, y) return x >= y end)
+
+local function ordered(f)
+    return compared(function(x, y)
+        if type(x) == "boolean" or type(y) == "boolean" then
+            error("what is true or false has no size: write it alone, or after `not`", 0)
+        end
+        return f(x, y)
+    end)
+end
+make["<"] = ordered(function(x, y) return x < y end)
+make["<="] = ordered(function(x, y) return x <= y end)
+make[">"] = ordered(function(x, y) return x > y end)
+make[">="] = ordered(function(x, y) return x >= y end)
 make["=="] = compared(function(x, y) return x == y end)
 make["~="] = compared(function(x, y) return x ~= y end)
 
@@ -213,7 +222,8 @@ function expression.bind(parsed, resolve)
     return build(parsed.tree, function(name)
         local value, known = resolve(name)
         if not value then
-            words.fail(parsed.where, ("unknown measure '%s'%s"):format(name, words.hint(name, known)))
+            words.fail(parsed.where, ("unknown measure '%s'%s"):format(name, words.missing_part(name, known)
+                or words.hint(name, known)))
         end
         return value
     end)

@@ -6,7 +6,10 @@ local condition = require "engine.condition"
 local language = require "exercise"
 local operation = require "operation"
 local osacss = require "osacss"
+local review = require "engine.review"
 local scoring = require "scoring"
+local settings_check = require "engine.settings_check"
+local texts = require "engine.texts"
 local words = require "engine.words"
 
 local host = {}
@@ -20,6 +23,15 @@ end
 
 --- Before the curriculum runs: its name in messages and its text.
 host.begin_file = words.begin_file
+
+--- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live }.
+host.know_settings = settings_check.know
+
+--- A file of texts beside the curriculum, "curriculum.fr.lua": what it returned.
+function host.accept_texts(value)
+    local name = words.file()
+    texts.add_file(name:match("%.(%l%l)%.lua$"), value, name)
+end
 
 --- After it ran: what it returned. Of an operation, what it is made of; of anything else, nothing.
 function host.accept_operation(value)
@@ -50,10 +62,21 @@ function host.set(name, text, settings)
     return nil
 end
 
+--- All is set: what remains to be done before the scene is built.
+function host.ready()
+    local exercise = host.exercise
+    texts.translate(exercise)
+    local port = settings_check.info("side_port.angle_deg")
+    if exercise.handedness == "left" and port and words.has(exercise.tissues, "wounds") then
+        exercise.settings["side_port.angle_deg"] = -(exercise.settings["side_port.angle_deg"] or port.standard)
+    end
+end
+
 --- The scene that the exercise asks for.
 function host.scene()
     local exercise = host.exercise
-    return { title = exercise.title, version = exercise.version, surgeon = exercise.surgeon,
+    return { title = exercise.title, objectives = exercise.objectives, levels = words.keys(exercise.levels),
+        version = exercise.version, surgeon = exercise.surgeon,
         patient = words.as_object(exercise.patient), tissues = exercise.tissues, instruments = exercise.instruments,
         settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance,
         time_limit_s = exercise.time_limit_s, goals = words.as_object(exercise.goals) }
@@ -74,6 +97,13 @@ function host.start(schema)
 end
 
 function host.observe(time_s) return host.run:observe(time_s, host.row) end
+
+--- Whether the turn has just come to another step: when a changed exercise may be taken up.
+function host.at_boundary() return host.run ~= nil and not host.run.finished and host.run.steps:has_turned() end
+
+--- Of the exercise as it was, and to the exercise as it is now, after start.
+function host.left() return host.run:left() end
+function host.take_up(left) host.run:take_up(left) end
 
 function host.finished() return host.run ~= nil and host.run.finished == true end
 
@@ -101,5 +131,8 @@ function host.result()
     if result.operation then result.operation.carried.scene = host.scene() end
     return result
 end
+
+--- What rhexis check tells of an exercise that has been started.
+function host.review() return review.of(host.exercise, host.run.eye) end
 
 return host

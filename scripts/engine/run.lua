@@ -5,6 +5,7 @@ local Eye = require "engine.eye"
 local Whole = require "engine.whole"
 local condition = require "engine.condition"
 local events = require "engine.events"
+local orientation = require "engine.orientation"
 local scoring = require "scoring"
 local steps = require "engine.steps"
 local words = require "engine.words"
@@ -27,7 +28,7 @@ local function actions(self)
     function act.finish(reason) queue("finish", "", 0, reason) end
     function act.step_ended(record)
         local how = record.completed and "completed" or "not completed"
-        act.picture("step_" .. record.id, ("Step \"%s\" %s."):format(record.title, how))
+        act.picture("step_" .. record.id, self.t("Step \"%s\" " .. how .. "."):format(record.title))
     end
     return act
 end
@@ -35,14 +36,18 @@ end
 local function event_log(self)
     local log = { events = self.events }
     function log.raised(record, declared)
-        self.act.picture("error_" .. record.id, ("Error: %s."):format(record.title))
+        self.act.picture("error_" .. record.id, self.t("Error: %s."):format(record.title))
         self.act.hint(declared.advice)
+        for _, text in ipairs(declared.consequences.texts) do self.act.say(text) end
+        for _, name in ipairs(words.keys(declared.consequences.settings)) do
+            self.act.set(name, declared.consequences.settings[name])
+        end
         if declared.ends_exercise then self.reason = ("error: %s"):format(record.title) end
     end
     function log.closed(record)
         if record.recovered then
-            self.act.picture("recovered_" .. record.id, ("Put right after %.1f s: %s."):format(record.recovery_s,
-                record.title))
+            self.act.picture("recovered_" .. record.id, self.t("Put right after %.1f s: %s."):format(
+                record.recovery_s, record.title))
         end
     end
     return log
@@ -51,6 +56,8 @@ end
 --- schema: list of { name, unit, meaning }; exercise: from exercise { ... }.
 function Run.new(exercise, schema)
     local self = setmetatable({ exercise = exercise, events = {}, commands = {}, time_s = 0 }, Run)
+    self.t = exercise.translated or function(text) return text end
+    scoring.translate_with(self.t)
     self.eye = Eye.new(schema, exercise.goals)
     self.act = actions(self)
     self.log = event_log(self)
@@ -69,7 +76,7 @@ local function finish(self, reason)
     self.finished, self.reason = true, reason
     self.steps:stop(self.time_s)
     for _, watch in ipairs(self.watches) do watch:finish(self.time_s, self.log) end
-    self.act.picture("end", "End of the exercise.")
+    self.act.picture("end", self.t("End of the exercise."))
     self.act.finish(reason)
 end
 
@@ -97,11 +104,37 @@ function Run:observe(time_s, row)
     return self.commands
 end
 
+--- What the run of a changed exercise goes on from: steps, events and scores so far.
+function Run:left()
+    local index_of, watches = {}, {}
+    for i, record in ipairs(self.events) do index_of[record] = i end
+    for i, watch in ipairs(self.watches) do watches[i] = watch:left(index_of) end
+    return { time_s = self.time_s, steps = self.steps:left(), events = self.events, watches = watches,
+        score = self.sheet and self.sheet:carried(self.time_s).measures }
+end
+
+--- Goes on where the run of the exercise before it was changed had come to. Steps, events and measures of the same name
+--- keep what is known of them; the others begin now.
+function Run:take_up(left)
+    self.time_s, self.events = left.time_s, left.events
+    self.log.events = self.events
+    for _, record in ipairs(self.events) do words.as_object(record.evidence) end
+    local known = {}
+    for _, watch in ipairs(left.watches) do known[watch.id] = watch end
+    for _, watch in ipairs(self.watches) do
+        if known[watch.declared.id] then watch:take_up(known[watch.declared.id], self.events) end
+    end
+    self.steps:take_up(left.steps, left.time_s)
+    if self.sheet and left.score then self.sheet:take_up(left.score) end
+end
+
 --- The part of report.json that the exercise knows, as far as it has come..
 function Run:result()
     local exercise = self.exercise
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
-        steps = self.steps.records, events = self.events, mode = exercise.mode, title = exercise.title,
+        steps = self.steps.records, events = self.events, mode = exercise.mode,
+        hints = exercise.mode == "teaching", level = exercise.level, language = exercise.language or "en",
+        orientation = orientation.of(exercise.patient, exercise.handedness), title = exercise.title,
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
         settings = words.as_object(exercise.settings), measures = words.as_object({}), advice = {} }
     if self.sheet then

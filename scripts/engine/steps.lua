@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The steps of an exercise, one after the other. A step is done when its condition `done` holds, or when its `script`
--- has run to its end; its time limit ends it undone, and the exercise goes on with the next.
+-- The steps of an exercise, one after the other. A step whose turn has come waits until its condition `enter_when`
+-- holds, at most enter_limit_s: then it is left out, undone. It is done when its condition `done` holds, or when its
+-- `script` has run to its end; its time limit ends it undone. What follows is the next in the list, or the step that
+-- `next` names, or `next_late` after the time limit; what is passed over that way counts for nothing.
 
 local condition = require "engine.condition"
 
@@ -14,7 +16,8 @@ function steps.prepare(declared, eye, act)
     local self = setmetatable({ declared = declared, eye = eye, act = act, at = 0, records = {}, bound = {} }, Runner)
     for i, step in ipairs(declared) do
         local what = "in step '" .. step.title .. "'"
-        self.bound[i] = { what = what, done = step.done and condition.bind(step.done, eye, what) }
+        self.bound[i] = { what = what, done = step.done and condition.bind(step.done, eye, what),
+            enter = step.enter_when and condition.bind(step.enter_when, eye, what) }
         self.records[i] = { id = step.id, title = step.title, completed = false }
     end
     return self
@@ -42,16 +45,38 @@ local function script_words(self, what, where)
     return env
 end
 
-local function begin(self, time_s)
-    self.at = self.at + 1
+local function enter(self, time_s)
     local step, record = self.declared[self.at], self.records[self.at]
-    if not step then return end
+    self.waiting = false
     record.start_s = time_s
-    if step.hint then self.act.hint(step.hint) end
+    self.hint = step.hint
     if step.script then
         local env = script_words(self, self.bound[self.at].what, step.where)
         self.thread = coroutine.create(function() step.script(self.eye.view, env) end)
         self.go_on = nil
+    end
+end
+
+local function entered(self)
+    local wanted = self.bound[self.at].enter
+    return not wanted or wanted.test()
+end
+
+-- The turn of step `at` has come.
+local function turn_to(self, at, time_s)
+    for i = self.at + 1, math.min(at - 1, #self.declared) do self.records[i].skipped = true end
+    self.at, self.turn_s, self.turned = at, time_s, true
+    if not self.declared[at] then return end
+    self.waiting = true
+    if entered(self) then enter(self, time_s) end
+end
+
+-- In teaching mode, the hint of a step that is not done after hint_after_s.
+local function give_hint(self, time_s)
+    local step = self.declared[self.at]
+    if self.hint and not self.waiting and time_s - self.records[self.at].start_s >= step.hint_after_s - 1e-9 then
+        self.act.hint(self.hint)
+        self.hinted, self.hint = self.hint, nil
     end
 end
 
@@ -73,23 +98,84 @@ local function is_done(self, step)
     return scripted
 end
 
-local function finish(self, completed, time_s)
+local function follower(self, late)
+    local step = self.declared[self.at]
+    return late and step.next_late_at or step.next_at or self.at + 1
+end
+
+local function finish(self, completed, late, time_s)
     local record = self.records[self.at]
     record.completed, record.end_s = completed, time_s
     self.act.step_ended(record)
+    turn_to(self, follower(self, late and not completed), time_s)
+end
+
+-- A step whose turn has come and that has not begun.
+local function wait(self, time_s)
+    local step, record = self.declared[self.at], self.records[self.at]
+    if entered(self) then
+        enter(self, time_s)
+    elseif step.enter_limit_s and time_s - self.turn_s >= step.enter_limit_s - 1e-9 then
+        record.not_entered, self.waiting = true, false
+        turn_to(self, follower(self, true), time_s)
+    end
 end
 
 --- One step of time: at most one step of the exercise ends, and the next begins.
 function Runner:tick(time_s)
-    if self.at == 0 then begin(self, time_s) end
+    if self.at == 0 then turn_to(self, 1, time_s) end
     local step = self.declared[self.at]
     if not step then return end
-    local completed = is_done(self, step)
-    local late = step.time_limit_s and time_s - self.records[self.at].start_s >= step.time_limit_s
-    if completed or late then
-        finish(self, completed, time_s)
-        begin(self, time_s)
+    if self.waiting then wait(self, time_s) end
+    if self.waiting or not self.declared[self.at] then return end
+    if self.declared[self.at] == step then
+        local completed = is_done(self, step)
+        local late = step.time_limit_s and time_s - self.records[self.at].start_s >= step.time_limit_s
+        if completed or late then finish(self, completed, late, time_s) end
     end
+    if self.declared[self.at] then give_hint(self, time_s) end
+end
+
+--- True once after each time that the turn has come to another step.
+function Runner:has_turned()
+    local turned = self.turned
+    self.turned = false
+    return turned == true
+end
+
+--- What the steps of a changed exercise go on from: see take_up.
+function Runner:left() return { steps = self.records, at = self:turn(), hinted = self.hinted } end
+
+--- Id of the step whose turn it is, begun or not.
+function Runner:turn() return self.declared[self.at] and self.declared[self.at].id end
+
+-- The place in the list of the step whose turn it is: by its name, or the first that has not had its turn.
+local function place_of(self, id)
+    for i, step in ipairs(self.declared) do
+        if step.id == id then return i end
+    end
+    for i, record in ipairs(self.records) do
+        if not record.end_s and not record.skipped and not record.not_entered then return i end
+    end
+    return #self.declared + 1
+end
+
+--- Goes on where the steps of the exercise before it was changed had come to: what is known of steps of the same name
+--- stays known.
+function Runner:take_up(left, time_s)
+    local known = {}
+    for _, record in ipairs(left.steps) do known[record.id] = record end
+    for i, record in ipairs(self.records) do
+        local before = known[record.id]
+        if before and record.id ~= left.at then
+            self.records[i] = before
+            before.title = record.title
+        end
+    end
+    local at = place_of(self, left.at)
+    self.at = at
+    turn_to(self, at, time_s)
+    if self.hint and self.hint == left.hinted then self.hint = nil end
 end
 
 --- Ends the step that runs, undone.
@@ -98,7 +184,10 @@ function Runner:stop(time_s)
     if record and record.start_s and not record.end_s then record.end_s = time_s end
 end
 
-function Runner:current() return self.declared[self.at] and self.declared[self.at].id or "" end
+--- Id of the step that runs; "" while one waits for its condition to begin.
+function Runner:current()
+    return not self.waiting and self.declared[self.at] and self.declared[self.at].id or ""
+end
 
 function Runner:since() return self.records[self.at] and self.records[self.at].start_s or 0 end
 
@@ -107,7 +196,7 @@ function Runner:over() return self.at > #self.declared end
 
 function Runner:all_completed()
     for _, record in ipairs(self.records) do
-        if not record.completed then return false end
+        if not record.completed and not record.skipped then return false end
     end
     return true
 end

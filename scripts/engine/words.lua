@@ -48,6 +48,19 @@ function words.hint(word, known)
     return ""
 end
 
+--- What a scene may be made of: names of instruments and tissues.
+words.parts = {}
+
+--- " (the exercise does not name the hook)" of a measure whose group is a part of other scenes; or nil.
+function words.missing_part(name, known)
+    local group = name:match("^([%w_]+)%.")
+    if not group or not words.has(words.parts, group) then return nil end
+    for _, other in ipairs(known) do
+        if other:sub(1, #group + 1) == group .. "." then return nil end
+    end
+    return (" (the exercise does not name '%s' among its tissues and instruments)"):format(group)
+end
+
 --- The keys of a table that are strings, in a fixed order.
 function words.keys(t)
     local keys = {}
@@ -56,6 +69,14 @@ function words.keys(t)
     end
     table.sort(keys)
     return keys
+end
+
+--- Whether a list holds a value.
+function words.has(list, value)
+    for _, one in ipairs(list) do
+        if one == value then return true end
+    end
+    return false
 end
 
 --- Joins a list as a person would: "a, b and c".
@@ -111,6 +132,9 @@ function words.where(field, from)
     end
     return reading.name .. ":" .. (from or line_of_exercise())
 end
+
+--- Line on which `field = ...` stands at or after line `from`, or `from`.
+function words.line_of(field, from) return tonumber(words.where(field, from):match(":(%d+)$")) end
 
 --- Raises "where: message" without another position before it.
 function words.fail(where, message) error(where .. ": " .. message, 0) end

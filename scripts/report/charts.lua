@@ -3,6 +3,7 @@
 
 local chart = require "report.chart"
 local markup = require "report.markup"
+local t = require("report.words").t
 
 local charts = {}
 
@@ -58,7 +59,8 @@ local function lines_of(spec, series, count)
     for _, line in ipairs(spec.lines) do
         local measure = series.measures[line[1]]
         if measure and type(measure.values) == "table" then
-            lines[#lines + 1] = { label = line[2], values = scaled(measure.values, count, spec.scale), count = count }
+            local values = scaled(measure.values, count, spec.scale)
+            lines[#lines + 1] = { label = t(line[2]), values = values, count = count }
         end
     end
     return lines
@@ -120,9 +122,9 @@ local function way_of_tear(measures, count)
 end
 
 local function planned_circles(goals)
-    local circles = { { radius = 3.0, label = "optic" } }
+    local circles = { { radius = 3.0, label = t("optic") } }
     if goals and type(goals.radius_mm) == "number" then
-        table.insert(circles, 1, { radius = goals.radius_mm, label = "planned" })
+        table.insert(circles, 1, { radius = goals.radius_mm, label = t("planned") })
     end
     return circles
 end
@@ -138,17 +140,20 @@ function charts.html(report, series)
     for _, spec in ipairs(wanted) do
         local lines = lines_of(spec, series, count)
         if #lines > 0 and any_number(lines) then
-            figure(w, chart.over_time({ title = spec.title, lines = lines, range = spec.range, danger = spec.danger },
-                context), spec.title, spec.unit)
+            local title = t(spec.title)
+            figure(w, chart.over_time({ title = title, lines = lines, range = spec.range, danger = spec.danger },
+                context), title, spec.unit:find("^%l+$") and #spec.unit > 2 and t(spec.unit) or spec.unit)
         end
     end
     local pupil = report.patient and report.patient.pupil_mm or 7.5
-    local function way(title, ...) figure(w, chart.way(...), title .. ", seen from above (the surgeon sits below)") end
+    local function way(title, ...)
+        figure(w, chart.way(...), t("%s, seen from above (the surgeon sits below)", t(title)))
+    end
     local tip = way_of_tip(series.measures, count)
-    if tip then way("Way of the tip", tip, count, pupil, { strong = "with ultrasound", usual = "without" }) end
+    if tip then way("Way of the tip", tip, count, pupil, { strong = t("with ultrasound"), usual = t("without") }) end
     local tear = way_of_tear(series.measures, count)
     if tear then
-        way("Way of the tear", tear, count, pupil, { strong = "led by the forceps", usual = "cut" },
+        way("Way of the tear", tear, count, pupil, { strong = t("led by the forceps"), usual = t("cut") },
             planned_circles(report.goals), 1.2 * pupil)
     end
     return w:text()

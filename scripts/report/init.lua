@@ -7,13 +7,16 @@ local markup = require "report.markup"
 local pictures = require "report.pictures"
 local scores = require "report.scores"
 local style = require "report.style"
+local report_words = require "report.words"
+
+local t = report_words.t
 
 local report_page = {}
 
 local e, number, time = markup.escape, markup.number, markup.time
 
 local function title_of(report)
-    return report.title or (report.curriculum and (report.curriculum.title or report.curriculum.id)) or "Exercise"
+    return report.title or (report.curriculum and (report.curriculum.title or report.curriculum.id)) or t("Exercise")
 end
 
 local function who(report)
@@ -21,73 +24,95 @@ local function who(report)
         c = "virtual surgeon of group C", d = "virtual surgeon of group D (over 500 operations)",
         novice = "virtual novice (fewer than 50 operations)", expert = "virtual expert (over 500 operations)",
         none = "trainee" }
-    return names[report.surgeon] or report.surgeon or "trainee"
+    local name = names[report.surgeon] or not report.surgeon and "trainee"
+    return name and t(name) or report.surgeon
 end
 
 local function patient_text(patient)
     if not patient then return nil end
     local parts = {}
-    if patient.age then parts[#parts + 1] = number(patient.age, 0) .. " years" end
-    if patient.nuclear_grade then parts[#parts + 1] = "nuclear cataract NO" .. number(patient.nuclear_grade, 1) end
+    if patient.age then parts[#parts + 1] = t("%s years", number(patient.age, 0)) end
+    if patient.nuclear_grade then parts[#parts + 1] = t("nuclear cataract NO%s", number(patient.nuclear_grade, 1)) end
     if (patient.cortical_opacity or 0) > 0 then
-        parts[#parts + 1] = patient.cortical_opacity >= 1 and "white cortex" or "hazy cortex"
+        parts[#parts + 1] = t(patient.cortical_opacity >= 1 and "white cortex" or "hazy cortex")
     end
-    if patient.pupil_mm then parts[#parts + 1] = "pupil " .. number(patient.pupil_mm, 1) .. " mm" end
-    if patient.side then parts[#parts + 1] = patient.side .. " eye" end
+    if patient.pupil_mm then parts[#parts + 1] = t("pupil %s mm", number(patient.pupil_mm, 1)) end
+    if patient.side then parts[#parts + 1] = t(patient.side .. " eye") end
     return table.concat(parts, ", ")
 end
 
+local function incision_text(o)
+    if not o then return nil end
+    return t("%s, at %s degrees; the nose lies %s, above lies %s", t(o.incision), number(o.incision_deg, 0), t(o.nose),
+        t(o.above)) .. "; " .. t(("surgeon %s-handed"):format(o.handedness))
+end
+
+local function mode_text(report)
+    if not report.mode then return nil end
+    return t(report.mode == "exam" and "exam (no hints)" or "teaching (hints and advice said)")
+end
+
 local function header(w, report)
-    w('<header><div class="head"><div><p class="soft small">rhexis: report of an exercise</p><h1>', e(title_of(report)),
+    w('<header><div class="head"><div><p class="soft small">', e(t("rhexis: report of an exercise")), "</p><h1>",
+        e(title_of(report)),
         "</h1>")
     if report.summary then w("<p>", e(report.summary), "</p>") end
+    if #(report.objectives or {}) > 0 then
+        w("<p><b>", e(t("Objectives:")), "</b></p><ul>")
+        for _, objective in ipairs(report.objectives) do w("<li>", e(objective), "</li>") end
+        w("</ul>")
+    end
     w('<ul class="facts">')
     local function fact(name, value)
-        if value then w("<li>", name, " <b>", e(value), "</b></li>") end
+        if value then w("<li>", e(t(name)), " <b>", e(value), "</b></li>") end
     end
     fact("By", who(report))
     fact("Patient", patient_text(report.patient))
+    fact("Incision", incision_text(report.orientation))
+    fact("Level", report.level)
+    fact("Mode", mode_text(report))
     fact("Time", time(report.duration_s))
     w("</ul></div>", scores.badge(report.osacss), "</div></header>")
 end
 
-local function plural(n, word) return n == 1 and "one " .. word or n .. " " .. word .. "s" end
+-- "One error was made, and put right."
+local function errors_told(events)
+    local right = 0
+    for _, event in ipairs(events) do right = right + (event.recovered and 1 or 0) end
+    if #events == 0 then return t("No error was made.") end
+    if #events == 1 then
+        return right == 1 and t("One error was made, and put right.") or t("One error happened; %d put right.", right)
+    end
+    if right == #events then return t("%d errors were made, and all put right.", right) end
+    return t("%d errors happened; %d put right.", #events, right)
+end
 
 -- What happened, in a few sentences.
 local function story(report)
-    local steps, events = report.steps or {}, report.events or {}
-    local done, undone = 0, {}
-    for _, step in ipairs(steps) do
-        if step.completed then done = done + 1 else undone[#undone + 1] = "“" .. (step.title or step.id) .. "”" end
+    local done, undone, turns = 0, {}, 0
+    for _, step in ipairs(report.steps or {}) do
+        if not step.skipped then turns = turns + 1 end
+        if step.completed then
+            done = done + 1
+        elseif not step.skipped then
+            undone[#undone + 1] = "“" .. (step.title or step.id) .. "”"
+        end
     end
-    local text = {}
-    if report.completed then
-        text[1] = ("All %d steps were completed."):format(#steps)
-    else
-        text[1] = ("%d of %d steps were completed%s."):format(done, #steps,
-            #undone > 0 and "; not completed: " .. table.concat(undone, ", ") or "")
-    end
-    local right = 0
-    for _, event in ipairs(events) do right = right + (event.recovered and 1 or 0) end
-    if #events == 0 then
-        text[2] = "No error was made."
-    elseif right == #events then
-        text[2] = plural(#events, "error"):gsub("^%l", string.upper) .. (#events == 1 and " was made, and put right."
-            or " were made, and all put right.")
-    else
-        text[2] = plural(#events, "error"):gsub("^%l", string.upper) .. (" happened; %d put right."):format(right)
-    end
-    return table.concat(text, " ")
+    local steps = report.completed and t("All %d steps were completed.", turns)
+        or t("%d of %d steps were completed%s.", done, turns,
+            #undone > 0 and t("; not completed: ") .. table.concat(undone, ", ") or "")
+    return steps .. " " .. errors_told(report.events or {})
 end
 
 local function summary(w, report)
-    w("<section><h2>In short</h2><p>", e(story(report)), "</p>")
+    w("<section><h2>", e(t("In short")), "</h2><p>", e(story(report)), "</p>")
     if report.error then
-        w('<p class="tb"><b>The exercise was stopped by a mistake in its script:</b> ', e(report.error), "</p>")
+        w('<p class="tb"><b>', e(t("The exercise was stopped by a mistake in its script:")), "</b> ", e(report.error),
+            "</p>")
     end
     local advice = report.advice or {}
     if #advice > 0 then
-        w("<p><b>Next time:</b></p><ol class=\"advice\">")
+        w("<p><b>", e(t("Next time:")), '</b></p><ol class="advice">')
         for _, line in ipairs(advice) do w("<li>", e(line), "</li>") end
         w("</ol>")
     end
@@ -103,18 +128,33 @@ local function evidence_text(evidence)
     table.sort(names)
     for _, name in ipairs(names) do
         local value = evidence[name]
-        if type(value) == "boolean" then value = value and "yes" or "no" else value = number(value, 3) end
+        if type(value) == "boolean" then value = t(value and "yes" or "no") else value = number(value, 3) end
         parts[#parts + 1] = name .. " " .. value
     end
     return table.concat(parts, " · ")
 end
 
+local function consequences_text(consequences)
+    local parts, names = {}, {}
+    for _, text in ipairs(consequences and consequences.texts or {}) do parts[#parts + 1] = text end
+    for name in pairs(consequences and consequences.settings or {}) do names[#names + 1] = name end
+    table.sort(names)
+    for _, name in ipairs(names) do
+        parts[#parts + 1] = t("%s set to %s", name, number(consequences.settings[name], 3))
+    end
+    return table.concat(parts, " ")
+end
+
 local function occurrence(w, event)
     local outcome = outcomes[event.outcome] or outcomes[event.recovered and "recovered" or "not_recovered"]
-    w('<li>at ', time(event.time_s), ' <span class="tag ', outcome[2], '">', outcome[1],
-        event.recovery_s and " after " .. time(event.recovery_s) or "", "</span>")
+    w("<li>", e(t("at %s", time(event.time_s))), ' <span class="tag ', outcome[2], '">', e(t(outcome[1])),
+        event.recovery_s and e(t(" after %s", time(event.recovery_s))) or "", "</span>")
+    local followed = consequences_text(event.consequences)
+    if followed ~= "" then
+        w('<br><span class="soft small">', e(t("What the exercise let follow: ")), e(followed), "</span>")
+    end
     local evidence = evidence_text(event.evidence)
-    if evidence ~= "" then w('<br><span class="soft small">Measured then: ', e(evidence), "</span>") end
+    if evidence ~= "" then w('<br><span class="soft small">', e(t("Measured then: ")), e(evidence), "</span>") end
     w("</li>")
 end
 
@@ -122,8 +162,8 @@ end
 local function event_card(w, events)
     local first = events[1]
     w('<div class="event ', first.severity == "minor" and "minor" or "", '"><h3>', e(first.title or first.id), "</h3>")
-    if first.cue then w("<p><b>What shows it:</b> ", e(first.cue), "</p>") end
-    if first.advice then w("<p><b>What to do:</b> ", e(first.advice), "</p>") end
+    if first.cue then w("<p><b>", e(t("What shows it:")), "</b> ", e(first.cue), "</p>") end
+    if first.advice then w("<p><b>", e(t("What to do:")), "</b> ", e(first.advice), "</p>") end
     w("<ul>")
     for _, event in ipairs(events) do occurrence(w, event) end
     w("</ul></div>")
@@ -143,10 +183,10 @@ end
 
 local function time_line(w, report)
     local steps, events = report.steps or {}, report.events or {}
-    w("<section><h2>What happened when</h2>")
+    w("<section><h2>", e(t("What happened when")), "</h2>")
     if #steps > 0 and (report.duration_s or 0) > 0 then
         w(chart.time_line(steps, events, report.duration_s))
-        w('<p class="soft small">Green: step completed. Grey: not completed.</p>')
+        w('<p class="soft small">', e(t("Green: step completed. Grey: not completed.")), "</p>")
     end
     event_cards(w, events)
     w("</section>")
@@ -156,22 +196,24 @@ end
 local function video(w, report)
     local file = report.video
     if type(file) ~= "string" or not file:find("^[%w_-]+%.mp4$") then return end
-    w('<section class="video"><h2>Video</h2><video controls preload="metadata" src="', file, '"></video>',
-        '<p class="soft small">If it does not play here, open <a href="', file, '">', file,
-        "</a>, which lies beside this page, in any player.</p></section>")
+    local link = ('<a href="%s">%s</a>'):format(file, file)
+    w('<section class="video"><h2>', e(t("Video")), '</h2><video controls preload="metadata" src="', file,
+        '"></video><p class="soft small">',
+        t("If it does not play here, open %s, which lies beside this page, in any player.", link), "</p></section>")
 end
 
 local function chart_section(w, report, series)
     local html = charts.html(report, series)
     if html == "" then return end
-    w('<section><h2>Over time</h2><p class="soft small">Dashed lines: errors (red: critical, brown: minor). ',
-        'Red ground: danger. Grey ground: every second step.</p><div class="charts">', html, "</div></section>")
+    w("<section><h2>", e(t("Over time")), '</h2><p class="soft small">', e(t("Dashed lines: errors (red: critical, "
+        .. "brown: minor). Red ground: danger. Grey ground: every second step.")), '</p><div class="charts">', html,
+        "</div></section>")
 end
 
 local function rows(w, pairs_of)
     w("<table>")
     for _, row in ipairs(pairs_of) do
-        if row[2] and row[2] ~= "" then w("<tr><th>", e(row[1]), "</th><td>", e(row[2]), "</td></tr>") end
+        if row[2] and row[2] ~= "" then w("<tr><th>", e(t(row[1])), "</th><td>", e(row[2]), "</td></tr>") end
     end
     w("</table>")
 end
@@ -186,20 +228,21 @@ end
 
 local function background(w, report)
     local p, c = report.performance or {}, report.curriculum or {}
-    w("<section><h2>Patient, machine and simulation</h2>")
+    w("<section><h2>", e(t("Patient, machine and simulation")), "</h2>")
     rows(w, {
         { "Patient", patient_text(report.patient) },
         { "Goals of the exercise", goals_text(report.goals) },
         { "Machine", goals_text(report.settings) },
-        { "Exercise", (c.id or "") .. (c.version and ", version " .. number(c.version, 2) or "") },
-        { "Chance", report.seed and "seed " .. tostring(report.seed) },
-        { "Steps of time", p.steps and ("%s, %s ms each on average, %s ms for all but 1 %%, %s repeated"):format(
+        { "Exercise", c.version and t("%s, version %s", c.id or "", number(c.version, 2)) or c.id },
+        { "Chance", report.seed and t("seed %s", tostring(report.seed)) },
+        { "Steps of time", p.steps and t("%s, %s ms each on average, %s ms for all but 1 %%, %s repeated",
             number(p.steps, 0), number(p.mean_step_ms, 2), number(p.p99_step_ms, 2), number(p.rollbacks or 0, 0)) },
-        { "Computing time", p.cpu_s_per_s and number(p.cpu_s_per_s, 3) .. " s per simulated second" },
+        { "Computing time", p.cpu_s_per_s and t("%s s per simulated second", number(p.cpu_s_per_s, 3)) },
     })
     local parts = report.simulated or {}
     if #parts > 0 then
-        w("<h3>What was simulated</h3><table><tr><th>Part</th><th>Elements</th><th>Computing time</th></tr>")
+        w("<h3>", e(t("What was simulated")), "</h3><table><tr><th>", e(t("Part")), "</th><th>", e(t("Elements")),
+            "</th><th>", e(t("Computing time")), "</th></tr>")
         for _, part in ipairs(parts) do
             w("<tr><td>", e(part.part), "</td><td>", number(part.elements, 0), "</td><td>", number(part.cpu_s, 2),
                 " s</td></tr>")
@@ -207,14 +250,15 @@ local function background(w, report)
         w("</table>")
     end
     w("</section>")
-    if c.sha256 then w("<footer>Curriculum ", e(c.id), ": <code>", e(c.sha256), "</code></footer>") end
+    if c.sha256 then w("<footer>", e(t("Curriculum %s", c.id)), ": <code>", e(c.sha256), "</code></footer>") end
 end
 
 --- report: of report.json; series: of series.json; images: file name in report.pictures to base64 text of a PNG.
 --- Returns the whole page.
 function report_page.html(report, series, images)
+    report_words.use(report.language)
     local w = markup.writer()
-    w('<!doctype html><html lang="en"><head><meta charset="utf-8">',
+    w('<!doctype html><html lang="', e(report_words.language()), '"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1"><title>', e(title_of(report)),
         " – rhexis</title><style>", style, "</style></head><body><main>")
     header(w, report)

@@ -2,6 +2,7 @@
 -- Pictures of an attempt, held in the page itself: not more than a browser opens readily.
 
 local markup = require "report.markup"
+local t = require("report.words").t
 
 local pictures = {}
 
@@ -39,6 +40,7 @@ end
 
 local function figure(w, picture, bytes)
     local caption = picture.caption or picture.name or ""
+    if caption == "Before the first step." or caption == "At the end." then caption = t(caption) end
     w('<figure><img alt="', e(caption), '" src="data:image/png;base64,', bytes, '"><figcaption>', e(caption),
         ' <span class="soft">', markup.time(picture.time_s), "</span></figcaption></figure>")
 end
@@ -52,10 +54,10 @@ function pictures.section(w, report, images)
         if bytes and bytes:find("^[%w+/=\r\n]+$") then shown[#shown + 1] = { picture, bytes } end
     end
     if #shown == 0 then return end
-    w("<section><h2>Pictures</h2>")
+    w("<section><h2>", e(t("Pictures")), "</h2>")
     if #all > #kept then
-        w('<p class="soft small">Of what happened often, only the first pictures are here. The other ', #all - #kept,
-            " of ", #all, ' lie in <a href="frames/">frames/</a>, beside this page.</p>')
+        w('<p class="soft small">', t("Of what happened often, only the first pictures are here. The other %d of %d "
+            .. "lie in %s, beside this page.", #all - #kept, #all, '<a href="frames/">frames/</a>'), "</p>")
     end
     w('<div class="pictures">')
     for _, entry in ipairs(shown) do figure(w, entry[1], entry[2]) end

@@ -2,6 +2,7 @@
 -- The score of a report: the badge on top and the table of items with evidence and reasons.
 
 local markup = require "report.markup"
+local t = require("report.words").t
 
 local scores = {}
 
@@ -16,19 +17,19 @@ end
 
 --- Score and band, for the head of the page.
 function scores.badge(osacss)
-    if not osacss or not osacss.scaled then return '<div class="score"><b>–</b>not scored</div>' end
+    if not osacss or not osacss.scaled then return '<div class="score"><b>–</b>' .. e(t("not scored")) .. "</div>" end
     local w = markup.writer()
     w('<div class="score"><span class="soft small">', e(osacss.rubric or "OSACSS"), "</span><b>",
-        number(osacss.total, 1), '</b><span class="soft">of ', number(osacss.max, 0), "</span><br>")
-    w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or "not completed"),
+        number(osacss.total, 1), '</b><span class="soft">', e(t("of %s", number(osacss.max, 0))), "</span><br>")
+    w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or t("not completed")),
         "</span></div>")
     return w:text()
 end
 
 local function measures_table(w, measures)
     if #measures == 0 then return end
-    w('<table class="measures"><tr><th>Measure</th><th>Value</th><th>Points</th>',
-        "<th>Ground for the thresholds</th></tr>")
+    w('<table class="measures"><tr><th>', e(t("Measure")), "</th><th>", e(t("Value")), "</th><th>", e(t("Points")),
+        "</th><th>", e(t("Ground for the thresholds")), "</th></tr>")
     for _, measure in ipairs(measures) do
         w("<tr><td>", e(measure.name or measure.id), "</td><td>", number(measure.value, 2), " ",
             e(measure.unit == "1" and "" or measure.unit), "</td><td>", number(measure.score, 1), "</td><td>",
@@ -45,10 +46,10 @@ local function item_row(w, item)
     w('</td><td class="points">')
     if item.score then
         local share = (item.score - 1) / 4
-        w("<b>", number(item.score, 1), '</b> <span class="soft">of 5</span><div class="bar"><i class="',
+        w("<b>", number(item.score, 1), '</b> <span class="soft">', e(t("of 5")), '</span><div class="bar"><i class="',
             class_of(share), '" style="width:', number(20 * item.score, 1), '%"></i></div>')
     else
-        w('<span class="soft">not scored</span>')
+        w('<span class="soft">', e(t("not scored")), "</span>")
     end
     w("</td></tr>")
 end
@@ -56,16 +57,17 @@ end
 --- The table of items.
 function scores.section(w, osacss)
     if not osacss or not osacss.items then return end
-    w("<section><h2>Score, item by item</h2><table><thead><tr><th>Item</th><th>Why</th><th>Points</th></tr></thead>",
-        "<tbody>")
+    w("<section><h2>", e(t("Score, item by item")), "</h2><table><thead><tr><th>", e(t("Item")), "</th><th>",
+        e(t("Why")), "</th><th>", e(t("Points")), "</th></tr></thead><tbody>")
     for _, item in ipairs(osacss.items) do item_row(w, item) end
     w("</tbody></table>")
     if osacss.band then
-        w('<p class="small">Band: <b>', e(osacss.band), "</b>", osacss.band_meaning and ", " .. e(osacss.band_meaning)
-            or "", ". The cuts are where the groups of Saleh et al. 2007 part.</p>")
+        w('<p class="small">', e(t("Band: ")), "<b>", e(osacss.band), "</b>", osacss.band_meaning and ", "
+            .. e(osacss.band_meaning) or "", ". ", e(t("The cuts are where the groups of Saleh et al. 2007 part.")),
+            "</p>")
     end
-    w('<p class="soft small">Each item has 1 to 5 points. These scores have not been validated clinically; thresholds ',
-        'marked “proposal” have no published ground.</p></section>')
+    w('<p class="soft small">', e(t("Each item has 1 to 5 points. These scores have not been validated clinically; "
+        .. "thresholds marked “proposal” have no published ground.")), "</p></section>")
 end
 
 return scores

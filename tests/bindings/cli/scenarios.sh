@@ -17,7 +17,7 @@ return exercise {
     errors = {
         error_event "Too far" { when = "phaco.tip_x_mm > goal.side", recovered = "phaco.tip_x_mm < goal.side - 0.2",
             deadline_s = 0.5, near_miss_s = 0, advice = "Go back." },
-        error_event "Never" { when = "time_s < 0", advice = "-" },
+        error_event "Never" { when = "time_s > 250", advice = "-" },
     },
 }
 L

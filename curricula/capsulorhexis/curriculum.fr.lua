@@ -1,0 +1,67 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The exercise in French. Keys are the English texts, letter for letter.
+
+return {
+    ["Capsulorhexis"] = "Capsulorhexis",
+    ["Fill the chamber with viscoelastic, pierce the anterior capsule with the cystotome and cut the "
+        .. "beginning of a flap, then take hold of it with the forceps and tear it round, so that the opening is "
+        .. "a circle a little smaller than the optic of the implant."] =
+        "Remplissez la chambre de viscoélastique, percez la capsule antérieure au kystitome et amorcez un "
+            .. "lambeau, puis saisissez-le à la pince et déchirez-le en rond : l'ouverture doit être un cercle un "
+            .. "peu plus petit que l'optique de l'implant.",
+    ["Fill the chamber before the capsule is opened, so that it lies flat"] =
+        "Remplir la chambre avant d'ouvrir la capsule, pour qu'elle soit plane",
+    ["Take hold of the flap near the end of the tear, again and again, and lead it round"] =
+        "Reprendre sans cesse le lambeau près de l'extrémité de la déchirure, et le mener en rond",
+    ["See a tear that runs outwards while it can still be put right"] =
+        "Voir filer une déchirure en dehors tant qu'elle peut encore être corrigée",
+    ["Fill the chamber"] = "Remplir la chambre",
+    ["Bring the cannula over the lens and press, until the chamber is deep and the capsule lies flat."] =
+        "Amenez la canule au-dessus du cristallin et appuyez, jusqu'à ce que la chambre soit profonde et la "
+            .. "capsule plane.",
+    ["Pierce the capsule and begin the flap"] = "Percer la capsule et amorcer le lambeau",
+    ["With the cystotome: through the capsule a millimetre from its middle, outwards to the planned "
+        .. "circle, and a quarter of the way round along it."] =
+        "Au kystitome : percez la capsule à un millimètre de son centre, allez en dehors jusqu'au cercle "
+            .. "prévu, et suivez-le sur un quart de tour.",
+    ["Tear the flap round"] = "Déchirer le lambeau en rond",
+    ["With the forceps: fold the flap over, take hold of it near the end of the tear, lead it round in the "
+        .. "plane of the capsule, and take hold anew before the tear is far from the jaws."] =
+        "À la pince : rabattez le lambeau, saisissez-le près de l'extrémité de la déchirure, menez-le en rond "
+            .. "dans le plan de la capsule, et reprenez-le avant que la déchirure ne s'éloigne des mors.",
+    ["Leave the eye"] = "Sortir de l'œil",
+    ["Take the flap out with the forceps."] = "Retirez le lambeau à la pince.",
+    ["Underfilled"] = "Chambre insuffisamment remplie",
+    ["The chamber is shallow, the lens comes forward, and the capsule is domed."] =
+        "La chambre est étroite, le cristallin avance et la capsule est bombée.",
+    ["Fill the chamber before you go on: a domed capsule tears outwards."] =
+        "Remplissez la chambre avant de continuer : une capsule bombée se déchire en dehors.",
+    ["Overfilled"] = "Chambre trop remplie",
+    ["The eye is hard, the iris bulges towards the wound."] = "L'œil est dur, l'iris bombe vers l'incision.",
+    ["Too much: stop pressing, and let some out through the wound before you go on."] =
+        "Trop : cessez d'appuyer, et laissez-en sortir par l'incision avant de continuer.",
+    ["Tear runs out"] = "La déchirure file",
+    ["The leading edge drifts outwards, and the flap hides where it hangs."] =
+        "Le front de déchirure dérive en dehors, et le lambeau cache son attache.",
+    ["Stop. Fill the chamber, unfold the flap so that it lies flat, take hold of it close to the tear, "
+        .. "pull back along the way it came, in the plane of the capsule, and then to the middle."] =
+        "Arrêtez. Remplissez la chambre, dépliez le lambeau à plat, saisissez-le près de la déchirure, tirez "
+            .. "en arrière le long du trajet déjà fait, dans le plan de la capsule, puis vers le centre.",
+    ["Edge lost"] = "Bord perdu",
+    ["The end of the tear is gone behind the iris."] = "L'extrémité de la déchirure a disparu derrière l'iris.",
+    ["Do not pull on: let go and fill the chamber. Then begin again from the other end of the cut and lead "
+        .. "the new tear into the old one, gently, without pressing fluid under the edge."] =
+        "Ne tirez plus : lâchez et remplissez la chambre. Repartez ensuite de l'autre bout de l'incision et "
+            .. "menez doucement la nouvelle déchirure dans l'ancienne, sans injecter de liquide sous le bord.",
+    ["Needle too deep"] = "Aiguille trop profonde",
+    ["White shreds of cortex rise around the needle."] =
+        "Des lambeaux blancs de cortex montent autour de l'aiguille.",
+    ["Too deep: lift the needle until only its point is under the capsule."] =
+        "Trop profond : remontez l'aiguille jusqu'à ce que seule sa pointe soit sous la capsule.",
+    ["Iris touched"] = "Iris touché",
+    ["The pupil's edge moves with the instrument."] = "Le bord de la pupille suit l'instrument.",
+    ["Iris touched: stop, bring the instrument back to the middle of the pupil, and look at the shaft."] =
+        "Iris touché : arrêtez, ramenez l'instrument au milieu de la pupille, et regardez la tige.",
+    ["wide pupil, chamber already filled"] = "pupille large, chambre déjà remplie",
+    ["narrow pupil, no hints"] = "pupille étroite, sans conseils",
+}

@@ -1,0 +1,61 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Settings that a curriculum names, against those that the kernel has: names, ranges, and whether they may change while
+-- a scene runs. The host says what there is before a curriculum is read; without that, nothing is checked here.
+
+local words = require "engine.words"
+
+local check = {}
+
+local table_of = nil  -- name -> { from, to, standard, live }
+
+--- list: of { name, from, to, standard, live }.
+function check.know(list)
+    table_of = {}
+    for _, setting in ipairs(list) do table_of[setting.name] = setting end
+end
+
+--- Nothing is known any more: for tests.
+function check.forget() table_of = nil end
+
+--- What the kernel says of a setting, or nil.
+function check.info(name) return table_of and table_of[name] end
+
+local function plain(name) return name:match("([%w_]+)$") end
+
+-- "file:line" of a setting, written whole or by its last word.
+local function where_of(name, line)
+    local whole = words.where(name, line)
+    if whole ~= words.where(nil, line) then return whole end
+    return words.where(plain(name), line)
+end
+
+local function check_one(name, value, line, owner)
+    local setting = table_of[name]
+    if not setting then
+        words.fail(where_of(name, line), ("%sthere is no setting '%s'%s"):format(owner, name,
+            words.hint(name, words.keys(table_of))))
+    end
+    if value < setting.from or value > setting.to then
+        words.fail(where_of(name, line), ("%s%s = %g is out of range (%g to %g)"):format(owner, name, value,
+            setting.from, setting.to))
+    end
+end
+
+--- settings: name -> number. line: from where on to look for them. owner: before the message.
+function check.all(settings, line, owner)
+    if not table_of then return end
+    for _, name in ipairs(words.keys(settings)) do check_one(name, settings[name], line, owner) end
+end
+
+--- The same for settings that are changed while the scene runs.
+function check.live(settings, line, owner)
+    if not table_of then return end
+    check.all(settings, line, owner)
+    for _, name in ipairs(words.keys(settings)) do
+        if not table_of[name].live then
+            words.fail(where_of(name, line), ("%s%s is fixed before the first step"):format(owner, name))
+        end
+    end
+end
+
+return check

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# rhexis check: one line per mistake, with file and line, and status 1; and what it says of an exercise that is good.
+set -u
+. "$(dirname "$0")/expect.sh"
+
+# curriculum STEPS ERRORS REST: a small exercise; what is given stands on lines 5, 6 and 7.
+curriculum() {
+    printf 'return exercise {\n title = "T", patient = { tetrahedra = 500 },\n tissues = { "lens", "iris" },' >"$work/c.lua"
+    printf ' instruments = { "phaco" },\n goals = { deep_mm = { 3, from = 1, to = 5 } },\n steps = { %s },\n' "$1" >>"$work/c.lua"
+    printf ' errors = { %s },\n %s\n}\n' "$2" "$3" >>"$work/c.lua"
+    mkdir -p "$work/mine"
+    mv "$work/c.lua" "$work/mine/curriculum.lua"
+}
+good_step='step "work" { done = "phaco.tip_depth_mm > goal.deep_mm" }'
+good_event='error_event "deep" { when = "phaco.tip_depth_mm > 4", recovered = "phaco.tip_depth_mm < 3", advice = "Up." }'
+# wrong LINE TEXT: of the curriculum as it stands.
+wrong() { expect 1 "rhexis: mine/curriculum.lua:$1: $2" "$rhexis" check "$work/mine"; }
+
+curriculum "$good_step" "$good_event" 'objectives = { "See depth" }, levels = { easy = { meaning = "young", patient = { age = 40 } } },'
+expect 0 "" "$rhexis" check "$work/mine"
+says "mine: good"
+says "objective: See depth"
+says "level easy: young"
+
+# Names.
+event() { echo "error_event \"e\" { when = \"iris.touch\", advice = \"Up.\", $1 }"; }
+curriculum "$good_step" "$(event 'steps = { "wrok" }')" ''
+wrong 6 "error_event 'e': there is no step 'wrok' (did you mean work?)"
+curriculum 'step "work" { done = "iris.touch", next = "finsh" }, step "finish" { done = "iris.touch" }' '' ''
+wrong 5 "step 'work': next: there is no step 'finsh' (did you mean finish?)"
+curriculum "$good_step" "$(event 'items = { "G44" }')" 'scoring = osacss { "G4" },'
+wrong 6 "error_event 'e': unknown item 'G44' (did you mean G4"
+curriculum "$good_step" '' 'scoring = osacss { "GG4" },'
+wrong 7 "unknown item 'GG4' (did you mean G4"
+curriculum "$good_step" '' ''
+sed -i 's/"iris"/"irsi"/' "$work/mine/curriculum.lua"
+wrong 3 "exercise: tissues = \"irsi\" is not allowed (did you mean iris"
+curriculum "$good_step" '' ''
+sed -i 's/"phaco"/"phcao"/' "$work/mine/curriculum.lua"
+wrong 3 "exercise: instruments = \"phcao\" is not allowed (did you mean phaco?)"
+curriculum 'step "work" { done = "phaco.tip_dpeth_mm > 1" }' '' ''
+wrong 5 "unknown measure 'phaco.tip_dpeth_mm' (did you mean phaco.tip_depth_mm"
+curriculum 'step "work" { done = "hook.tip_x_mm > 1" }' '' ''
+wrong 5 "unknown measure 'hook.tip_x_mm' (the exercise does not name 'hook' among its tissues and instruments)"
+curriculum 'step "work" { done = "phaco.tip_depth_mm > goal.deep" }' '' ''
+wrong 5 "unknown measure 'goal.deep' (did you mean goal.deep_mm?)"
+curriculum "$good_step" '' 'settings = { ["phaco.power_limti"] = 0.5 },'
+wrong 7 "settings: there is no setting 'phaco.power_limti' (did you mean phaco.power_limit?)"
+curriculum "$good_step" '' 'settings = { phaco = { power_limit = 5 } },'
+wrong 7 "settings: phaco.power_limit = 5 is out of range (0 to 1)"
+curriculum "$good_step" "$(event 'consequences = { ["implant.triangles"] = 500 }')" ''
+wrong 6 "error_event 'e': consequences: implant.triangles is fixed before the first step"
+curriculum "$good_step" '' 'levels = { easy = { pateint = {} } },'
+wrong 7 "level 'easy' has no field 'pateint' (did you mean patient?)"
+
+# Steps that are never reached.
+curriculum 'step "a" { done = "iris.touch", next = "c" }, step "b" { done = "iris.touch" }, step "c" { done = "iris.touch" }' '' ''
+wrong 5 "step 'b' is never reached: the steps before it lead past it"
+twice='phaco.tip_depth_mm > 2 and phaco.tip_depth_mm < 1'
+curriculum "step \"a\" { done = \"$twice\", time_limit_s = 5 }, step \"b\" { done = \"iris.touch\" }" '' ''
+wrong 5 "step 'a': done: \"$twice\" can never hold"
+curriculum "step \"a\" { enter_when = \"$twice\", done = \"iris.touch\" }, step \"b\" { done = \"iris.touch\" }" '' ''
+expect_lines() { # expect_lines STATUS TEXT...: each text on a line of its own
+    local status=$1 got=0
+    shift
+    "$rhexis" check "$work/mine" >"$work/stdout" 2>"$work/stderr" || got=$?
+    [ "$got" = "$status" ] || fail "status $got instead of $status ($(head -c 300 "$work/stderr"))"
+    [ "$(wc -l <"$work/stderr")" = $# ] || fail "not $# lines: $(cat "$work/stderr")"
+    for text in "$@"; do grep -qF -- "$text" "$work/stderr" || fail "no '$text': $(cat "$work/stderr")"; done
+}
+expect_lines 1 "mine/curriculum.lua:5: step 'a': enter_when: \"$twice\" can never hold" \
+    "mine/curriculum.lua:5: step 'b' is never reached: step 'a' before it never ends"
+
+# Conditions that never change, or never hold.
+curriculum 'step "work" { done = "3 > 2" }' '' ''
+wrong 5 "step 'work': done: \"3 > 2\" never changes: it holds no measure"
+curriculum "$good_step" 'error_event "e" { when = "goal.deep_mm > 2", advice = "Up." }' ''
+wrong 6 "error_event 'e': when: \"goal.deep_mm > 2\" never changes: it holds no measure"
+curriculum "$good_step" '' 'over = "time_s > 500", time_limit_s = 60,'
+wrong 7 "over: \"time_s > 500\" can never hold"
+curriculum 'step "work" { done = "phaco.present > 1" }' '' ''
+wrong 5 "what is true or false has no size"
+
+# Recoveries.
+recovery() { echo "error_event \"e\" { when = \"iris.touch\", advice = \"Up.\", $1 }"; }
+curriculum "$good_step" "$(recovery 'recovered = "iris.touch and not iris.touch"')" ''
+wrong 6 "error_event 'e': recovered: \"iris.touch and not iris.touch\" can never hold"
+curriculum "$good_step" "$(recovery 'recovered = "not iris.touch", deadline_s = 0')" ''
+wrong 6 "error_event 'e': recovery can never hold: deadline_s = 0 leaves no time for it"
+# At one level only: a goal makes it impossible.
+curriculum "$good_step" "$(recovery 'recovered = "phaco.tip_depth_mm > goal.deep_mm and phaco.tip_depth_mm < 4"')" \
+    'levels = { hard = { goals = { deep_mm = 4.5 } } },'
+expect 1 "can never hold (at level hard)" "$rhexis" check "$work/mine"
+finished
