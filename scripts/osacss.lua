@@ -7,6 +7,9 @@
 -- A measure counts only where its exercise simulates what it needs; an item without any is left out and the scale
 -- shrinks to the items that were scored.
 --
+-- per = "path_mm" divides by the number of that name in `reference` of the exercise: what an expert needed. An exercise
+-- that has no such number is not judged by that measure.
+--
 -- source says where thresholds come from. "proposal": nobody has published a figure; discuss and change it.
 -- These scores have not been validated clinically.
 
@@ -128,6 +131,11 @@ return scoring.rubric {
                 digits = 0, of = "spatula.capsule_gap_mm < -0.1", take = "count", quiet_s = 1, five = 0, three = 1,
                 one = 3, weight = 1, source = "proposal",
                 better = "Keep the end of the second instrument inside the capsule's opening." },
+            { id = "T7.depth_loss", name = "Most of the chamber's depth that was lost before the first cut", unit = "%",
+                digits = 0, of = "100 * (1 - chamber.depth_share)", take = "max",
+                during = "phaco.present and lens.removed_mm3 <= 0", five = 10, three = 25, one = 50, weight = 1,
+                source = "proposal",
+                better = "Let the irrigation run before the tip goes in, and do not press on the lip of the wound." },
         } },
 
         { id = "T8", name = "Phaco probe and second instrument: effective use and stability", measures = {
@@ -150,6 +158,18 @@ return scoring.rubric {
                 of = "phaco.tremor_um", take = "mean", during = "phaco.aspirating", five = 60, three = 130, one = 250,
                 weight = 1, source = "Riviere 1997: 49 um holding still, 133 um while actuating",
                 better = "Rest the hand on the patient's forehead and steady the handpiece with the second hand." },
+            { id = "T8.probe_tremor", name = "Trembling of the probe (6 to 12 Hz)", unit = "um", digits = 0,
+                of = "probe.tremor_um", take = "mean", during = "probe.present", five = 60, three = 130, one = 250,
+                weight = 1, source = "Riviere 1997: 49 um holding still, 133 um while actuating",
+                better = "Rest the hand on the patient's forehead, and hold the instrument near its tip." },
+            { id = "T8.chamber", name = "Change of the chamber's depth (standard deviation, share of its depth)",
+                unit = "%", digits = 1, of = "100 * chamber.depth_share", take = "deviation",
+                during = "phaco.irrigating", five = 5, three = 10, one = 20, weight = 1, source = "proposal",
+                better = "Change the pedal gradually, and hold the probe so that the wound is not pried open." },
+            { id = "T8.pedal", name = "Times that ultrasound was given far from any lens", unit = "1", digits = 0,
+                of = "phaco.ultrasound and not phaco.in_contact and phaco.tip_depth_mm < -1", take = "count",
+                quiet_s = 2, five = 0, three = 2, one = 5, weight = 0.5, source = "proposal",
+                better = "Feel for the steps of the pedal: position 3 only with the tip at the lens." },
         } },
 
         { id = "T9", name = "Nucleus: sculpting or primary chop", measures = {
@@ -185,6 +205,11 @@ return scoring.rubric {
                 of = "lens.peak_displacement_mm", take = "last", five = 0.2, three = 0.5, one = 1.0, weight = 1,
                 source = "proposal", better = "Slow the stroke or give more power, so that the tip cuts and does not "
                     .. "push." },
+            { id = "T9.occlusion", name = "Time that the lens shut the mouth of the tip while it sculpted, in "
+                .. "stretches of a second and more", unit = "s", digits = 1, of = "phaco.occlusion > 0.95",
+                take = "time", hold_s = 1, during = "phaco.ultrasound and fragments.count == 1", five = 0,
+                three = 4, one = 12, weight = 0.5, source = "proposal",
+                better = "Shave with half of the mouth free: a shut mouth holds the nucleus and pulls it." },
         } },
 
         { id = "T10", name = "Nucleus: rotation and manipulation", not_scored = "the nucleus need not be turned.",
@@ -206,6 +231,10 @@ return scoring.rubric {
                 during = "spatula.in_contact and not phaco.ultrasound", five = 0.2,
                 three = 0.5, one = 1.0, weight = 1, source = "proposal",
                 better = "Turn the lens, do not shift it: push at a right angle to the line to its middle." },
+            { id = "T10.force", name = "Greatest force on the posterior capsule", unit = "mN", digits = 1,
+                of = "capsule.force_mN", take = "max", during = "spatula.present and goal.angle_deg > 0", five = 5,
+                three = 15, one = 30, weight = 1, source = "proposal",
+                better = "Let the nucleus swim: lift it a little while it turns." },
         } },
         { id = "T11", name = "Nucleus: cracking or chopping with safe phaco of segments",
             not_scored = "the nucleus is not divided.", measures = {
@@ -290,6 +319,10 @@ return scoring.rubric {
                 during = "implant.delivered > 0 and not implant.released", five = 90, three = 75, one = 50,
                 weight = 1, source = "proposal",
                 better = "Fill bag and chamber before you bring the injector in." },
+            { id = "T13.jams", name = "Times that the implant jammed in the nozzle", unit = "1", digits = 0,
+                of = "injector.jammed", take = "count", quiet_s = 1, five = 0, three = 1, one = 2, weight = 0.5,
+                source = "proposal",
+                better = "Stop when the plunger gets heavy; do not force an implant through." },
         } },
         { id = "T14", name = "Wound closure", not_scored = "the wound is not simulated." },
 
@@ -311,9 +344,14 @@ return scoring.rubric {
                 three = 80, one = 60, weight = 1,
                 source = "proposal; depth of field by Berek's formula: docs/picture.md",
                 better = "Focus on the edge of the pupil before you go in." },
+            { id = "G2.refocus", name = "Longest time that the pupil was out of focus", unit = "s", digits = 1,
+                of = "not microscope.in_focus", take = "longest", during = "instruments.out_s <= 0", five = 1,
+                three = 3, one = 8, weight = 0.5, source = "proposal",
+                better = "Refocus with the foot as soon as the edge of the pupil blurs, not at the next pause." },
         } },
 
-        { id = "G3", name = "Conjunctival and corneal tissue handling", measures = {
+        { id = "G3", name = "Conjunctival and corneal tissue handling",
+            not_scored = "nothing here comes near the cornea.", measures = {
             { id = "G3.endothelium_dose", name = "Ultrasound within 1 mm of the corneal endothelium", unit = "s",
                 digits = 1, of = "phaco.ultrasound and phaco.endothelium_mm < 1.0", take = "time",
                 five = 1, three = 5, one = 15, weight = 1, source = "proposal",
@@ -330,6 +368,14 @@ return scoring.rubric {
                     .. "or (hook.endothelium_mm < 0.1 and hook.tip_x_mm > -2.5)",
                 take = "count", quiet_s = 1, five = 0, three = 1, one = 3, weight = 1, source = "proposal",
                 better = "Let the implant unfold deep in the bag, and keep the hook low." },
+            { id = "G3.probe", name = "Touches of the back of the cornea by the probe", unit = "1", digits = 0,
+                of = "probe.endothelium_mm < 0.1 and probe.tip_y_mm > -2.5", take = "count", quiet_s = 1, five = 0,
+                three = 1, one = 3, weight = 1, source = "proposal",
+                better = "Stay well below the dome of the cornea." },
+            { id = "G3.burn", name = "Burn of the wound (0: none, 1: shrunk as far as it goes)", unit = "1", digits = 2,
+                of = "wound.burn_share", take = "last", five = 0, three = 0.1, one = 0.5, weight = 1,
+                source = "proposal; collagen shrinks from 60 degrees C on (EyeWiki)",
+                better = "Never give ultrasound without flow: stop when the mouth stays shut." },
         } },
 
         { id = "G4", name = "Intraocular spatial awareness", measures = {
@@ -351,6 +397,10 @@ return scoring.rubric {
                 digits = 2, of = "phaco.tip_posterior_mm", take = "min", during = "phaco.aspirating",
                 five = 1.0, three = 0.5, one = 0.2, weight = 1, source = "proposal",
                 better = "Let go to pedal position 1 whenever you are unsure of the depth." },
+            { id = "G4.hidden", name = "Time with a tip under the iris, where it cannot be seen", unit = "%",
+                digits = 0, of = "instruments.hidden", take = "share", five = 2, three = 8, one = 20, weight = 0.5,
+                source = "proposal",
+                better = "Work where you see: inside the edge of the pupil." },
         } },
 
         { id = "G5", name = "Iris protection", measures = {
@@ -360,6 +410,13 @@ return scoring.rubric {
             { id = "G5.touch_time", name = "Time in touch with the iris", unit = "s", digits = 1, of = "iris.touch_s",
                 take = "last", five = 0, three = 0.5, one = 2, weight = 1, source = "proposal",
                 better = "When you touch the iris, stop and draw back at once." },
+            { id = "G5.captures", name = "Times that the iris was drawn into the tip", unit = "1", digits = 0,
+                of = "iris.captured", take = "count", quiet_s = 1, five = 0, three = 1, one = 2, weight = 1,
+                source = "proposal",
+                better = "Let go of the pedal at once: pulling tears the iris, ultrasound eats it." },
+            { id = "G5.torn", name = "Length of the iris's edge that was torn", unit = "mm", digits = 1,
+                of = "iris.torn_mm", take = "last", five = 0, three = 0.5, one = 1.5, weight = 1, source = "proposal",
+                better = "Set the iris free by the pedal, never by pulling." },
         } },
 
         { id = "G6", name = "Overall speed and fluidity of procedure", measures = {
@@ -367,26 +424,27 @@ return scoring.rubric {
                 of = "time_s / reference.time_s", take = "last", five = 1.0, three = 1.67, one = 2.67, weight = 1,
                 source = "15, 25 and 40 min of a whole operation; BMJ Open 2013: seniors 13.4, juniors 17.8 min",
                 better = "Plan the next stroke while the tip comes back." },
-            { id = "G6.path", name = "Way of the tip, as a multiple of what an expert needs", unit = "x", digits = 2,
-                of = "phaco.path_mm / reference.path_mm", take = "last", five = 1.2, three = 1.8, one = 2.5,
-                weight = 1, source = "proposal; Smith 2013: path length separates under 200 from over 1000 cases",
-                better = "Fewer and straighter strokes; do not search with the tip." },
-            { id = "G6.paths", name = "Way of the instruments, as a multiple of what an expert needs", unit = "x",
-                digits = 2, of = "(cystotome.path_mm + forceps.path_mm + cannula.path_mm) / reference.path_mm",
-                take = "last", five = 1.2, three = 1.8, one = 2.5, weight = 1,
+            { id = "G6.path", name = "Way of the instruments, as a multiple of what an expert needs", unit = "x",
+                digits = 2, of = "instruments.path_mm", per = "path_mm", take = "total", five = 1.2, three = 1.8,
+                one = 2.5, weight = 1,
                 source = "proposal; Smith 2013: path length separates under 200 from over 1000 cases",
-                better = "Fewer grasps and straighter ways between them." },
-            { id = "G6.implant_paths", name = "Way of the instruments, as a multiple of what an expert needs",
-                unit = "x", digits = 2, of = "(injector.path_mm + hook.path_mm + cannula.path_mm) / reference.path_mm",
-                take = "last", five = 1.2, three = 1.8, one = 2.5, weight = 1,
-                source = "proposal; Smith 2013: path length separates under 200 from over 1000 cases",
-                better = "Turn the implant in one sweep, and do not search with the hook." },
-            { id = "G6.injector_entries", name = "Entries of the injector into the eye", unit = "1", digits = 0,
-                of = "injector.present", take = "count", five = 1, three = 2, one = 3, weight = 0.5,
-                source = "proposal", better = "Leave the injector in the eye until the implant is out of it." },
-            { id = "G6.entries", name = "Entries into the eye", unit = "1", digits = 0, of = "phaco.present",
-                take = "count", five = 1, three = 2, one = 3, weight = 0.5, source = "proposal",
-                better = "Leave the instrument in the eye until the step is finished." },
+                better = "Fewer and straighter movements; do not search with the tip." },
+            { id = "G6.movements", name = "Movements, as a multiple of what an expert needs", unit = "x", digits = 2,
+                of = "instruments.movements", per = "movements", take = "total", five = 1.2, three = 1.8, one = 2.5,
+                weight = 0.5, source = "proposal; Smith 2013: movements separate under 200 from over 1000 cases",
+                better = "Know the next two movements before you begin the first." },
+            { id = "G6.idle", name = "Time in which all instruments rested for more than 2 s", unit = "%", digits = 0,
+                of = "instruments.idle", take = "share", hold_s = 2, five = 5, three = 15, one = 30, weight = 0.5,
+                source = "proposal",
+                better = "Plan before you go in; inside, go on." },
+            { id = "G6.jerk", name = "Jerk of the tips without tremor (RMS), as a multiple of an expert's", unit = "x",
+                digits = 2, of = "instruments.jerk_mm_s3", per = "jerk_mm_s3", take = "last", five = 1.2, three = 2,
+                one = 3, weight = 0.5, source = "proposal; measured by Mikhail 2025, without thresholds",
+                better = "Begin and end every movement gently." },
+            { id = "G6.entries", name = "Entries into the eye, as a multiple of what an expert needs", unit = "x",
+                digits = 2, of = "instruments.entries", per = "entries", take = "total", five = 1.1, three = 1.5,
+                one = 2, weight = 0.5, source = "proposal",
+                better = "Leave the instrument in the eye until its step is finished." },
         } },
     },
 }

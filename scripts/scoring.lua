@@ -19,12 +19,13 @@ local measure_rules = {
     id = { kind = "text", required = true },
     name = { kind = "text", required = true },   -- what it is, for the reader of a report
     of = { kind = "text", required = true },     -- the quantity or condition that is watched
-    take = { kind = "text", required = true, choices = { "max", "min", "mean", "rms", "last", "total", "time",
-        "share", "count" } },                             -- what is made of it over the attempt
+    take = { kind = "text", required = true, choices = { "max", "min", "mean", "rms", "deviation", "first",
+        "last", "total", "time", "longest", "share", "count" } },  -- what is made of it over the attempt
     during = { kind = "text" },                  -- only while this holds
     hold_s = { kind = "number", from = 0 },      -- time, share: only stretches as long as this
     quiet_s = { kind = "number", from = 0 },     -- count: rest needed before it counts again
-    per = { kind = "text" },                     -- name of a reference number: the result is told as a multiple of it
+    per = { kind = "text" },                     -- name of a reference number: the result is told as a multiple of it;
+                                                 -- an exercise without that number is not judged by the measure
     if_never = { kind = "number" },              -- the value when it never was defined; without it: not scored
     unit = { kind = "text", required = true },
     digits = { kind = "number", default = 1, from = 0, to = 4, whole = true },
@@ -44,35 +45,50 @@ local function side(value)
     return points(value, nil)
 end
 
--- Thresholds as a curve of { value, score }, ascending in value.
-local function curve_of(given)
-    local five, three, one = side(given.five), side(given.three), side(given.one)
+-- Thresholds as a curve of { value, score }, ascending in value. Where several have the same value, the better counts.
+local function curve_of(given, levels)
     local curve = {}
-    local function add(value, score)
-        if value then curve[#curve + 1] = { value, score } end
+    for _, name in ipairs(words.keys(levels)) do
+        local at = side(given[name])
+        curve[#curve + 1] = { at.low, levels[name] }
+        if at.high then curve[#curve + 1] = { at.high, levels[name] } end
     end
-    add(five.low, 5)
-    add(five.high, 5)
-    add(three.low, 3)
-    add(three.high, 3)
-    add(one.low, 1)
-    add(one.high, 1)
-    table.sort(curve, function(a, b) return a[1] < b[1] end)
+    table.sort(curve, function(a, b)
+        if a[1] ~= b[1] then return a[1] < b[1] end
+        return a[2] > b[2]
+    end)
     return curve
 end
 
-local function read_measure(given, item)
+local usual_levels = { five = 5, three = 3, one = 1 }
+
+-- Names of the thresholds, the best first.
+local function level_names(levels)
+    local names = words.keys(levels)
+    table.sort(names, function(a, b) return levels[a] > levels[b] end)
+    return names
+end
+
+local function listed(names)
+    return table.concat(names, ", ", 1, #names - 1) .. " and " .. names[#names]
+end
+
+local function read_measure(given, item, levels)
     local plain = {}
     for key, value in pairs(given) do
-        if key ~= "five" and key ~= "three" and key ~= "one" then plain[key] = value end
+        if not levels[key] then plain[key] = value end
     end
-    if given.five == nil or given.three == nil or given.one == nil then
-        words.fail("rubric", ("item %s, measure %s: five, three and one must all be given"):format(item,
-            tostring(given.id)))
+    local names = level_names(levels)
+    for _, name in ipairs(names) do
+        if given[name] == nil then
+            words.fail("rubric", ("item %s, measure %s: %s must all be given"):format(item, tostring(given.id),
+                listed(names)))
+        end
     end
-    plain.curve = curve_of(given)
+    plain.curve = curve_of(given, levels)
     local measure = fields.read(plain, measure_rules, ("item %s, measure '%s'"):format(item, tostring(given.id)))
-    measure.thresholds = { five = given.five, three = given.three, one = given.one }
+    measure.thresholds = {}
+    for i, name in ipairs(names) do measure.thresholds[i] = { points = levels[name], value = given[name] } end
     local where = "rubric, item " .. item .. ", measure " .. measure.id
     measure.of = expression.parse(measure.of, where)
     measure.during = measure.during and expression.parse(measure.during, where)
@@ -80,13 +96,17 @@ local function read_measure(given, item)
 end
 
 --- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
---- with a list of item ids gives what an exercise writes as `scoring`.
+--- with a list of item ids gives what an exercise writes as `scoring`. levels: points of the thresholds that measures
+--- give, { five = 5, three = 3, one = 1 } if missing; the least of them is the least that an item can have.
+--- An item may have anchors, { [points] = what a performance of that level looks like }, and errors_of, ids of items of
+--- OSACSS: errors that an exercise counts against those count against it.
 function scoring.rubric(given)
     local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
-        bands = given.bands, by_id = {} }
+        bands = given.bands, levels = given.levels or usual_levels, least = 5, by_id = {} }
+    for _, points_of in pairs(rubric.levels) do rubric.least = math.min(rubric.least, points_of) end
     for _, item in ipairs(given.items) do
         item.measures = item.measures or {}
-        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id) end
+        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
         rubric.by_id[item.id] = item
     end
     return setmetatable(rubric, { __call = function(_, wanted)
@@ -128,17 +148,20 @@ end
 
 -- "5 points at 0.2 mm, 3 at 0.5 mm, 1 at 1.0 mm"
 local function scale_text(measure)
-    local at = measure.thresholds
-    local one = type(at.one) == "table"
-        and t("%s or %s"):format(number(at.one[1], measure.digits), amount(measure, at.one[2]))
-        or amount(measure, at.one)
-    return t("5 points at %s, 3 at %s, 1 at %s"):format(threshold_text(measure, at.five),
-        threshold_text(measure, at.three), one)
+    local parts = {}
+    for i, threshold in ipairs(measure.thresholds) do
+        local value = threshold.value
+        local text = type(value) == "table" and i > 1
+            and t("%s or %s"):format(number(value[1], measure.digits), amount(measure, value[2]))
+            or threshold_text(measure, value)
+        parts[i] = t(i == 1 and "%d points at %s" or "%d at %s"):format(threshold.points, text)
+    end
+    return table.concat(parts, ", ")
 end
 
 -- What would have been better, of a value that lost points.
 local function advice_of(measure, value)
-    local five = measure.thresholds.five
+    local five = measure.thresholds[1].value
     local low = type(five) == "table" and five[1] or five
     if value < low and measure.too_low then return measure.too_low end
     if value > low and measure.too_high then return measure.too_high end
@@ -245,7 +268,10 @@ local function measured(open, reference)
     local value, at = open.collector.result()
     if value == nil then value = measure.if_never end
     if value == nil then return nil end
-    if measure.per then value = value / (reference[measure.per] or 1) end
+    if measure.per then
+        if not reference[measure.per] then return nil end
+        value = value / reference[measure.per]
+    end
     local score = scoring.interpolate(measure.curve, value)
     local result = { id = measure.id, name = t(measure.name), value = round(value, 6), unit = measure.unit,
         score = round(score, 2), weight = measure.weight, threshold_source = measure.source, time_s = at,
@@ -254,18 +280,27 @@ local function measured(open, reference)
     return result
 end
 
+-- Whether an event counts against an item.
+local function concerns(event, item)
+    for _, id in ipairs(event.items) do
+        if id == item.id then return true end
+        for _, other in ipairs(item.errors_of or {}) do
+            if id == other then return true end
+        end
+    end
+    return false
+end
+
 -- The lowest cap that the events put on an item, and what put it there.
 local function caps_on(rubric, item, events)
     local cap, by = 5, {}
     for _, event in ipairs(events) do
-        for _, id in ipairs(event.items) do
-            local caps = rubric.caps[event.severity]
-            local value = caps and caps[event.outcome]
-            if id == item.id and value and value < 5 then
-                cap = math.min(cap, value)
-                by[#by + 1] = { event = event.id, title = event.title, outcome = event.outcome, cap = value,
-                    time_s = event.time_s }
-            end
+        local caps = rubric.caps[event.severity]
+        local value = caps and caps[event.outcome]
+        if value and value < 5 and concerns(event, item) then
+            cap = math.min(cap, value)
+            by[#by + 1] = { event = event.id, title = event.title, outcome = event.outcome, cap = value,
+                time_s = event.time_s }
         end
     end
     return cap, by
@@ -318,8 +353,9 @@ local function score_item(line, rubric, events, reference)
     local cap, by = caps_on(rubric, item, events)
     result.capped_by = by
     if weight > 0 then
-        result.score = round(math.max(1, math.min(cap, sum / weight)), 2)
+        result.score = round(math.max(rubric.least, math.min(cap, sum / weight)), 2)
         result.reasons = reasons(result, cap)
+        result.anchor = item.anchors and item.anchors[math.floor(result.score + 0.5)]
     else
         result.reasons = { t("Not scored: ") .. t(item.not_scored or "nothing that this attempt showed tells of it.") }
     end
@@ -335,10 +371,11 @@ local function band_of(rubric, scaled)
     return found
 end
 
---- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled = (total - n) / (4 n). A
+--- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled: share of the way
+--- from the least to the most points, (total - n) / (4 n) where items have 1 to 5. A
 --- band of skill is told of a completed attempt only: who stops early has not shown it.
 function Sheet:score(events, completed)
-    local result = { rubric = self.rubric.name, items = {}, total = 0, max = 0 }
+    local result = { rubric = self.rubric.name, least = self.rubric.least, items = {}, total = 0, max = 0 }
     local n = 0
     for i, line in ipairs(self.lines) do
         result.items[i] = score_item(line, self.rubric, events, self.reference)
@@ -347,7 +384,8 @@ function Sheet:score(events, completed)
     end
     result.total, result.max = round(result.total, 2), 5 * n
     if n > 0 then
-        result.scaled = round((result.total - n) / (4 * n), 4)
+        local least = self.rubric.least
+        result.scaled = round((result.total - least * n) / ((5 - least) * n), 4)
         local band = band_of(self.rubric, result.scaled)
         if band and completed then result.band, result.band_meaning = t(band.name), t(band.meaning) end
     end

@@ -41,8 +41,8 @@ std::map<std::string, std::string> read_images(const json& report, const std::st
 
 }  // namespace
 
-Result<std::string> report_page(const std::string& root, const std::string& folder) {
-    const Result<json> report = read_json(folder + "/report.json");
+Result<std::string> report_page(const std::string& root, const std::string& folder, const json& instead) {
+    Result<json> report = read_json(folder + "/report.json");
     if (!report) {
         return report.error();
     }
@@ -50,6 +50,7 @@ Result<std::string> report_page(const std::string& root, const std::string& fold
         return Error{"the report is not of schema " + std::to_string(report_schema), folder,
                      "a newer or older program made it"};
     }
+    report.value().update(instead);
     const Result<json> series = read_json(folder + "/series.json");
     if (!series) {
         return series.error();

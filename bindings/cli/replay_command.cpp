@@ -23,6 +23,7 @@ constexpr const char* help =
     "\n"
     "  rhexis replay runs/groove-expert-1 --verify           simulate again, compare every step\n"
     "  rhexis replay runs/groove-expert-1 --score-with my_exercise/\n"
+    "  rhexis replay runs/groove-expert-1 --score-with rubrics/ico_oscar.lua      same exercise, another rubric\n"
     "  rhexis replay runs/groove-expert-1 --video --out film/\n"
     "\n"
     "  rhexis replay runs/full_operation-expert-1 --score-with full_operation     all its parts\n"
@@ -105,7 +106,7 @@ int verify_recording(const Recording& recording, const ReplayOptions& given, nlo
 }
 
 int score(const Recording& recording, const ReplayOptions& given, const Context& context, nlohmann::json& out) {
-    const ExerciseOptions options{given.score_with, "none", recording.header.seed, {}, context.root};
+    const ExerciseOptions options = judge_of(recording, given.score_with, context.root);
     const Result<Rescore> result = rescore(recording, options);
     if (!result) {
         return complain(result.error());
@@ -312,7 +313,10 @@ void add_replay(CLI::App& app, Context& context) {
     auto given = std::make_shared<ReplayOptions>();
     command->add_option("recording", given->recording, "A recording (.rhx), or the folder of a run")->required();
     command->add_flag("--verify", given->verify, "Simulate again and compare the state after every step");
-    command->add_option("--score-with", given->score_with, "Judge again, by this exercise (folder, file or name)");
+    command
+        ->add_option("--score-with", given->score_with,
+                     "Judge again, by this exercise (folder, file or name) or rubric")
+        ->type_name("EXERCISE|RUBRIC");
     command->add_flag("--video", given->video, "Simulate again and make a video");
     command->add_option("--out", given->out, "Folder for the video [replay/ beside the recording]")->needs("--video");
     command->add_option("--threads", given->threads, "Threads to simulate with [as recorded]")

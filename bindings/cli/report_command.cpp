@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis report: report.html again from what a run left behind.
 #include <cstdio>
+#include <filesystem>
 
 #include "cli/command.hpp"
 #include "cli/html.hpp"
 #include "cli/places.hpp"
+#include "cli/rescore.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -12,18 +14,55 @@ namespace {
 constexpr const char* help =
     "Makes report.html again from report.json, series.json and frames/ of a run.\n"
     "\n"
-    "  rhexis report runs/groove-expert-1";
+    "  rhexis report runs/groove-expert-1\n"
+    "  rhexis report runs/groove-expert-1 --score-with rubrics/ico_oscar.lua      report_ico_oscar.html";
 
-int report(const std::string& folder, const Context& context) {
-    const Result<std::string> html = report_page(context.root, folder);
+struct ReportOptions {
+    std::string folder;
+    std::string score_with;
+};
+
+/// What another judge finds in the recording, in the words of report.json.
+Result<nlohmann::json> judged_again(const ReportOptions& given, const Context& context) {
+    const Result<Recording> recording = read_recording(recording_path(given.folder));
+    if (!recording) {
+        return recording.error();
+    }
+    const Result<Rescore> again =
+        rescore(recording.value(), judge_of(recording.value(), given.score_with, context.root));
+    if (!again) {
+        return again.error();
+    }
+    if (!again.value().script_error.empty()) {
+        return Error{again.value().script_error, given.score_with, ""};
+    }
+    if (again.value().simulated > 0) {
+        std::fprintf(stderr, "rhexis: from step %llu on simulated again: %s; charts and pictures are as recorded\n",
+                     static_cast<unsigned long long>(again.value().simulated), again.value().difference.c_str());
+    }
+    return again.value().result;
+}
+
+int report(const ReportOptions& given, const Context& context) {
+    nlohmann::json instead = nlohmann::json::object();
+    std::string file = given.folder + "/report.html";
+    if (!given.score_with.empty()) {
+        Result<nlohmann::json> judged = judged_again(given, context);
+        if (!judged) {
+            return complain(judged.error());
+        }
+        instead = std::move(judged).value();
+        file = given.folder + "/report_" + std::filesystem::path(given.score_with).stem().string() + ".html";
+    }
+    const Result<std::string> html = report_page(context.root, given.folder, instead);
     if (!html) {
         return complain(html.error());
     }
-    const Status written = write_whole_file(folder + "/report.html", html.value());
+    const Status written = write_whole_file(file, html.value());
     if (!written) {
         return complain(written.error());
     }
-    std::printf("%s/report.html\n", folder.c_str());
+    std::printf("%s\n", file.c_str());
     return done;
 }
 
@@ -32,9 +71,13 @@ int report(const std::string& folder, const Context& context) {
 void add_report(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("report", "Make report.html again from a run's folder");
     command->footer(help);
-    auto folder = std::make_shared<std::string>();
-    command->add_option("run_dir", *folder, "Folder that rhexis run wrote")->required();
-    command->callback([folder, &context] { context.status = report(*folder, context); });
+    auto given = std::make_shared<ReportOptions>();
+    command->add_option("run_dir", given->folder, "Folder that rhexis run wrote")->required();
+    command
+        ->add_option("--score-with", given->score_with,
+                     "Judge the recording again, by this exercise (folder, file or name) or rubric")
+        ->type_name("EXERCISE|RUBRIC");
+    command->callback([given, &context] { context.status = report(*given, context); });
 }
 
 }  // namespace rhexis::cli

@@ -100,8 +100,8 @@ std::string score_line(const json& report) {
     char text[96];
     const double scaled =
         osacss.contains("scaled") && osacss["scaled"].is_number() ? osacss["scaled"].get<double>() : 0.0;
-    std::snprintf(text, sizeof text, "OSACSS %g of %g (scaled %.2f)", osacss["total"].get<double>(),
-                  osacss.value("max", 0.0), scaled);
+    std::snprintf(text, sizeof text, "%s %g of %g (scaled %.2f)", osacss.value("rubric", "OSACSS").c_str(),
+                  osacss["total"].get<double>(), osacss.value("max", 0.0), scaled);
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/numbers.hpp"
+#include "lua/curriculum_files.hpp"
 #include "session/replay.hpp"
 
 namespace rhexis::cli {
@@ -117,6 +118,20 @@ private:
 };
 
 }  // namespace
+
+ExerciseOptions judge_of(const Recording& recording, const std::string& score_with, const std::string& root) {
+    ExerciseOptions options{score_with, "none", recording.header.seed, {}, root};
+    options.rubric = find_rubric(score_with, root);
+    if (options.rubric.empty()) {
+        return options;
+    }
+    options.curriculum = recording.header.curriculum;
+    if (!find_curriculum(options.curriculum, root)) {  // was named by a path from elsewhere
+        const nlohmann::json identity = nlohmann::json::parse(recording.header.identity, nullptr, false);
+        options.curriculum = identity.is_object() ? identity.value("id", options.curriculum) : options.curriculum;
+    }
+    return options;
+}
 
 Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& options) {
     Result<ExerciseHost> host = ExerciseHost::load(options);

@@ -24,4 +24,8 @@ struct Rescore {
 /// simulated again with its commands and the recorded hand.
 Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& options);
 
+/// What to judge a recording with. score_with: an exercise, or a rubric (see find_rubric); with a rubric, the exercise
+/// is the one that was recorded.
+ExerciseOptions judge_of(const Recording& recording, const std::string& score_with, const std::string& root);
+
 }  // namespace rhexis::cli

@@ -19,6 +19,7 @@ nlohmann::json rounded(double value) {
 }  // namespace
 
 void Series::add(const Observation& observation) {
+    spectra_.add(observation);
     if (seen_++ % stride_ != 0) {
         return;
     }
@@ -47,7 +48,7 @@ nlohmann::json Series::json() const {
         }
         measures[schema_[i].name] = {{"unit", schema_[i].unit}, {"meaning", schema_[i].meaning}, {"values", values}};
     }
-    return {{"schema", 1}, {"time_s", times}, {"measures", measures}};
+    return {{"schema", 1}, {"time_s", times}, {"measures", measures}, {"spectra", spectra_.json()}};
 }
 
 }  // namespace rhexis::cli

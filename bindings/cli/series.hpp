@@ -5,25 +5,27 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "cli/spectrum.hpp"
 #include "flow/observation.hpp"
 
 namespace rhexis::cli {
 
 class Series {
 public:
-    explicit Series(const ObservationSchema& schema) : schema_(schema) {}
+    explicit Series(const ObservationSchema& schema) : schema_(schema), spectra_(schema) {}
 
     /// Takes every step's observation and keeps some of them, evenly spread: never more than `most`.
     void add(const Observation& observation);
 
     /// {"schema": 1, "time_s": [...], "measures": {"groove.depth_mm": {"unit": "mm", "meaning": "...",
-    /// "values": [...]}}}; null where a measure was not defined.
+    /// "values": [...]}}, "spectra": see Spectra}; null where a measure was not defined.
     [[nodiscard]] nlohmann::json json() const;
 
 private:
     static constexpr std::size_t most = 1200;
 
     ObservationSchema schema_;
+    Spectra spectra_;
     std::vector<Observation> kept_;
     std::size_t stride_ = 1;
     std::size_t seen_ = 0;

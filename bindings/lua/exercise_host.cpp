@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lua/exercise_host.hpp"
 
+#include <filesystem>
+
 #include <optional>
 
 #include "lua/curriculum_files.hpp"
@@ -39,6 +41,20 @@ std::map<std::string, std::string> take_habits(std::map<std::string, std::string
 
 }  // namespace
 
+std::string find_rubric(const std::string& name, const std::string& root) {
+    for (const std::string& path : {name, root + "/" + name, root + "/rubrics/" + name + ".lua"}) {
+        std::error_code failed;
+        if (!path.ends_with(".lua") || !std::filesystem::is_regular_file(path, failed)) {
+            continue;
+        }
+        const Result<CurriculumFiles> files = find_curriculum(path, root);
+        if (files && ExerciseScript::is_rubric(files.value(), root)) {
+            return path;
+        }
+    }
+    return "";
+}
+
 Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
     const Result<CurriculumFiles> files = find_curriculum(options.curriculum, options.root);
     if (!files) {
@@ -58,7 +74,16 @@ Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
         }
         joined = JoinedPart{operation.value(), options.part->index, options.part->before};
     }
-    Result<ExerciseScript> exercise = ExerciseScript::load(files.value(), options.root, options.seed, set, joined);
+    std::optional<CurriculumFiles> rubric;
+    if (!options.rubric.empty()) {
+        const Result<CurriculumFiles> found = find_curriculum(options.rubric, options.root);
+        if (!found) {
+            return found.error();
+        }
+        rubric = found.value();
+    }
+    Result<ExerciseScript> exercise =
+        ExerciseScript::load(files.value(), options.root, options.seed, set, joined, rubric);
     if (!exercise) {
         return exercise.error();
     }

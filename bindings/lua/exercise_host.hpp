@@ -35,7 +35,12 @@ struct ExerciseOptions {
                                              ///< exercise, habits of the virtual surgeon (surgeon.recovery)
     std::string root;                        ///< folder that holds scripts/ and curricula/
     std::optional<PartPlace> part{};         ///< none: the exercise stands alone
+    std::string rubric{};                    ///< file to judge by in place of the exercise's own; empty: none
 };
+
+/// The file of a rubric, which is named by its path, or by its path or bare name in root/rubrics; "" when the name is
+/// none.
+std::string find_rubric(const std::string& name, const std::string& root);
 
 class ExerciseHost {
 public:

@@ -234,9 +234,19 @@ Result<json> ExerciseScript::listing(const CurriculumFiles& files, const std::st
     return script ? script.value().run_curriculum(files, "accept_operation") : script.error();
 }
 
+bool ExerciseScript::is_rubric(const CurriculumFiles& files, const std::string& root) {
+    Result<ExerciseScript> script = open(files, root, 1);
+    if (!script) {
+        return false;
+    }
+    const Result<json> answer = script.value().run_curriculum(files, "is_rubric");
+    return answer && answer.value() == true;
+}
+
 Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
                                             const std::map<std::string, std::string>& set,
-                                            const std::optional<JoinedPart>& joined) {
+                                            const std::optional<JoinedPart>& joined,
+                                            const std::optional<CurriculumFiles>& rubric) {
     Result<ExerciseScript> opened = open(files, root, seed);
     if (!opened) {
         return opened;
@@ -258,6 +268,10 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
     Status status = accepted ? success() : Status(accepted.error());
     if (status && joined) {
         status = script.join(*joined);
+    }
+    if (status && rubric) {
+        const Result<json> judged = script.run_curriculum(*rubric, "judge_by");
+        status = judged ? success() : Status(judged.error());
     }
     if (status) {
         status = script.apply(set);

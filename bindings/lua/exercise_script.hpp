@@ -30,7 +30,10 @@ public:
     /// Runs the curriculum and applies `set`. root: folder that holds scripts/.
     static Result<ExerciseScript> load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
                                        const std::map<std::string, std::string>& set,
-                                       const std::optional<JoinedPart>& joined);
+                                       const std::optional<JoinedPart>& joined,
+                                       const std::optional<CurriculumFiles>& rubric);
+    /// Whether a script gives a rubric, which an exercise can be judged by in place of its own.
+    static bool is_rubric(const CurriculumFiles& files, const std::string& root);
     /// What an operation is made of: "title", "version", "summary", "objectives", and "parts", each with "id", "title",
     /// "exercise", "start", "continues", "opening", "where". Null when the curriculum is an exercise.
     static Result<nlohmann::json> listing(const CurriculumFiles& files, const std::string& root);

@@ -29,7 +29,7 @@ return exercise {
             settings = { ["viscoelastic.fill"] = 1 } },
         hard = { meaning = "narrow pupil, no hints", patient = { pupil_mm = 6 }, mode = "exam" },
     },
-    reference = { time_s = 75, path_mm = 120 },
+    reference = { time_s = 75, path_mm = 190, movements = 27, entries = 3, jerk_mm_s3 = 425 },
 
     steps = {
         step "fill" (rhexis_exercise.fill {

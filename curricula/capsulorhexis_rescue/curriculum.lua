@@ -28,7 +28,7 @@ return exercise {
     step_s = rhexis_exercise.step_s,
 
     goals = rhexis_exercise.goals,
-    reference = { time_s = 60, path_mm = 100 },
+    reference = { time_s = 60, path_mm = 155, movements = 28, entries = 2, jerk_mm_s3 = 425 },
 
     steps = {
         step "fill" (rhexis_exercise.fill {

@@ -30,7 +30,7 @@ return exercise {
     goals = {
         fill_percent = { 40, from = 20, to = 90, meaning = "how full of viscoelastic the chamber must be" },
     },
-    reference = { time_s = 30, path_mm = 60 },
+    reference = { time_s = 30, path_mm = 121, movements = 8, entries = 2, jerk_mm_s3 = 490 },
 
     steps = {
         step "hold" {

@@ -47,7 +47,7 @@ return exercise {
         decentration_mm = { 0.3, from = 0.1, to = 1, meaning = "how far off the bag's axis the optic may be left" },
         tilt_deg = { 3, from = 1, to = 15, meaning = "how much it may be tilted" },
     },
-    reference = { time_s = 75, path_mm = 90 },
+    reference = { time_s = 75, path_mm = 90, entries = 2, jerk_mm_s3 = 400 },
 
     steps = {
         step "fill" {

@@ -34,7 +34,7 @@ return exercise {
         bridge_percent = { 10, from = 0, to = 50, meaning = "how much of the nucleus may bridge the groove, of the "
             .. "area that it has there" },
     },
-    reference = { time_s = 65, path_mm = 220 },
+    reference = { time_s = 65, path_mm = 433, movements = 50, entries = 2, jerk_mm_s3 = 490 },
 
     steps = {
         step "approach" {

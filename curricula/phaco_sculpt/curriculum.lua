@@ -44,7 +44,7 @@ return exercise {
         tolerance_deg = { 10, from = 1, to = 30, meaning = "how far from that angle they may be" },
     },
     -- cde [% s]: mean of group d on seeds 101 to 103
-    reference = { time_s = 185, path_mm = 700, cde = 10300 },
+    reference = { time_s = 185, path_mm = 1200, movements = 142, entries = 2, jerk_mm_s3 = 480, cde = 10300 },
 
     steps = {
         step "approach" {

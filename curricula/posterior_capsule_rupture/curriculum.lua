@@ -33,7 +33,7 @@ return exercise {
         front_mm3 = { 0.5, from = 0.1, to = 20, meaning = "how much vitreous may stay in the chamber" },
     },
     -- proposal: what group d comes near to
-    reference = { time_s = 60, path_mm = 120 },
+    reference = { time_s = 60, path_mm = 150, movements = 12, entries = 3, jerk_mm_s3 = 495 },
 
     steps = {
         step "hold" {

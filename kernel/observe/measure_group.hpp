@@ -87,6 +87,8 @@ std::unique_ptr<MeasureGroup> reflex_measures();
 std::unique_ptr<MeasureGroup> viscoelastic_measures();
 std::unique_ptr<MeasureGroup> vitreous_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
+/// tools: how many instruments the scene has.
+std::unique_ptr<MeasureGroup> motion_measures(std::size_t tools);
 std::unique_ptr<MeasureGroup> microscope_measures();
 /// injector: index of the instrument that holds shell 0.
 std::unique_ptr<MeasureGroup> injection_measures(int injector);

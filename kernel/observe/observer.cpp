@@ -44,6 +44,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
             groups.push_back(injection_measures(i));
         }
     }
+    if (!world.tools.empty()) {
+        groups.push_back(motion_measures(world.tools.size()));
+    }
     if (tissues.lens) {
         groups.push_back(lens_measures());
         groups.push_back(groove_measures(tissues.bag));

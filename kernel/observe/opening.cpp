@@ -286,7 +286,7 @@ double distance_of_lip(const MembraneSheet& sheet, const std::vector<int>& lip) 
 }
 
 /// The flap's is the one that lies nearer to the axis.
-void find_lips(const MembraneSheet& sheet, const Stretch& stretch, int place, Opening& opening) {
+void find_lips(const MembraneSheet& sheet, const Stretch& stretch, int place, TornOpening& opening) {
     opening.lip = lip_from(sheet.mesh, stretch, place, true);
     opening.margin = lip_from(sheet.mesh, stretch, place, false);
     if (distance_of_lip(sheet, opening.margin) <= distance_of_lip(sheet, opening.lip)) {
@@ -310,12 +310,12 @@ const Stretch* longest_of(const TriMesh& mesh, const std::vector<Stretch>& stret
 
 }  // namespace
 
-Opening find_opening(const MembraneSheet& start, const MembraneState& state) {
+TornOpening find_opening(const MembraneSheet& start, const MembraneState& state) {
     const TriMesh& mesh = state.sheet->mesh;
     const std::vector<std::vector<int>> before = boundary_loops(start.mesh, start.neighbours);
     const std::vector<std::vector<int>> loops = boundary_loops(mesh, state.sheet->neighbours);
     const std::vector<std::uint8_t> outer = outer_nodes(start.mesh, before, static_cast<int>(mesh.nodes.size()));
-    Opening opening;
+    TornOpening opening;
     const std::vector<Stretch> stretches = open_edges(*state.sheet, loops, outer, opening.run_out);
     opening.torn = std::max(0.0, 0.5 * (boundary_length(mesh, loops) - boundary_length(start.mesh, before)));
     const Stretch* const chosen = longest_of(mesh, stretches);

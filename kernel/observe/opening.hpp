@@ -9,7 +9,7 @@
 
 namespace rhexis {
 
-struct Opening {
+struct TornOpening {
     bool exists = false;
     bool closed = false;      ///< its edge goes round a piece that came loose, of more than 2 mm^2
     bool run_out = false;     ///< some tear of the sheet has reached its outer edge
@@ -27,6 +27,6 @@ struct Opening {
 /// tear is taken; where one went from edge to edge, that is a curve that is not closed. The leading tip is the one of
 /// the opening's that went on last, that is the last of them in the state's list. Work: in proportion to the sheet's
 /// triangles. The result changes only when state.sheet does.
-Opening find_opening(const MembraneSheet& start, const MembraneState& state);
+TornOpening find_opening(const MembraneSheet& start, const MembraneState& state);
 
 }  // namespace rhexis

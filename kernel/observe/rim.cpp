@@ -141,7 +141,7 @@ void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
 }  // namespace
 
 RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state, double zonules) {
-    const Opening opening = find_opening(start, state);
+    const TornOpening opening = find_opening(start, state);
     RhexisShape shape;
     shape.opened = opening.exists;
     shape.closed = opening.closed;

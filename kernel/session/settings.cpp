@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr std::array<SettingInfo, 55> table{{
+constexpr auto table = std::to_array<SettingInfo>({
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
@@ -91,7 +91,7 @@ constexpr std::array<SettingInfo, 55> table{{
     {"zonules.strength", "1", 0.05, 2.0, 1.0, false, "Stiffness of the zonules, share of that at the patient's age."},
     {"zonules.tension", "1", 0.0, 2.0, 1.0, false,
      "Tension of the zonules that hold the anterior capsule at rest, share of the standard one."},
-}};
+});
 
 std::vector<std::string> names() {
     std::vector<std::string> list;

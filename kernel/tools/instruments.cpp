@@ -59,9 +59,7 @@ Result<ToolModel> make_tool(std::string_view name) {
     if (name == "triamcinolone") {
         return triamcinolone_cannula();
     }
-    return Error{
-        "there is no instrument '" + std::string(name) + "'" + did_you_mean(name, tool_names()), "instruments",
-        "cannula, cutter, cystotome, forceps, hook, injector, lens_forceps, phaco, probe, spatula, triamcinolone"};
+    return Error{"there is no instrument '" + std::string(name) + "'", "instruments", suggestion(name, tool_names())};
 }
 
 }  // namespace rhexis

@@ -39,6 +39,18 @@ function collect.last()
     }
 end
 
+--- The first value: of a quantity when something else came to hold.
+function collect.first()
+    local state = {}
+    return {
+        state = state,
+        add = function(x, _, time_s)
+            if state.value == nil then state.value, state.at = number(x), time_s end
+        end,
+        result = function() return state.value, state.at end,
+    }
+end
+
 --- The last value of a quantity that only grows and that each part of an operation counts from 0: parts add up.
 function collect.total()
     local state = { before = 0 }
@@ -71,6 +83,22 @@ collect.mean = averaged(1, function(mean) return mean end)
 --- Root of the mean square over time.
 collect.rms = averaged(2, math.sqrt)
 
+--- Standard deviation over time.
+function collect.deviation()
+    local state = { mean = 0, square = 0, time = 0 }
+    return {
+        state = state,
+        add = function(given, dt)
+            local x = number(given)
+            state.time = state.time + dt
+            local off = x - state.mean
+            state.mean = state.mean + off * dt / state.time
+            state.square = state.square + off * (x - state.mean) * dt
+        end,
+        result = function() return state.time > 0 and math.sqrt(state.square / state.time) or nil end,
+    }
+end
+
 -- Adds up the time in which a condition holds, in stretches of at least hold_s.
 local function add_stretch(state, x, dt, hold_s)
     if not x then
@@ -92,6 +120,19 @@ function collect.time(options)
             state.any = 1
         end,
         result = function() return state.any > 0 and state.total or nil end,
+    }
+end
+
+--- The longest time for which a condition held without a break [s].
+function collect.longest()
+    local state = { stretch = 0, longest = 0, any = 0 }
+    return {
+        state = state,
+        add = function(x, dt, time_s)
+            state.any, state.stretch = 1, x and state.stretch + dt or 0
+            if state.stretch > state.longest then state.longest, state.at = state.stretch, time_s end
+        end,
+        result = function() return state.any > 0 and state.longest or nil, state.at end,
     }
 end
 

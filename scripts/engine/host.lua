@@ -52,6 +52,19 @@ function host.accept(value)
     host.exercise = value
 end
 
+--- After it ran: what it returned. Whether that is a rubric, to judge an exercise by in place of its own.
+function host.is_rubric(value) return type(value) == "table" and value.by_id ~= nil and value.caps ~= nil end
+
+--- After the exercise and then a rubric ran: the exercise is judged by all items of the rubric.
+function host.judge_by(value)
+    if not host.is_rubric(value) then
+        words.fail(words.where(), "a rubric must end with: return rubric { ... }")
+    end
+    local all = {}
+    for i, item in ipairs(value.items) do all[i] = item.id end
+    host.exercise.scoring = value(all)
+end
+
 --- Makes the exercise a part of the operation: place = { index, before, live }. Returns nothing.
 function host.join(place) operation.join(host.operation, place.index, host.exercise, place.before, place.live) end
 

@@ -77,13 +77,13 @@ local function grid(w, low, high, y_of, digits)
     end
 end
 
-local function time_axis(w, last, x_of, y)
+local function time_axis(w, last, x_of, y, unit)
     local step = nice_step(last, 8)
     for k = 0, math.floor(last / step + 1e-9) do
         w(('<text class="soft" x="%.1f" y="%d" text-anchor="middle">%s</text>'):format(x_of(k * step), y,
             number(k * step, 2)))
     end
-    w(('<text class="soft" x="%d" y="%d" text-anchor="end">s</text>'):format(width - 2, y))
+    w(('<text class="soft" x="%d" y="%d" text-anchor="end">%s</text>'):format(width - 2, y, unit or "s"))
 end
 
 local function legend(w, lines)
@@ -95,8 +95,9 @@ local function legend(w, lines)
     end
 end
 
---- Lines over time. spec: { title, lines = { { label, values, count } }, range, danger = { from, to, label } }.
---- context: { times, last, steps, events }.
+--- Lines over time. spec: { title, lines = { { label, values, count } }, range, danger = { from, to, label },
+--- band = { from, to } of the axis across }.
+--- context: { times, last, steps, events, unit = of the axis across, s if missing }.
 function chart.over_time(spec, context)
     local w = markup.writer()
     local low, high = extent(spec.lines, spec.range)
@@ -104,6 +105,10 @@ function chart.over_time(spec, context)
     local function y_of(v) return height - bottom - (height - top - bottom) * (v - low) / (high - low) end
     w(('<svg viewBox="0 0 %d %d" role="img" aria-label="%s">'):format(width, height, e(spec.title)))
     bands(w, context.steps, x_of)
+    if spec.band then
+        w(('<rect x="%.1f" y="%d" width="%.1f" height="%d" fill="#1f5f8b" opacity="0.1"/>'):format(x_of(spec.band[1]),
+            top, x_of(spec.band[2]) - x_of(spec.band[1]), height - top - bottom))
+    end
     if spec.danger then
         local y1, y2 = y_of(math.min(high, spec.danger.to)), y_of(math.max(low, spec.danger.from))
         if y2 > y1 then
@@ -117,7 +122,7 @@ function chart.over_time(spec, context)
         w(('<path d="%s" fill="none" stroke="%s" stroke-width="1.8"/>'):format(
             path_of(context.times, line, x_of, y_of), palette[i]))
     end
-    time_axis(w, context.last, x_of, height - 8)
+    time_axis(w, context.last, x_of, height - 8, context.unit)
     legend(w, spec.lines)
     w("</svg>")
     return w:text()
@@ -218,8 +223,10 @@ function chart.way(way, count, pupil_mm, meaning, circles, across)
             middle - 0.72 * radius - 4, i % 2 == 1 and "end" or "start", markup.escape(circle.label)))
     end
     way_paths(w, way, count, place)
-    w(('<rect x="20" y="%d" width="14" height="4" fill="%s"/><text x="40" y="%d">%s</text>'):format(size + 12,
-        strong_colour, size + 18, markup.escape(meaning.strong)))
+    if meaning.strong ~= "" then
+        w(('<rect x="20" y="%d" width="14" height="4" fill="%s"/><text x="40" y="%d">%s</text>'):format(size + 12,
+            strong_colour, size + 18, markup.escape(meaning.strong)))
+    end
     w(('<rect x="190" y="%d" width="14" height="4" fill="%s"/><text x="210" y="%d">%s</text>'):format(size + 12,
         usual_colour, size + 18, markup.escape(meaning.usual)))
     w("</svg>")

@@ -43,8 +43,24 @@ local wanted = {
         lines = { { "bag.rim_stretch", "most stretched eighth" } }, danger = { from = 1.25, to = 99 } },
     { title = "Force on the plunger", unit = "N", range = { 0, 1 }, scale = 1e-3,
         lines = { { "injector.force_mN", "force" } } },
+    { title = "Depth of the chamber", unit = "% of its depth at the start", range = { 0, 110 }, scale = 100,
+        lines = { { "chamber.depth_share", "depth" } }, danger = { from = -99, to = 70 } },
+    { title = "Pressure in the eye", unit = "mmHg", range = { 0, 60 },
+        lines = { { "chamber.pressure_mmhg", "pressure" } }, danger = { from = -99, to = 5 } },
+    { title = "Pressure in the eye", unit = "mmHg", range = { 0, 60 },
+        lines = { { "viscoelastic.pressure_mmhg", "pressure" } }, danger = { from = 60, to = 999 } },
+    { title = "Vacuum in the tubing", unit = "mmHg", range = { 0, 100 },
+        lines = { { "panel.vacuum_mmhg", "vacuum" } } },
+    { title = "Ultrasound given so far (CDE)", unit = "% s", range = { 0, 1 },
+        lines = { { "phaco.cde", "cumulative dissipated energy" } } },
+    { title = "Way of all tips so far", unit = "mm", range = { 0, 10 },
+        lines = { { "instruments.path_mm", "way" } } },
     { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
-        lines = { { "phaco.tremor_um", "root mean square" } } },
+        lines = { { "phaco.tremor_um", "phaco" }, { "spatula.tremor_um", "second instrument" } } },
+    { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
+        lines = { { "cystotome.tremor_um", "needle" }, { "forceps.tremor_um", "forceps" } } },
+    { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
+        lines = { { "injector.tremor_um", "injector" }, { "hook.tremor_um", "hook" } } },
 }
 
 local function scaled(values, count, scale)
@@ -100,6 +116,45 @@ local function way_of_tip(measures, count)
     return { x = x, y = y, strong = strong }
 end
 
+-- Instruments besides the phaco probe whose ways are drawn, and what tells that they hold something.
+local other_tips = { { "cystotome", "needle" }, { "forceps", "forceps", "forceps.holding" },
+    { "spatula", "second instrument" }, { "hook", "hook" }, { "injector", "injector" }, { "probe", "probe" } }
+
+local function way_of(measures, count, name, holding)
+    local x, y = values_of(measures, name .. ".tip_x_mm", name .. ".tip_y_mm")
+    if not x then return nil end
+    local held, strong, any = holding and values_of(measures, holding), {}, false
+    for i = 1, count do
+        strong[i] = held and (held[i] == true or held[i] == 1) or false
+        any = any or type(x[i]) == "number"
+    end
+    return any and { x = x, y = y, strong = strong } or nil
+end
+
+-- How strongly every tip trembles at which frequency, two at most in one chart.
+local function spectra(w, series)
+    local names = {}
+    for name in pairs(type(series.spectra) == "table" and series.spectra or {}) do names[#names + 1] = name end
+    table.sort(names)
+    for from = 1, #names, 2 do
+        local lines, hz = {}, nil
+        for i = from, math.min(#names, from + 1) do
+            local spectrum = series.spectra[names[i]]
+            if type(spectrum.hz) == "table" and type(spectrum.um_per_sqrt_hz) == "table" then
+                hz = spectrum.hz
+                local values = {}  -- slow, voluntary movement would dwarf tremor
+                for k = 1, #hz do values[k] = hz[k] >= 3 and spectrum.um_per_sqrt_hz[k] or nil end
+                lines[#lines + 1] = { label = (names[i]:gsub("_", " ")), values = values, count = #hz }
+            end
+        end
+        if hz then
+            local title = "Spectrum of tremor (blue ground: 6 to 12 Hz)"
+            figure(w, chart.over_time({ title = title, lines = lines, range = { 0, 10 }, band = { 6, 12 } },
+                { times = hz, last = hz[#hz], steps = {}, events = {}, unit = "Hz" }), title, "µm/√Hz")
+        end
+    end
+end
+
 local farthest_jump = 1.5  -- of the tear's end from one sample to the next; beyond, another end has gone on [mm]
 
 local function way_of_tear(measures, count)
@@ -145,12 +200,20 @@ function charts.html(report, series)
                 context), title, spec.unit:find("^%l+$") and #spec.unit > 2 and t(spec.unit) or spec.unit)
         end
     end
+    spectra(w, series)
     local pupil = report.patient and report.patient.pupil_mm or 7.5
     local function way(title, ...)
         figure(w, chart.way(...), t("%s, seen from above (the surgeon sits below)", t(title)))
     end
     local tip = way_of_tip(series.measures, count)
     if tip then way("Way of the tip", tip, count, pupil, { strong = t("with ultrasound"), usual = t("without") }) end
+    for _, other in ipairs(other_tips) do
+        local found = way_of(series.measures, count, other[1], other[3])
+        if found then
+            way("Way of the " .. other[2], found, count, pupil, { strong = other[3] and t("holding") or "",
+                usual = t("way") })
+        end
+    end
     local tear = way_of_tear(series.measures, count)
     if tear then
         way("Way of the tear", tear, count, pupil, { strong = t("led by the forceps"), usual = t("cut") },

@@ -3,6 +3,7 @@
 
 local chart = require "report.chart"
 local charts = require "report.charts"
+local history = require "report.history"
 local markup = require "report.markup"
 local pictures = require "report.pictures"
 local scores = require "report.scores"
@@ -264,6 +265,7 @@ function report_page.html(report, series, images)
     header(w, report)
     summary(w, report)
     scores.section(w, report.osacss)
+    history.section(w, report)
     time_line(w, report)
     pictures.section(w, report, images or {})
     video(w, report)

@@ -22,36 +22,52 @@ function scores.badge(osacss)
     w('<div class="score"><span class="soft small">', e(osacss.rubric or "OSACSS"), "</span><b>",
         number(osacss.total, 1), '</b><span class="soft">', e(t("of %s", number(osacss.max, 0))), "</span><br>")
     w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or t("not completed")),
-        "</span></div>")
+        '</span><br><span class="soft small">', e(t("not clinically validated")), "</span></div>")
     return w:text()
+end
+
+-- Where thresholds come from: a tag, and the words behind it.
+local function source_cell(w, source)
+    source = tostring(source or "")
+    local kind = source:find("^proposal") and "proposal" or source:find("proposal", 1, true) and "partly published"
+        or source ~= "" and "published" or nil
+    if kind then w('<span class="src">', kind, "</span> ") end
+    w(e((source:gsub("^proposal[;,]?%s*", ""))))
 end
 
 local function measures_table(w, measures)
     if #measures == 0 then return end
-    w('<table class="measures"><tr><th>', e(t("Measure")), "</th><th>", e(t("Value")), "</th><th>", e(t("Points")),
-        "</th><th>", e(t("Ground for the thresholds")), "</th></tr>")
+    w('<table class="measures"><tr><th>', e(t("Measure")), "</th><th>", e(t("Value")), "</th><th>", e(t("At")),
+        "</th><th>", e(t("Points")), "</th><th>", e(t("What would have been better")), "</th><th>",
+        e(t("Ground for the thresholds")), "</th></tr>")
     for _, measure in ipairs(measures) do
         w("<tr><td>", e(measure.name or measure.id), "</td><td>", number(measure.value, 2), " ",
-            e(measure.unit == "1" and "" or measure.unit), "</td><td>", number(measure.score, 1), "</td><td>",
-            e(measure.threshold_source), "</td></tr>")
+            e(measure.unit == "1" and "" or measure.unit), "</td><td>", measure.time_s and markup.time(measure.time_s)
+            or "", '</td><td>', number(measure.score, 1), "</td><td>", e(measure.better or ""), "</td><td>")
+        source_cell(w, measure.threshold_source)
+        w("</td></tr>")
     end
     w("</table>")
 end
 
-local function item_row(w, item)
+local function item_row(w, item, least)
     w('<tr><td class="id">', e(item.id), '</td><td><b>', e(item.name), "</b><ul>")
+    if item.anchor then w('<li class="soft">This level reads: ', e(item.anchor), ".</li>") end
     for _, reason in ipairs(item.reasons or {}) do w("<li>", e(reason), "</li>") end
-    w("</ul>")
-    measures_table(w, item.measures or {})
-    w('</td><td class="points">')
+    w('</ul></td><td class="points">')
     if item.score then
-        local share = (item.score - 1) / 4
+        local share = (item.score - least) / (5 - least)
         w("<b>", number(item.score, 1), '</b> <span class="soft">', e(t("of 5")), '</span><div class="bar"><i class="',
             class_of(share), '" style="width:', number(20 * item.score, 1), '%"></i></div>')
     else
-        w('<span class="soft">', e(t("not scored")), "</span>")
+        w('<span class="soft">', e(t("N/A, not scored")), "</span>")
     end
     w("</td></tr>")
+    if #(item.measures or {}) > 0 then
+        w('<tr class="detail"><td></td><td colspan="2">')
+        measures_table(w, item.measures)
+        w("</td></tr>")
+    end
 end
 
 --- The table of items.
@@ -59,15 +75,18 @@ function scores.section(w, osacss)
     if not osacss or not osacss.items then return end
     w("<section><h2>", e(t("Score, item by item")), "</h2><table><thead><tr><th>", e(t("Item")), "</th><th>",
         e(t("Why")), "</th><th>", e(t("Points")), "</th></tr></thead><tbody>")
-    for _, item in ipairs(osacss.items) do item_row(w, item) end
+    local least = type(osacss.least) == "number" and osacss.least or 1
+    for _, item in ipairs(osacss.items) do item_row(w, item, least) end
     w("</tbody></table>")
     if osacss.band then
         w('<p class="small">', e(t("Band: ")), "<b>", e(osacss.band), "</b>", osacss.band_meaning and ", "
-            .. e(osacss.band_meaning) or "", ". ", e(t("The cuts are where the groups of Saleh et al. 2007 part.")),
-            "</p>")
+            .. e(osacss.band_meaning) or "", ". ", (osacss.rubric or "OSACSS") == "OSACSS"
+            and e(t("The cuts are where the groups of Saleh et al. 2007 part.")) or "", "</p>")
     end
-    w('<p class="soft small">', e(t("Each item has 1 to 5 points. These scores have not been validated clinically; "
-        .. "thresholds marked “proposal” have no published ground.")), "</p></section>")
+    w('<p class="soft small">', e(t("Each item has %s to 5 points.", number(least, 0))), " <b>",
+        e(t("These scores have not been validated clinically.")), "</b> ",
+        e(t("Thresholds marked “proposal” have no published ground; an item that this exercise does not show (N/A) is "
+            .. "left out, and the scale shrinks to the others.")), "</p></section>")
 end
 
 return scores

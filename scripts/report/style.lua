@@ -37,8 +37,13 @@ td.points { white-space:nowrap; width:8.5rem; }
 td ul { margin:0; padding-left:1.1rem; } td li { margin:.15rem 0; }
 .measures { margin-top:.5rem; font-size:.82rem; color:var(--soft); }
 .measures { table-layout:fixed; } .measures td,.measures th { padding:.15rem .5rem .15rem 0; border:0; }
-.measures th:nth-child(2) { width:6.5rem; } .measures th:nth-child(3) { width:3.5rem; }
-.measures th:nth-child(4) { width:34%; }
+.measures th:nth-child(2) { width:5.2rem; } .measures th:nth-child(3) { width:5.6rem; }
+.measures th:nth-child(4) { width:3.6rem; } .measures th:nth-child(5) { width:24%; }
+.measures th:nth-child(6) { width:26%; }
+tr:has(+ .detail) > td { border-bottom:0; } .detail > td { padding-top:0; }
+.src { border:1px solid var(--line); border-radius:5px; padding:0 .3rem; font-size:.74rem; white-space:nowrap; }
+.curve { max-width:44rem; } .compare td { padding:.25rem .5rem; } .compare td:nth-child(n+3) { white-space:nowrap; }
+.strip { width:12rem; min-width:8rem; } svg .strong { font-weight:600; }
 .event { border-left:5px solid var(--bad); padding:.2rem 0 .2rem 1rem; margin:.9rem 0; }
 .event ul { margin:.3rem 0; padding-left:1.1rem; }
 .event.minor { border-color:var(--fair); }
@@ -56,8 +61,11 @@ footer { color:var(--soft); font-size:.82rem; padding:0 .5rem 1rem; }
 code { font-family:ui-monospace,"Liberation Mono",monospace; font-size:.8rem; overflow-wrap:anywhere; }
 @media (max-width:40rem) { .head { grid-template-columns:1fr; } .charts { grid-template-columns:1fr; }
   body { padding:.6rem; } th,td { padding:.4rem .3rem; } }
-@media print { .video { display:none; } html { background:#fff; font-size:11pt; } body { max-width:none; padding:0; }
-  header,section { border:0; padding:.4rem 0; } tr,.event,figure { break-inside:avoid; }
+@page { size:A4; margin:14mm 13mm; }
+@media print { h2,h3 { break-after:avoid; } .charts figure,.curve { break-inside:avoid; }
+  thead { display:table-header-group; }
+  .video { display:none; } html { background:#fff; font-size:9.5pt; } body { max-width:none; padding:0; }
+  header,section { border:0; padding:.4rem 0; } .event,figure,.measures tr,.compare tr { break-inside:avoid; }
   * { -webkit-print-color-adjust:exact; print-color-adjust:exact; }
   .charts { grid-template-columns:1fr 1fr; } .pictures { grid-template-columns:repeat(3,1fr); } }
 ]]

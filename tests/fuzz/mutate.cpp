@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <regex>
 #include <utility>
 
 namespace rhexis::fuzz {
@@ -41,6 +41,46 @@ std::size_t end_of_token(std::string_view text, std::size_t at) {
         }
     }
     return end;
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Numbers, comparisons, "and", "or" and names of measures ("groove.depth_mm"), in the order of the text.
+std::vector<std::string_view> meaningful(std::string_view text) {
+    std::vector<std::string_view> found;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at + 1;
+        if (text[at] == '<' || text[at] == '>') {
+            end += end < text.size() && text[end] == '=' ? 1 : 0;
+            found.push_back(text.substr(at, end - at));
+        } else if (is_word(text[at])) {
+            while (end < text.size() && (is_word(text[end]) || text[end] == '.')) {
+                ++end;
+            }
+            const std::string_view word = text.substr(at, end - at);
+            if (is_digit(word[0]) || word == "and" || word == "or" || word.find('.') != std::string_view::npos) {
+                found.push_back(word);
+            }
+        }
+        at = end;
+    }
+    return found;
+}
+
+/// What stands in place of a word that means something; another: a word of the same text. Empty: it stays.
+std::string other_meaning(std::string_view word, std::string_view another, Random& random) {
+    if (is_digit(word[0])) {
+        static constexpr std::array<double, 6> factors{0.0, 0.5, 0.9, 1.1, 2.0, 10.0};
+        return std::to_string(std::strtod(std::string(word).c_str(), nullptr) * factors[pick(random, factors.size())]);
+    }
+    if (word[0] == '<' || word[0] == '>') {
+        return pick(random, 2) == 0 ? "<" : ">=";
+    }
+    if (word == "and" || word == "or") {
+        return word == "and" ? "or" : "and";
+    }
+    const bool name = another.find('.') != std::string_view::npos && !is_digit(another[0]);
+    return name ? std::string(another) : std::string();
 }
 
 /// A text in quotes is often a condition: what is in it is spoilt the same way.
@@ -182,32 +222,17 @@ std::string mutate_tokens(const std::string& text, Random& random) {
 }
 
 std::string mutate_meaning(const std::string& text, Random& random) {
-    static const std::regex wanted(R"(\b\d+\.?\d*\b|[<>]=?|\b(and|or)\b|\b[a-z_]+\.[a-z_]+\b)");
     std::string changed = text;
     for (std::size_t n = 1 + pick(random, 5); n > 0; --n) {
-        std::vector<std::pair<std::size_t, std::size_t>> places;
-        for (std::sregex_iterator at(changed.begin(), changed.end(), wanted), end; at != end; ++at) {
-            places.emplace_back(at->position(), at->length());
-        }
-        if (places.empty()) {
+        const std::vector<std::string_view> words = meaningful(changed);
+        if (words.empty()) {
             break;
         }
-        const auto [at, size] = places[pick(random, places.size())];
-        const auto [other, other_size] = places[pick(random, places.size())];
-        const std::string one = changed.substr(at, size);
-        std::string instead = changed.substr(other, other_size);
-        if (std::isdigit(static_cast<unsigned char>(one[0])) != 0) {
-            static constexpr std::array<double, 6> factors{0.0, 0.5, 0.9, 1.1, 2.0, 10.0};
-            instead = std::to_string(std::stod(one) * factors[pick(random, factors.size())]);
-        } else if (one[0] == '<' || one[0] == '>') {
-            instead = pick(random, 2) == 0 ? "<" : ">=";
-        } else if (one == "and" || one == "or") {
-            instead = one == "and" ? "or" : "and";
-        } else if (instead.find('.') == std::string::npos ||
-                   std::isdigit(static_cast<unsigned char>(instead[0])) != 0) {
-            continue;
+        const std::string_view word = words[pick(random, words.size())];
+        const std::string instead = other_meaning(word, words[pick(random, words.size())], random);
+        if (!instead.empty()) {
+            changed.replace(static_cast<std::size_t>(word.data() - changed.data()), word.size(), instead);
         }
-        changed.replace(at, size, instead);
     }
     return changed;
 }

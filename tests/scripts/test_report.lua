@@ -94,6 +94,37 @@ case("a full report holds score, reasons, errors, pictures and charts, all escap
     equal(html:find("https?://", 1), nil, "reaches for the network")
 end)
 
+case("earlier attempts and a cohort are compared with, where there are any and they can be read", function()
+    local told = full()
+    equal(report.html(told, series(), {}):find("earlier attempts", 1, true), nil)
+    told.history = { { date = "2026-01-02", score = 4, max = 10, passed = false, items = { T9 = 2 } },
+        { date = "<b>", score = 7, max = 10, passed = true, items = { T9 = 2.5 } }, { score = "x" }, 7 }
+    told.cohort = { group = "experts & co", mean = 9, sd = 0.5, items = { T9 = 4.5 } }
+    local html = report.html(told, series(), {})
+    check_balance(html)
+    for _, text in ipairs({ "Compared with earlier attempts and with others", "Attempt 3. The best so far",
+        "experts &amp; co", "90 % ± 5", "2026-01-02: 4 of 10 points", "7 of 10 points, passed",
+        '<span class="tg">+0.5</span>', "<td>4.5</td>" }) do holds(html, text) end
+    equal(html:find("<b>:", 1, true), nil)
+    told.osacss.total = 3
+    html = report.html(told, series(), {})
+    holds(html, "The best so far had 70 % of its points, this one 30 %.")
+    told.history, told.cohort = "broken", 5
+    check_balance(report.html(told, series(), {}))
+end)
+
+case("a spectrum of tremor is drawn, and what would have been better stands beside each measure", function()
+    local told, over = full(), series()
+    told.osacss.items[1].measures[1].better = "Dig <on>."
+    told.osacss.items[1].measures[1].time_s = 61
+    told.osacss.items[1].anchor = "fair & square"
+    over.spectra = { phaco = { hz = { 1, 4, 8, 12 }, um_per_sqrt_hz = { 900, 5, 40, 8 }, windows = 3 } }
+    local html = report.html(told, over, {})
+    check_balance(html)
+    for _, text in ipairs({ "Spectrum of tremor", "Dig &lt;on&gt;.", "1 min 01 s", "fair &amp; square",
+        '<span class="src">proposal</span>', "not clinically validated" }) do holds(html, text) end
+end)
+
 case("a report of an attempt that was stopped early still makes a page", function()
     local html = report.html({ schema = 1, error = "groove/curriculum.lua:3: oh <no>", completed = false, steps = {},
         events = {}, measures = {}, pictures = {} }, { time_s = {}, measures = {} }, {})

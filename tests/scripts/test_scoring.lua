@@ -138,6 +138,21 @@ case("collectors: mean, rms, time, share, count over an attempt", function()
     equal(value("count", { 3, 1, 3, 1, 1, 1, 3 }, { of = "tip.depth_mm > 2", quiet_s = 1 }), 2, "with rest")
     near(value("max", { 3, 1, 9 }, { during = "tip.depth_mm < 5" }), 3, 1e-9)
     near(value("last", { 3 }, { of = "tip.depth_mm / reference.depth" }), 1.5, 1e-9)
+    near(value("deviation", { 1, 3, 1, 3 }), 1, 1e-9)
+    near(value("first", { 1, 3, 4 }, { during = "tip.depth_mm > 2" }), 3, 1e-9)
+    near(value("longest", { 3, 1, 3, 3, 3, 1, 3 }, { of = "tip.depth_mm > 2" }), 1.5, 1e-9)
+end)
+
+case("per divides by a reference of the exercise; without one the measure is left out with its weight", function()
+    local own = depth_measure({ id = "own", take = "last", per = "depth", five = 1, three = 2, one = 3 })
+    local item = score({ own }, { 3 }).items[1]
+    near(item.measures[1].value, 1.5, 1e-9)
+    near(item.score, 4, 1e-9)
+    local none = depth_measure({ id = "none", take = "last", per = "length", five = 0, three = 0.1, one = 0.2 })
+    item = score({ own, none }, { 3 }).items[1]
+    equal(#item.measures, 1)
+    near(item.score, 4, 1e-9)
+    equal(score({ none }, { 3 }).items[1].score, nil)
 end)
 
 case("a faulty rubric names item and measure", function()
@@ -148,6 +163,33 @@ case("a faulty rubric names item and measure", function()
         rubric({ measure })
     end, "item I1, measure m: five, three and one")
     fails(function() rubric({ depth_measure({ of = "tip.depth_mm <" }) }) end, "measure m", "missing")
+end)
+
+case("a rubric may have levels of its own, anchors, and errors of other items", function()
+    local own = scoring.rubric { name = "own", levels = { five = 5, four = 4, three = 3, two = 2 }, caps = caps,
+        items = {
+        { id = "P1", name = "first", errors_of = { "T9" }, anchors = { [2] = "poor", [4] = "fair", [5] = "good" },
+            measures = { { id = "P1.m", name = "depth", of = "tip.depth_mm", take = "max", unit = "mm", five = 1,
+                four = 2, three = 3, two = 5, source = "test", better = "Less." } } } } }
+    local function result(depth, events)
+        local eye = Eye.new(support.schema, {})
+        local sheet = scoring.sheet(own({ "P1" }), eye, {}, 0.5)
+        eye:look(0.5, { depth, 1, 0, 1 }, 0)
+        sheet:tick(0.5)
+        return sheet:score(events or {}, true)
+    end
+    for _, pair in ipairs({ { 0, 5, 1 }, { 2, 4, 2 / 3 }, { 4, 2.5, 1 / 6 }, { 9, 2, 0 } }) do
+        near(result(pair[1]).items[1].score, pair[2], 1e-9, "at " .. pair[1])
+        near(result(pair[1]).scaled, pair[3], 1e-3, "at " .. pair[1])
+    end
+    equal(result(2).items[1].anchor, "fair")
+    equal(result(2).items[1].reasons[1],
+        "depth: 2.0 mm (5 points at 1.0 mm, 4 at 2.0 mm, 3 at 3.0 mm, 2 at 5.0 mm). Less.")
+    local event = { id = "e", title = "E", severity = "critical", outcome = "not_recovered", items = { "T9" },
+        time_s = 1 }
+    equal(result(0, { event }).items[1].score, 2, "a cap of 1 is less than there is")
+    event.items = { "T8" }
+    equal(result(0, { event }).items[1].score, 5)
 end)
 
 case("the band follows the share of the scale", function()

@@ -28,6 +28,22 @@ says "identical"
 expect 0 "" "$rhexis" replay "$work/a" --score-with groove --json
 expect 0 "" "$rhexis" report "$work/a"
 
+# Judged by another rubric: same recording, nothing simulated again, its own items and levels; the run's report stays.
+before=$(sha256sum <"$work/a/report.json")
+expect 0 "" "$rhexis" replay "$work/a" --score-with rubrics/ico_oscar.lua --json
+says '"rubric": "ICO-OSCAR"'
+says '"simulated_from_step": 0'
+says '"judged_steps": 600'
+says '"id": "P9"'
+expect 0 "" "$rhexis" replay "$work/a" --score-with rubrics/ico_oscar.lua
+says "ICO-OSCAR"
+expect 0 "" "$rhexis" report "$work/a" --score-with rubrics/ico_oscar.lua
+says report_ico_oscar.html
+grep -q "ICO-OSCAR" "$work/a/report_ico_oscar.html" || fail "the page does not name its rubric"
+[ "$(sha256sum <"$work/a/report.json")" = "$before" ] || fail "judging again changed report.json"
+sed 's/five = 1.1, four = 1.4/five = 1.1, fuor = 1.4/' "$(dirname "$0")/../../../rubrics/ico_oscar.lua" >"$work/misspelt.lua"
+expect 2 "item P20, measure P20.time" "$rhexis" replay "$work/a" --score-with "$work/misspelt.lua"
+
 # Also what somebody did who was told not to react.
 expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --set surgeon.recovery=0 --set goal.length_mm=3 --out "$work/d"
 expect 0 "" "$rhexis" replay "$work/d" --score-with groove --json

@@ -92,6 +92,66 @@ std::function<bool(const Vec3&)> trench(const ColumnGrid& grid, double half_widt
 }  // namespace
 
 TEST_SUITE("observe") {
+    TEST_CASE("movements, rest, jerk and entries of the instruments") {
+        Bench bench;
+        Observer observer(bench.world, all_tissues, 0.01);
+        const auto go = [&](double seconds, double mm_s) {
+            for (int i = 0; i < static_cast<int>(seconds * 100.0 + 0.5); ++i) {
+                bench.tip_at(bench.tools[0].pose.position + Vec3(0.01 * mm_s, 0.0, 0.0));
+                bench.observe(observer);
+            }
+        };
+        bench.observe(observer);
+        CHECK(bench.value(observer, "instruments.entries") == 0.0);
+        CHECK(bench.value(observer, "instruments.idle") == 0.0);
+        CHECK(std::isnan(bench.value(observer, "instruments.jerk_mm_s3")));
+        bench.tip_at({0.0, 0.0, 2.5});
+        bench.observe(observer);
+        CHECK(bench.value(observer, "instruments.entries") == 1.0);
+        CHECK(bench.value(observer, "instruments.idle") == 1.0);
+        go(0.5, 4.0);
+        CHECK(bench.value(observer, "instruments.movements") == 1.0);
+        CHECK(bench.value(observer, "instruments.idle") == 0.0);
+        CHECK(bench.value(observer, "instruments.path_mm") == doctest::Approx(2.0));
+        const double begun = bench.value(observer, "instruments.jerk_mm_s3");
+        CHECK(begun > 100.0);
+        go(2.0, 0.0);
+        CHECK(bench.value(observer, "instruments.idle") == 1.0);
+        CHECK(bench.value(observer, "instruments.jerk_mm_s3") < begun);
+        bench.tools[0].aspiration = 0.5;
+        go(0.1, 0.0);
+        CHECK(bench.value(observer, "instruments.idle") == 0.0);
+        bench.tools[0].aspiration = 0.0;
+        go(1.0, 4.0);
+        CHECK(bench.value(observer, "instruments.movements") == 2.0);
+        bench.tools[0].present = false;
+        bench.observe(observer);
+        bench.tip_at({0.0, 0.0, 2.5});
+        bench.observe(observer);
+        CHECK(bench.value(observer, "instruments.entries") == 2.0);
+    }
+
+    TEST_CASE("tremor is no movement, and a tip under the iris is hidden") {
+        Bench bench;
+        Observer observer(bench.world, all_tissues, 0.01);
+        for (int i = 0; i < 300; ++i) {
+            bench.tip_at({0.1 * ((i / 5) % 2 == 0 ? 1.0 : -1.0), 0.0, 2.5});  // 10 Hz, 0.1 mm
+            bench.observe(observer);
+        }
+        CHECK(bench.value(observer, "instruments.movements") <= 1.0);
+        CHECK(bench.value(observer, "instruments.hidden") == 0.0);
+        const EyeAnatomy& eye = bench.eye.anatomy;
+        bench.tip_at({eye.pupil_radius + 0.3, 0.0, eye.iris_z + 0.3});
+        bench.observe(observer);
+        CHECK(bench.value(observer, "instruments.hidden") == 0.0);
+        bench.tip_at({eye.pupil_radius + 0.3, 0.0, eye.iris_z - 0.3});
+        bench.observe(observer);
+        CHECK(bench.value(observer, "instruments.hidden") == 1.0);
+        bench.tip_at({eye.pupil_radius - 0.3, 0.0, eye.iris_z - 0.3});
+        bench.observe(observer);
+        CHECK(bench.value(observer, "instruments.hidden") == 0.0);
+    }
+
     TEST_CASE("columns hold the volume of the lens") {
         const Bench bench;
         const SolidModel& lens = bench.world.solids[0];
