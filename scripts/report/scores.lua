@@ -31,7 +31,7 @@ local function source_cell(w, source)
     source = tostring(source or "")
     local kind = source:find("^proposal") and "proposal" or source:find("proposal", 1, true) and "partly published"
         or source ~= "" and "published" or nil
-    if kind then w('<span class="src">', kind, "</span> ") end
+    if kind then w('<span class="src">', e(t(kind)), "</span> ") end
     w(e((source:gsub("^proposal[;,]?%s*", ""))))
 end
 
@@ -52,7 +52,7 @@ end
 
 local function item_row(w, item, least)
     w('<tr><td class="id">', e(item.id), '</td><td><b>', e(item.name), "</b><ul>")
-    if item.anchor then w('<li class="soft">This level reads: ', e(item.anchor), ".</li>") end
+    if item.anchor then w('<li class="soft">', e(t("This level reads: ")), e(item.anchor), ".</li>") end
     for _, reason in ipairs(item.reasons or {}) do w("<li>", e(reason), "</li>") end
     w('</ul></td><td class="points">')
     if item.score then

@@ -35,6 +35,42 @@ return {
     ["scores like surgeons with 250 operations or more"] = "note de chirurgiens ayant 250 opérations ou plus",
 
     -- rubric: items
+    ["Times that the implant jammed in the nozzle"] = "Blocages de l'implant dans la buse",
+    ["Stop when the plunger gets heavy; do not force an implant through."] =
+        "Arrêtez quand le piston devient dur ; ne forcez pas le passage d'un implant.",
+    ["Longest time that the pupil was out of focus"] = "Plus longue durée pendant laquelle la pupille était floue",
+    ["Refocus with the foot as soon as the edge of the pupil blurs, not at the next pause."] =
+        "Refaites la mise au point au pied dès que le bord de la pupille devient flou, sans attendre une pause.",
+    ["nothing here comes near the cornea."] = "rien ici n'approche la cornée.",
+    ["Touches of the back of the cornea by the probe"] = "Contacts de la sonde avec la face postérieure de la cornée",
+    ["Stay well below the dome of the cornea."] = "Restez bien au-dessous du dôme de la cornée.",
+    ["Burn of the wound (0: none, 1: shrunk as far as it goes)"] =
+        "Brûlure de l'incision (0 : aucune, 1 : rétraction maximale)",
+    ["Never give ultrasound without flow: stop when the mouth stays shut."] =
+        "Jamais d'ultrasons sans flux : arrêtez quand l'embout reste obstrué.",
+    ["Time with a tip under the iris, where it cannot be seen"] =
+        "Temps avec une extrémité sous l'iris, là où on ne la voit pas",
+    ["Work where you see: inside the edge of the pupil."] = "Travaillez là où vous voyez : en dedans du bord pupillaire.",
+    ["Times that the iris was drawn into the tip"] = "Aspirations de l'iris dans l'embout",
+    ["Let go of the pedal at once: pulling tears the iris, ultrasound eats it."] =
+        "Lâchez aussitôt la pédale : tirer déchire l'iris, les ultrasons le détruisent.",
+    ["Length of the iris's edge that was torn"] = "Longueur du bord de l'iris déchirée",
+    ["Set the iris free by the pedal, never by pulling."] = "Libérez l'iris par la pédale, jamais en tirant.",
+    ["Fewer and straighter movements; do not search with the tip."] =
+        "Des gestes moins nombreux et plus directs ; ne cherchez pas avec l'extrémité.",
+    ["Movements, as a multiple of what an expert needs"] = "Nombre de gestes, rapporté à celui d'un expert",
+    ["Know the next two movements before you begin the first."] =
+        "Connaissez les deux gestes suivants avant de commencer le premier.",
+    ["Time in which all instruments rested for more than 2 s"] =
+        "Temps pendant lequel tous les instruments sont restés immobiles plus de 2 s",
+    ["Plan before you go in; inside, go on."] = "Préparez-vous avant d'entrer ; à l'intérieur, avancez.",
+    ["Jerk of the tips without tremor (RMS), as a multiple of an expert's"] =
+        "À-coups des extrémités sans le tremblement (RMS), rapportés à ceux d'un expert",
+    ["Begin and end every movement gently."] = "Commencez et terminez chaque geste en douceur.",
+    ["Entries into the eye, as a multiple of what an expert needs"] =
+        "Entrées dans l'œil, rapportées à celles d'un expert",
+    ["Leave the instrument in the eye until its step is finished."] =
+        "Laissez l'instrument dans l'œil jusqu'à la fin de son étape.",
     ["Viscoelastic: use and safe insertion"] = "Viscoélastique : emploi et injection sans risque",
     ["viscoelastic is not simulated."] = "le viscoélastique n'est pas simulé.",
     ["Chamber filled with viscoelastic when the capsule was opened"] =
@@ -293,10 +329,20 @@ return {
     ["Band: "] = "Palier : ",
     ["The cuts are where the groups of Saleh et al. 2007 part."] =
         "Les limites sont celles qui séparent les groupes de Saleh et coll. 2007.",
-    ["Each item has 1 to 5 points. These scores have not been validated clinically; thresholds marked “proposal” "
-        .. "have no published ground."] =
-        "Chaque critère vaut 1 à 5 points. Ces notes ne sont pas validées cliniquement ; "
-        .. "les seuils marqués « proposal » n'ont pas d'origine publiée.",
+    ["not clinically validated"] = "non validé cliniquement",
+    ["At"] = "À",
+    ["What would have been better"] = "Ce qui aurait été mieux",
+    ["N/A, not scored"] = "Sans objet, non noté",
+    ["proposal"] = "proposition",
+    ["published"] = "publié",
+    ["partly published"] = "publié en partie",
+    ["This level reads: "] = "Ce niveau signifie : ",
+    ["Each item has %s to 5 points."] = "Chaque critère vaut de %s à 5 points.",
+    ["These scores have not been validated clinically."] = "Ces notes n'ont pas été validées cliniquement.",
+    ["Thresholds marked “proposal” have no published ground; an item that this exercise does not show (N/A) is left out, "
+        .. "and the scale shrinks to the others."] =
+        "Les seuils marqués « proposition » n'ont pas de fondement publié ; un critère que cet exercice ne montre pas "
+        .. "(sans objet) est laissé de côté, et l'échelle se réduit aux autres.",
 
     -- report: pictures
     ["Pictures"] = "Images",
