@@ -74,8 +74,8 @@ return exercise {
             harm = "vitreous.peak_traction_mN > 1",
             severity = "critical",
             cue = "The tip goes down through the hole after a piece that gets dimmer.",
-            advice = "Stop: pedal to 1, tip up to the plane of the iris. Through the vitreous nobody reaches it without "
-                .. "pulling on the retina.",
+            advice = "Stop: pedal to 1, tip up to the plane of the iris. Through the vitreous nobody reaches it "
+                .. "without pulling on the retina.",
             items = { "T11", "G4" },
             evidence = { "phaco.tip_posterior_mm", "fragments.sunk_mm", "vitreous.traction_mN" },
         },

@@ -30,7 +30,7 @@ return exercise {
     },
 
     goals = {
-        vacuum_mmhg = { 180, from = 50, to = 400, meaning = "vacuum that must have built up before the piece is let go" },
+        vacuum_mmhg = { 180, from = 50, to = 400, meaning = "vacuum that must build up before the piece is let go" },
     },
     reference = { time_s = 20, path_mm = 53, movements = 7, entries = 1, jerk_mm_s3 = 490 },
 

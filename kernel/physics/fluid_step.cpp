@@ -75,7 +75,8 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
             control.wound_open = wound_release(*model.vitreous, *state.vitreous, control.wound_open);
         }
         state.flows = advance_chamber(chamber, control, dt, *state.chamber);
-        heat_wound(hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
+        heat_wound(hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0,
+                   std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
         const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;

@@ -50,7 +50,8 @@ return {
         "Jamais d'ultrasons sans flux : arrêtez quand l'embout reste obstrué.",
     ["Time with a tip under the iris, where it cannot be seen"] =
         "Temps avec une extrémité sous l'iris, là où on ne la voit pas",
-    ["Work where you see: inside the edge of the pupil."] = "Travaillez là où vous voyez : en dedans du bord pupillaire.",
+    ["Work where you see: inside the edge of the pupil."] =
+        "Travaillez là où vous voyez : en dedans du bord pupillaire.",
     ["Times that the iris was drawn into the tip"] = "Aspirations de l'iris dans l'embout",
     ["Let go of the pedal at once: pulling tears the iris, ultrasound eats it."] =
         "Lâchez aussitôt la pédale : tirer déchire l'iris, les ultrasons le détruisent.",
@@ -339,8 +340,8 @@ return {
     ["This level reads: "] = "Ce niveau signifie : ",
     ["Each item has %s to 5 points."] = "Chaque critère vaut de %s à 5 points.",
     ["These scores have not been validated clinically."] = "Ces notes n'ont pas été validées cliniquement.",
-    ["Thresholds marked “proposal” have no published ground; an item that this exercise does not show (N/A) is left out, "
-        .. "and the scale shrinks to the others."] =
+    ["Thresholds marked “proposal” have no published ground; an item that this exercise does not show (N/A) is left "
+        .. "out, and the scale shrinks to the others."] =
         "Les seuils marqués « proposition » n'ont pas de fondement publié ; un critère que cet exercice ne montre pas "
         .. "(sans objet) est laissé de côté, et l'échelle se réduit aux autres.",
 
