@@ -18,3 +18,13 @@ find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 add_library(rhexis_cholmod INTERFACE)
 target_include_directories(rhexis_cholmod SYSTEM INTERFACE $<BUILD_INTERFACE:${SUITESPARSE_INCLUDE_DIR}>)
 target_link_libraries(rhexis_cholmod INTERFACE cholmod openblas)
+
+# SOCI's Debian package has no configuration for CMake.
+if(RHEXIS_RECORDS)
+  find_path(SOCI_INCLUDE_DIR soci/soci.h REQUIRED)
+  find_library(SOCI_CORE_LIBRARY soci_core REQUIRED)
+  find_library(SOCI_SQLITE3_LIBRARY soci_sqlite3 REQUIRED)
+  add_library(rhexis_soci INTERFACE)
+  target_include_directories(rhexis_soci SYSTEM INTERFACE ${SOCI_INCLUDE_DIR})
+  target_link_libraries(rhexis_soci INTERFACE ${SOCI_SQLITE3_LIBRARY} ${SOCI_CORE_LIBRARY})
+endif()

@@ -265,6 +265,7 @@ Result<AttemptResult> Attempt::write_results() {
     input.simulated = simulated_parts(session_);
     input.performance = timing_.performance(session_.time_s());
     result.report = make_report(input);
+    result.report.update(options_.comparison);
     result.script_error = script_error_;
     result.recording = writer_.file();
     result.saved = saved_;

@@ -36,7 +36,8 @@ struct AttemptOptions {
     Drawing drawing = Drawing::if_possible;
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress
-    bool watch = false;      ///< the exercise is read again between two steps when its files have changed
+    nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
+    bool watch = false;  ///< the exercise is read again between two steps when its files have changed
 };
 
 struct AttemptResult {

@@ -214,6 +214,7 @@ private:
         AttemptOptions own = options_.attempt;
         own.exercise = exercise(index);
         own.folder = folder(index);
+        own.comparison = json::object();  // it is of the whole
         own.start = std::move(start).value();
         const bool goes_on = index + 1 < options_.operation.parts.size() && part(index + 1).continues;
         own.save = {goes_on ? own.folder + end_state : "", -1.0, ""};
@@ -244,6 +245,7 @@ private:
             return whole.error();
         }
         result_.report = whole.value().report;
+        result_.report.update(options_.attempt.comparison);
         const std::string& to = options_.attempt.folder;
         Status status = write_whole_file(to + "/series.json", whole.value().series.dump() + "\n");
         if (status) {

@@ -21,6 +21,9 @@ constexpr const char* description =
     "                                        simulate that again and compare every step, bit for bit\n"
     "  rhexis check my_exercise/             find the mistakes in an exercise of your own, by file and line\n"
     "  rhexis test groove                    run the scenario tests of an exercise\n"
+#ifdef RHEXIS_WITH_RECORDS
+    "  rhexis records --help                 keep the attempts of trainees, learning curves, gates\n"
+#endif
     "  rhexis lua my_scene.lua               run a script with the kernel's modules at hand\n";
 
 constexpr const char* footer =
@@ -121,6 +124,10 @@ int run_program(int argc, const char* const* argv) {
     for (auto* add : {add_run, add_lua, add_check, add_test, add_replay, add_report, add_fold, add_study}) {
         add(app, context);
     }
+#ifdef RHEXIS_WITH_RECORDS
+    add_rate(app, context);
+    add_records(app, context);
+#endif
 #ifdef RHEXIS_WITH_BENCHMARKS
     add_bench(app, context);
 #endif

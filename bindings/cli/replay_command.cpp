@@ -7,6 +7,7 @@
 
 #include "base/hash.hpp"
 #include "cli/command.hpp"
+#include "cli/film.hpp"
 #include "cli/pictures.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
@@ -124,28 +125,6 @@ int score(const Recording& recording, const ReplayOptions& given, const Context&
     return rescored.script_error.empty() ? done : complain({rescored.script_error, "", ""}, found_failures);
 }
 
-Status film_steps(const Recording& recording, PictureBook& book, bool quiet) {
-    Result<Session> session = session_of(recording);
-    if (!session) {
-        return session.error();
-    }
-    Progress progress("film", quiet);
-    Status status = book.keep(session.value().frame(), "start", "Before the first step.");
-    for (const RecordedStep& step : recording.steps) {
-        session.value().step(step.samples, step.commands);
-        if (status && book.wants_film(session.value().time_s())) {
-            status = book.film(session.value().frame());
-        }
-        if (!status) {
-            return status;
-        }
-        progress.show(static_cast<double>(step.step) / static_cast<double>(recording.steps.size()),
-                      "step " + std::to_string(step.step));
-    }
-    status = book.keep(session.value().frame(), "end", "At the end.");
-    return status ? book.finish() : status;
-}
-
 int film(const Recording& recording, const ReplayOptions& given, nlohmann::json& out) {
     const std::filesystem::path beside = std::filesystem::path(given.recording).parent_path() / "replay";
     const std::string folder = given.out.empty() ? beside.string() : given.out;
@@ -157,7 +136,7 @@ int film(const Recording& recording, const ReplayOptions& given, nlohmann::json&
     if (!book) {
         return complain(book.error());
     }
-    const Status filmed = film_steps(recording, book.value(), given.json);
+    const Status filmed = film_recording(recording, book.value(), true, given.json);
     if (!filmed) {
         return complain(filmed.error());
     }

@@ -8,6 +8,7 @@
 #include "base/numbers.hpp"
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
+#include "cli/kept_attempt.hpp"
 #include "cli/operation.hpp"
 #include "cli/report_json.hpp"
 #include "cli/starts.hpp"
@@ -29,8 +30,10 @@ constexpr const char* help =
     "  rhexis run full_operation                  all its parts, one after the other\n"
     "  rhexis run full_operation --from capsulorhexis --to capsulorhexis\n"
     "  rhexis run full_operation --resume         without the parts that are there already\n"
+    "  rhexis run groove --trainee P07 --cohort 2026    the attempt is stored; see rhexis records --help\n"
     "\n"
-    "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.";
+    "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.\n"
+    "Without --trainee nothing is stored but the run's own folder.";
 
 constexpr double shortest_limit = 0.1;  // [s] simulated
 constexpr double longest_limit = 7200.0;
@@ -60,6 +63,7 @@ struct RunOptions {
     std::string hand;
     std::string language;
     bool watch = false;
+    KeepOptions keep;
 };
 
 /// The language that the environment asks for, where the shared scripts have texts in it; empty: English.
@@ -131,14 +135,16 @@ Result<SaveOptions> save_options_of(const std::string& given) {
     return range ? Result<SaveOptions>(save) : range.error();
 }
 
-/// runs/groove-expert-1, from the last part of the curriculum's path.
+/// runs/groove-expert-1, or of a trainee runs/groove-P07-20260301-093000, from the last part of the curriculum's path.
 std::string default_folder(const RunOptions& given) {
     std::filesystem::path path(given.curriculum);
     if (path.extension() == ".lua" && path.has_parent_path() && path.stem() == "curriculum") {
         path = path.parent_path();
     }
     std::string name = path.has_filename() ? path.stem().string() : path.parent_path().filename().string();
-    return "runs/" + (name.empty() ? "exercise" : name) + "-" + given.surgeon + "-" + std::to_string(given.seed);
+    name = name.empty() ? "exercise" : name;
+    return "runs/" + (given.keep.trainee.empty() ? name + "-" + given.surgeon + "-" + std::to_string(given.seed)
+                                                 : folder_name_of(name, given.keep.trainee));
 }
 
 void print_objectives(const nlohmann::json& report) {
@@ -215,11 +221,19 @@ int run_whole(const RunOptions& given, const Operation& operation, AttemptOption
         return complain(status.error());
     }
     attempt.quiet = given.json;
+    Result<KeptAttempt> kept =
+        KeptAttempt::begin(given.keep, operation.identity, given.surgeon, given.seed, attempt.folder, given.resume);
+    if (!kept) {
+        return complain(kept.error());
+    }
+    attempt.comparison = kept.value().comparison();
     const OperationOptions options{operation, std::move(attempt), given.from, given.to, given.resume};
     const Result<OperationResult> result = operate(options);
     if (!result) {
+        kept.value().give_up();
         return complain(result.error());
     }
+    const Status stored = kept.value().finish(result.value().report, "");
     if (!result.value().drawing_note.empty()) {
         std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
     }
@@ -227,6 +241,9 @@ int run_whole(const RunOptions& given, const Operation& operation, AttemptOption
         std::cout << result.value().report.dump(2) << '\n';
     } else {
         print_whole(given, options.attempt.folder, result.value());
+    }
+    if (!stored) {
+        return complain(stored.error());
     }
     if (!result.value().script_error.empty()) {
         return complain({result.value().script_error, "", "the operation ended there; its recordings are kept"},
@@ -250,8 +267,22 @@ AttemptOptions attempt_options(const RunOptions& given, std::map<std::string, st
     return options;
 }
 
-int run(const RunOptions& given, const Context& context) {
-    if (const Status status = check_range("--limit", given.limit_s, shortest_limit, longest_limit); !status) {
+/// The exercise is loaded first, so that its mistakes show before anything is stored.
+Result<KeptAttempt> begin_kept(const RunOptions& given, const AttemptOptions& options) {
+    if (given.keep.trainee.empty()) {
+        return KeptAttempt::begin(given.keep, {}, "", 0, "", false);
+    }
+    const Result<ExerciseHost> host = ExerciseHost::load(options.exercise);
+    return host ? KeptAttempt::begin(given.keep, host.value().identity(), given.surgeon, given.seed, options.folder,
+                                     false)
+                : host.error();
+}
+
+int run(RunOptions given, const Context& context) {
+    given.keep.root = context.root;
+    Status status = check_range("--limit", given.limit_s, shortest_limit, longest_limit);
+    status = status ? check_keep_options(given.keep) : status;
+    if (!status) {
         return complain(status.error());
     }
     Result<std::map<std::string, std::string>> set = settings_of(given, context.root);
@@ -285,10 +316,17 @@ int run(const RunOptions& given, const Context& context) {
         return complain(start.error());
     }
     options.start = std::move(start).value();
+    Result<KeptAttempt> kept = begin_kept(given, options);
+    if (!kept) {
+        return complain(kept.error());
+    }
+    options.comparison = kept.value().comparison();
     const Result<AttemptResult> result = attempt(options);
     if (!result) {
+        kept.value().give_up();
         return complain(result.error());
     }
+    const Status stored = kept.value().finish(result.value().report, result.value().recording);
     if (!result.value().drawing_note.empty()) {
         std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
     }
@@ -296,6 +334,9 @@ int run(const RunOptions& given, const Context& context) {
         std::cout << result.value().report.dump(2) << '\n';
     } else {
         print_summary(given, options.folder, result.value());
+    }
+    if (!stored) {
+        return complain(stored.error());
     }
     if (!result.value().script_error.empty()) {
         return complain({result.value().script_error, "", "the exercise ended there; its recording is kept"},
@@ -352,6 +393,11 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--from", given->from, "Of an operation: the part to begin with");
     command->add_option("--to", given->to, "Of an operation: the last part to do");
     command->add_flag("--resume", given->resume, "Of an operation: go on after the parts that are whole in --out");
+    command->add_option("--trainee", given->keep.trainee, "Store the attempt under this pseudonym [nothing is stored]");
+    command->add_option("--cohort", given->keep.cohort, "Of the trainee [as before]");
+    command->add_option("--arm", given->keep.arm, "Of the trainee, in a trial [as before]");
+    command->add_option("--records", given->keep.store,
+                        "File to store in [RHEXIS_RECORDS, or rhexis/records.db in the user's data folder]");
     command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")->capture_default_str();
     command->callback([given, &context] { context.status = run(*given, context); });
 }

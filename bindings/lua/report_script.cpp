@@ -20,19 +20,18 @@ void push_images(lua_State* L, const std::map<std::string, std::string>& images)
     }
 }
 
-void push_html_function(lua_State* L) {
+void push_html_function(lua_State* L, const std::string& module) {
     lua_getglobal(L, "require");
-    lua::push(L, "report");
+    lua::push(L, std::string_view(module));
     lua_call(L, 1, 1);
     if (!lua_istable(L, -1) || lua_getfield(L, -1, "html") != LUA_TFUNCTION) {
-        luaL_error(L, "scripts/report has no function html");
+        luaL_error(L, "scripts/%s has no function html", module.c_str());
     }
 }
 
-}  // namespace
-
-Result<std::string> report_html(const std::string& root, const nlohmann::json& report, const nlohmann::json& series,
-                                const std::map<std::string, std::string>& images) {
+/// push_arguments puts them on the stack and returns how many there are.
+template <typename PushArguments>
+Result<std::string> page(const std::string& root, const std::string& module, PushArguments push_arguments) {
     LuaOptions options;
     options.limits = page_limits;
     options.folders.push_back({root + "/scripts", "scripts"});
@@ -42,19 +41,35 @@ Result<std::string> report_html(const std::string& root, const nlohmann::json& r
     }
     std::string page;
     const Status status = state.value().run([&](lua_State* L) {
-        push_html_function(L);
-        lua::push_json(L, report);
-        lua::push_json(L, series);
-        push_images(L, images);
-        lua_call(L, 3, 1);
+        push_html_function(L, module);
+        lua_call(L, push_arguments(L), 1);
         std::size_t size = 0;
         const char* text = lua_tolstring(L, -1, &size);
         if (text == nullptr) {
-            luaL_error(L, "scripts/report: html returned no text");
+            luaL_error(L, "scripts/%s: html returned no text", module.c_str());
         }
         page.assign(text, size);
     });
     return status ? Result<std::string>(std::move(page)) : Result<std::string>(status.error());
+}
+
+}  // namespace
+
+Result<std::string> report_html(const std::string& root, const nlohmann::json& report, const nlohmann::json& series,
+                                const std::map<std::string, std::string>& images) {
+    return page(root, "report", [&](lua_State* L) {
+        lua::push_json(L, report);
+        lua::push_json(L, series);
+        push_images(L, images);
+        return 3;
+    });
+}
+
+Result<std::string> page_html(const std::string& root, const std::string& module, const nlohmann::json& data) {
+    return page(root, module, [&](lua_State* L) {
+        lua::push_json(L, data);
+        return 1;
+    });
 }
 
 }  // namespace rhexis

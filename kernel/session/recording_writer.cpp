@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/clock.hpp"
 #include "base/hash.hpp"
 #include "session/chunk.hpp"
 #include "session/codec.hpp"
@@ -16,7 +17,8 @@ struct RecordingWriter::Parts {
     std::string path;
     std::string file;
     int descriptor = -1;
-    std::string waiting;  ///< bytes not yet given to the system
+    std::string waiting;     ///< bytes not yet given to the system
+    double flushed_s = 0.0;  ///< when the last were; what is written does not depend on it
 
     ~Parts() {
         if (descriptor >= 0) {
@@ -41,13 +43,16 @@ struct RecordingWriter::Parts {
             done += written > 0 ? static_cast<std::size_t>(written) : 0;
         }
         waiting.clear();
+        flushed_s = wall_seconds();
         return success();
     }
 
     Status add(ChunkKind kind, const std::string& payload) {
         waiting += make_chunk(kind, payload);
         constexpr std::size_t enough = 32768;
-        return waiting.size() >= enough || kind != ChunkKind::step ? flush() : success();
+        constexpr double longest_wait_s = 0.9;  // a process that is killed loses a second of its recording at most
+        const bool waited = wall_seconds() - flushed_s > longest_wait_s;
+        return waiting.size() >= enough || kind != ChunkKind::step || waited ? flush() : success();
     }
 };
 

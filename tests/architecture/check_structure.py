@@ -23,6 +23,7 @@ WALLS = {
     r"(lua\.h|lua\.hpp|lualib\.h|lauxlib\.h|luaconf\.h)": ["bindings/lua/", "tests/bindings/"],
     r"cholmod\.h": ["kernel/math/", "tests/bench/"],
     r"CLI/": ["bindings/cli/"],
+    r"(soci/|sqlite3\.h)": ["bindings/records/"],
 }
 HARD_LINES = 600
 FOREIGN_PATHS = re.compile(r"(/work/|\.\./shared|/root/)")

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis rate: recordings rated by people who do not know whose they are.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/hash.hpp"
+#include "base/rng.hpp"
+#include "cli/command.hpp"
+#include "cli/film.hpp"
+#include "cli/places.hpp"
+#include "cli/rating_answers.hpp"
+#include "lua/report_script.hpp"
+#include "records/identity.hpp"
+#include "records/pseudonym.hpp"
+#include "records/store.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* help =
+    "Makes a folder to hand to a rater: for each recording a replay on video and a form with the twenty items of\n"
+    "OSACSS, in an order by chance, without name, group, score or date. The form works without a network and saves a\n"
+    "file of answers. With --answers these are stored beside the attempt, for rhexis records agreement.\n"
+    "\n"
+    "  rhexis rate runs/groove-P07-20260301-093000\n"
+    "  rhexis rate runs/groove-P*/ --out for_rater_1 --seed 1       every rater another order\n"
+    "  rhexis rate runs/groove-P*/ --answers rater_1/*.json --rater R1\n"
+    "  rhexis records agreement --html agreement.html\n"
+    "\n"
+    "Answers are stored of attempts that are stored: rhexis run --trainee, or rhexis records add.";
+
+struct RateOptions {
+    std::vector<std::string> recordings;
+    std::string out = "rating";
+    std::uint64_t seed = 1;
+    bool no_video = false;
+    std::vector<std::string> answers;
+    std::string rater;
+    std::string store;
+    bool replace = false;
+};
+
+struct Case {
+    std::string code;
+    std::string path;
+};
+
+/// Each recording once, in an order that depends on nothing but the recordings and the seed.
+Result<std::vector<Case>> cases_of(const RateOptions& given) {
+    std::vector<Case> cases;
+    for (const std::string& name : given.recordings) {
+        const std::string path = recording_path(name);
+        const Result<std::string> bytes = read_whole_file(path);
+        if (!bytes) {
+            return bytes.error();
+        }
+        cases.push_back({code_of(sha256_hex(bytes.value())), path});
+    }
+    const auto by_code = [](const Case& a, const Case& b) { return a.code < b.code; };
+    const auto same_code = [](const Case& a, const Case& b) { return a.code == b.code; };
+    std::sort(cases.begin(), cases.end(), by_code);
+    cases.erase(std::unique(cases.begin(), cases.end(), same_code), cases.end());
+    Rng chance(given.seed, "order of cases");
+    for (std::size_t i = cases.size(); i > 1; --i) {
+        std::swap(cases[i - 1], cases[static_cast<std::size_t>(chance.integer(0, static_cast<std::int64_t>(i) - 1))]);
+    }
+    return cases;
+}
+
+Status film(const Recording& recording, const std::string& folder) {
+    Result<PictureBook> book = PictureBook::create(folder, true);
+    if (!book) {
+        return Error{book.error().text(), "", "--no-video makes the form without a replay"};
+    }
+    const Status filmed = film_recording(recording, book.value(), false, false);
+    std::error_code ignored;
+    fs::remove(folder + "/frames", ignored);  // it is empty
+    return filmed;
+}
+
+Status make_case(const RateOptions& given, const Case& one, std::size_t number, std::size_t of,
+                 const Context& context) {
+    const Result<Recording> recording = read_recording(one.path);
+    if (!recording) {
+        return recording.error();
+    }
+    const std::string folder = given.out + "/case_" + (number < 10 ? "0" : "") + std::to_string(number);
+    Status status = prepare_folder(folder);
+    nlohmann::json data = {{"case", one.code}, {"number", number}, {"of", of}};
+    if (status && !given.no_video) {
+        status = film(recording.value(), folder);
+        data["video"] = "video.mp4";
+    }
+    if (!status) {
+        return status;
+    }
+    const Result<std::string> html = page_html(context.root, "records.form", data);
+    return html ? write_whole_file(folder + "/form.html", html.value()) : Status(html.error());
+}
+
+int make_package(const RateOptions& given, const Context& context) {
+    const Result<std::vector<Case>> cases = cases_of(given);
+    if (!cases) {
+        return complain(cases.error());
+    }
+    std::error_code ignored;
+    if (fs::exists(given.out, ignored) && !fs::is_empty(given.out, ignored)) {
+        return complain({"this folder is not empty", given.out, "--out DIR, a new folder for each rater"});
+    }
+    for (std::size_t i = 0; i < cases.value().size(); ++i) {
+        const Status made = make_case(given, cases.value()[i], i + 1, cases.value().size(), context);
+        if (!made) {
+            return complain(made.error());
+        }
+    }
+    std::printf("%zu to rate, in %s/case_01/form.html and on\n", cases.value().size(), given.out.c_str());
+    return done;
+}
+
+/// The attempt whose recording goes by this code, if that is among those that were named.
+Result<std::string> attempt_with(const std::string& code, const std::vector<Case>& cases,
+                                 const std::vector<records::Attempt>& attempts, const std::string& file) {
+    const auto named = std::find_if(cases.begin(), cases.end(), [&](const Case& one) { return one.code == code; });
+    if (named == cases.end()) {
+        return Error{"these are answers about another recording", file, "those of its form"};
+    }
+    for (const records::Attempt& attempt : attempts) {
+        if (code_of(attempt.recording_sha256) == code) {
+            return attempt.id;
+        }
+    }
+    return Error{"no stored attempt has this recording", named->path,
+                 "rhexis records add RUN_DIR --trainee PSEUDONYM stores it"};
+}
+
+Result<std::vector<records::Rating>> read_ratings(const RateOptions& given, records::Store& store) {
+    const Result<std::vector<Case>> cases = cases_of(given);
+    records::Wanted finished;
+    finished.finished = true;
+    const Result<std::vector<records::Attempt>> attempts = store.attempts(finished);
+    if (!cases || !attempts) {
+        return cases ? attempts.error() : cases.error();
+    }
+    std::vector<records::Rating> ratings;
+    for (const std::string& file : given.answers) {
+        Result<Answers> answers = read_answers(file);
+        if (!answers) {
+            return answers.error();
+        }
+        const Result<std::string> attempt = attempt_with(answers.value().code, cases.value(), attempts.value(), file);
+        if (!attempt) {
+            return attempt.error();
+        }
+        records::Rating& rating = ratings.emplace_back(std::move(answers.value().rating));
+        rating.attempt = attempt.value();
+        rating.rater = given.rater;
+        rating.rated = records::now_utc();
+    }
+    return ratings;
+}
+
+int store_answers(const RateOptions& given) {
+    if (const Status status = records::check_pseudonym(given.rater, "--rater"); !status) {
+        return complain(status.error());
+    }
+    Result<records::Store> store =
+        records::Store::open_existing(given.store.empty() ? records::default_store() : given.store);
+    if (!store) {
+        return complain(store.error());
+    }
+    const Result<std::vector<records::Rating>> ratings = read_ratings(given, store.value());
+    const Status stored = ratings ? store.value().rate(ratings.value(), given.replace) : Status(ratings.error());
+    if (!stored) {
+        return complain(stored.error());
+    }
+    std::printf("%zu ratings by %s stored\n", ratings.value().size(), given.rater.c_str());
+    return done;
+}
+
+}  // namespace
+
+void add_rate(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("rate", "Have recordings rated by people who do not know whose they are");
+    command->footer(help);
+    auto given = std::make_shared<RateOptions>();
+    command->add_option("recordings", given->recordings, "Recordings, or folders of runs")->required();
+    command->add_option("--out", given->out, "New folder for the rater")->capture_default_str();
+    command->add_option("--seed", given->seed, "Of the order")->capture_default_str();
+    command->add_flag("--no-video", given->no_video, "Forms only, without replays");
+    CLI::Option* answers = command->add_option("--answers", given->answers, "Files that the forms saved: store them");
+    CLI::Option* rater = command->add_option("--rater", given->rater, "Pseudonym of who rated")->needs(answers);
+    answers->needs(rater);
+    command->add_flag("--replace", given->replace, "In the place of what this rater said before")->needs(answers);
+    command->add_option("--records", given->store, "Record store [RHEXIS_RECORDS, or the user's own]");
+    command->callback([given, &context] {
+        context.status = given->answers.empty() ? make_package(*given, context) : store_answers(*given);
+    });
+}
+
+}  // namespace rhexis::cli

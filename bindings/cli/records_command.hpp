@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the commands below `rhexis records` have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "records/gates.hpp"
+#include "records/store.hpp"
+
+namespace rhexis::cli {
+
+/// Options of all of them; each uses what it has named on its command line.
+struct RecordsOptions {
+    std::string store;
+    std::string trainee;
+    std::string exercise;
+    std::string cohort;
+    std::string arm;
+    std::string attempt;
+    std::vector<std::string> folders;
+    std::string out;
+    std::string html;
+    std::string gates;
+    double pass = -1.0;  ///< below 0: as the gates say
+    bool json = false;
+    bool yes = false;
+    bool runs = false;
+};
+
+/// The store that is named, or the user's own. Attempts whose process came to its report and was killed before it
+/// could store it are stored now.
+Result<records::Store> open_records(const RecordsOptions& given);
+
+records::Wanted wanted_by(const RecordsOptions& given);
+
+/// --gates FILE and --pass SHARE, or rubrics/gates.json.
+Result<records::Gates> gates_of(const RecordsOptions& given, const Context& context);
+
+// One file for the commands that each of them adds below `records`.
+void add_records_lists(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
+void add_records_progress(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
+void add_records_agreement(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
+void add_records_keeping(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
+
+}  // namespace rhexis::cli

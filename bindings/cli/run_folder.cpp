@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_folder.hpp"
+
+#include <filesystem>
+
+#include "base/hash.hpp"
+#include "cli/places.hpp"
+#include "records/identity.hpp"
+#include "records/report_fields.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using records::Attempt;
+
+Result<json> read_json_file(const std::string& path) {
+    const Result<std::string> text = read_whole_file(path);
+    if (!text) {
+        return text.error();
+    }
+    json value = json::parse(text.value(), nullptr, false);
+    return value.is_object() ? Result<json>(std::move(value)) : Error{"this is no JSON object", path, ""};
+}
+
+}  // namespace
+
+Status write_note(const std::string& folder, const Attempt& attempt) {
+    return write_whole_file(folder + "/" + note_file, records::note_of(attempt).dump(2) + "\n");
+}
+
+Result<Attempt> read_note(const std::string& folder) {
+    const std::string path = folder + "/" + note_file;
+    const Result<json> note = read_json_file(path);
+    if (!note) {
+        return note.error();
+    }
+    Result<Attempt> attempt = records::attempt_from_note(note.value(), path);
+    if (attempt) {
+        attempt.value().folder = fs::absolute(folder).lexically_normal().string();
+    }
+    return attempt;
+}
+
+Status complete(Attempt& attempt, const json& report, const std::string& recording) {
+    const Status taken = records::take_report(report, attempt);
+    if (!taken) {
+        return taken;
+    }
+    attempt.ended = records::now_utc();
+    attempt.recording_sha256.clear();
+    if (!recording.empty()) {
+        const Result<std::string> bytes = read_whole_file(recording);
+        if (!bytes) {
+            return bytes.error();
+        }
+        attempt.recording_sha256 = sha256_hex(bytes.value());
+    }
+    attempt.state = records::AttemptState::finished;
+    return success();
+}
+
+Status complete_from_folder(Attempt& attempt, const std::string& folder) {
+    const Result<json> report = read_json_file(folder + "/report.json");
+    if (!report) {
+        return report.error();
+    }
+    std::error_code ignored;
+    const std::string recording = folder + "/recording.rhx";
+    return complete(attempt, report.value(), fs::exists(recording, ignored) ? recording : "");
+}
+
+bool delete_run(const std::string& folder, const std::string& trainee) {
+    const Result<Attempt> note = read_note(folder);
+    if (!note || note.value().trainee.pseudonym != trainee) {
+        return false;
+    }
+    std::error_code ignored;
+    for (const char* file : {"report.html", "report.json", "series.json", "video.mp4", "recording.rhx",
+                             "recording.rhx.part", "frames", "parts", note_file}) {
+        fs::remove_all(fs::path(folder) / file, ignored);
+    }
+    fs::remove(folder, ignored);  // stays where something else is in it
+    return true;
+}
+
+}  // namespace rhexis::cli

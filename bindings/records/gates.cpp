@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "records/gates.hpp"
+
+#include <algorithm>
+
+#include "base/near_names.hpp"
+#include "base/numbers.hpp"
+
+namespace rhexis::records {
+namespace {
+
+using nlohmann::json;
+
+constexpr double most_in_a_row = 20.0;
+
+Status take_pass(const json& value, const json& bands, const std::string& where, Gate& gate) {
+    if (value.is_number()) {
+        gate.pass = value.get<double>();
+        return check_range("pass", gate.pass, 0.0, 1.0, where);
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, from] : bands.items()) {
+        names.push_back(name);
+    }
+    const std::string band = value.is_string() ? value.get<std::string>() : value.dump();
+    if (!bands.contains(band) || !bands[band].is_number()) {
+        return Error{"there is no band " + band, where, suggestion(band, names)};
+    }
+    gate.pass = bands[band].get<double>();
+    return check_range("bands: " + band, gate.pass, 0.0, 1.0, where);
+}
+
+Status take_gate(const json& given, const json& bands, const std::string& where, Gate& gate) {
+    if (!given.is_object()) {
+        return Error{"a gate is an object", where, R"({"pass": "independent", "in_a_row": 2})"};
+    }
+    for (const auto& [key, value] : given.items()) {
+        Status status = success();
+        if (key == "pass") {
+            status = take_pass(value, bands, where, gate);
+        } else if (key == "in_a_row" && value.is_number_integer()) {
+            status = check_range("in_a_row", value.get<double>(), 1.0, most_in_a_row, where);
+            gate.in_a_row = status ? value.get<int>() : gate.in_a_row;
+        } else if (key == "no_critical_error_left" && value.is_boolean()) {
+            gate.no_critical_error_left = value.get<bool>();
+        } else {
+            const std::vector<std::string> known = {"pass", "in_a_row", "no_critical_error_left"};
+            status = Error{"what is " + key + " = " + value.dump() + "?", where, suggestion(key, known)};
+        }
+        if (!status) {
+            return status;
+        }
+    }
+    return success();
+}
+
+bool left_a_critical_error(const Attempt& attempt) {
+    return std::any_of(attempt.events.begin(), attempt.events.end(),
+                       [](const EventRow& event) { return event.severity == "critical" && !event.recovered; });
+}
+
+}  // namespace
+
+const Gate& Gates::of(const std::string& exercise) const {
+    const auto own = exercises.find(exercise);
+    return own == exercises.end() ? usual : own->second;
+}
+
+Result<Gates> gates_from(const json& given, const std::string& where) {
+    Gates gates;
+    if (!given.is_object()) {
+        return Error{"gates are an object", where, R"({"bands": {...}, "usual": {...}, "exercises": {...}})"};
+    }
+    const json bands = given.value("bands", json::object());
+    Status status = take_gate(given.value("usual", json::object()), bands, where + ": usual", gates.usual);
+    for (const auto& [exercise, gate] : given.value("exercises", json::object()).items()) {
+        if (status) {
+            gates.exercises[exercise] = gates.usual;
+            status = take_gate(gate, bands, where + ": " + exercise, gates.exercises[exercise]);
+        }
+    }
+    return status ? Result<Gates>(gates) : status.error();
+}
+
+bool passes(const Attempt& attempt, const Gate& gate) {
+    return attempt.completed && attempt.error.empty() && attempt.scaled && *attempt.scaled >= gate.pass &&
+           !(gate.no_critical_error_left && left_a_critical_error(attempt));
+}
+
+double Course::first() const { return attempts.empty() ? 0.0 : *attempts.front().scaled; }
+
+double Course::peak() const {
+    double best = 0.0;
+    for (const Attempt& attempt : attempts) {
+        best = std::max(best, *attempt.scaled);
+    }
+    return best;
+}
+
+Course course_of(const std::vector<Attempt>& attempts, const std::string& exercise, const Gate& gate) {
+    Course course;
+    double time_s = 0.0;
+    for (const Attempt& attempt : attempts) {
+        if (attempt.exercise != exercise || attempt.state != AttemptState::finished || !attempt.scaled) {
+            continue;
+        }
+        course.attempts.push_back(attempt);
+        course.passed.push_back(passes(attempt, gate));
+        time_s += attempt.duration_s;
+        course.in_a_row = course.passed.back() ? course.in_a_row + 1 : 0;
+        if (course.open_after == 0 && course.in_a_row >= gate.in_a_row) {
+            course.open_after = static_cast<int>(course.attempts.size());
+            course.time_to_gate_s = time_s;
+        }
+    }
+    return course;
+}
+
+}  // namespace rhexis::records

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gates: how good an attempt must be, and how often in a row, before a trainee goes on. They are data
+// (rubrics/gates.json) and applied when records are read, so that a gate can be changed later.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "records/attempt.hpp"
+
+namespace rhexis::records {
+
+struct Gate {
+    double pass = 0.725;                 ///< least share of the scale: 0: every item at its least, 1: at its most
+    int in_a_row = 2;                    ///< passes that open the gate
+    bool no_critical_error_left = true;  ///< an attempt with a critical error that was not put right is no pass
+};
+
+struct Gates {
+    Gate usual;
+    std::map<std::string, Gate> exercises;  ///< that have one of their own
+
+    [[nodiscard]] const Gate& of(const std::string& exercise) const;
+};
+
+/// From the JSON of rubrics/gates.json; fails on a band that is not there, on names and numbers that make no sense.
+Result<Gates> gates_from(const nlohmann::json& given, const std::string& where);
+
+/// Whether it was completed and scored well enough. Needs the attempt's events.
+bool passes(const Attempt& attempt, const Gate& gate);
+
+/// How a trainee came along in one exercise.
+struct Course {
+    std::vector<Attempt> attempts;  ///< finished and scored, oldest first
+    std::vector<bool> passed;
+    int open_after = 0;           ///< attempts until the gate opened; 0: it has not
+    double time_to_gate_s = 0.0;  ///< simulated time of these attempts
+    int in_a_row = 0;             ///< passes at the end of the list
+
+    [[nodiscard]] double first() const;  ///< share of the scale
+    [[nodiscard]] double peak() const;
+};
+
+/// attempts: of one trainee, oldest first, with events; those of other exercises and without a score are left out.
+Course course_of(const std::vector<Attempt>& attempts, const std::string& exercise, const Gate& gate);
+
+}  // namespace rhexis::records

@@ -1,0 +1,121 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Simulator against raters, and raters among themselves: a table, and a chart after Bland and Altman for each item.
+--
+-- data: as bindings/records/comparison.hpp tells
+
+local markup = require "report.markup"
+local page = require "records.page"
+
+local agreement = {}
+
+local e, number = markup.escape, markup.number
+local wide, tall, left, right, top, bottom = 460, 250, 44, 78, 12, 36
+
+local function dashed(w, y, colour, text, dash)
+    w(('<line x1="%d" x2="%d" y1="%.1f" y2="%.1f" stroke="%s" stroke-dasharray="%s"/>'):format(left, wide - right, y, y,
+        colour, dash))
+    w(('<text x="%d" y="%.1f" style="fill:%s">%s</text>'):format(wide - right + 5, y + 4, colour, text))
+end
+
+-- Points that lie on each other are drawn larger.
+local function dots(w, points, x_of, y_of)
+    local count, order = {}, {}
+    for _, point in ipairs(points) do
+        local key = ("%.3f %.3f"):format(point[1], point[2])
+        if not count[key] then order[#order + 1] = { key, point } end
+        count[key] = (count[key] or 0) + 1
+    end
+    for _, one in ipairs(order) do
+        local key, point = one[1], one[2]
+        w(('<circle cx="%.1f" cy="%.1f" r="%.1f" fill="#c2570c" opacity="0.7"><title>%d of mean %s, difference %s</title>'
+            .. "</circle>"):format(x_of(point[1]), y_of(point[2]), 3.5 * math.sqrt(count[key]), count[key],
+            number(point[1], 2), number(point[2], 2)))
+    end
+end
+
+local function chart(w, row)
+    local limits = row.simulator.limits
+    local least, most = row.item == "total" and 20 or 1, row.item == "total" and 100 or 5
+    local reach = math.max(math.abs(limits.low), math.abs(limits.high), (most - least) / 8)
+    for _, point in ipairs(row.simulator.points) do reach = math.max(reach, math.abs(point[2])) end
+    reach = 1.1 * reach
+    local function x_of(value) return left + (wide - left - right) * (value - least) / (most - least) end
+    local function y_of(value) return top + (tall - top - bottom) * (reach - value) / (2 * reach) end
+    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Differences against means">'):format(wide, tall))
+    for _, value in ipairs(page.ticks(-reach, reach)) do
+        w(('<text class="soft" x="%d" y="%.1f" text-anchor="end">%s</text>'):format(left - 6, y_of(value) + 4,
+            number(value, 2)))
+    end
+    for _, value in ipairs(page.ticks(least, most)) do
+        w(('<line x1="%.1f" x2="%.1f" y1="%d" y2="%d" stroke="#eef1f4"/>'):format(x_of(value), x_of(value), top,
+            tall - bottom))
+        w(('<text class="soft" x="%.1f" y="%d" text-anchor="middle">%s</text>'):format(x_of(value), tall - bottom + 15,
+            number(value, 2)))
+    end
+    dashed(w, y_of(0), "#8795a1", limits.bias ~= 0 and math.abs(y_of(0) - y_of(limits.bias)) > 14 and "0" or "", "1 3")
+    dashed(w, y_of(limits.bias), "#1f5f8b", "bias " .. number(limits.bias, 2), "none")
+    dashed(w, y_of(limits.high), "#b3261e", "+1.96 SD " .. number(limits.high, 2), "6 4")
+    dashed(w, y_of(limits.low), "#b3261e", "−1.96 SD " .. number(limits.low, 2), "6 4")
+    dots(w, row.simulator.points, x_of, y_of)
+    w(('<text class="soft" x="%d" y="%d">mean of simulator and raters</text></svg>'):format(left, tall - 4))
+end
+
+local function correlation(icc, which)
+    return icc.why and '<span class="soft small">' .. e(icc.why) .. "</span>" or number(icc[which], 2)
+end
+
+local function table_row(w, row)
+    local own, raters = row.simulator, row.raters
+    w('<tr><td class="id">', e(row.item), "</td><td>", e(row.name), "</td><td>", correlation(raters.icc, "single"),
+        "</td><td>", raters.icc.average and number(raters.icc.average, 2) or "", "</td><td>",
+        raters.icc.n or "", "</td><td>", correlation(own.icc, "single"), "</td><td>")
+    if own.limits.why then
+        w('</td><td></td><td><span class="soft small">', e(own.limits.why), "</span>")
+    else
+        w(number(own.limits.bias, 2), "</td><td>", number(own.limits.low, 2), " to ", number(own.limits.high, 2),
+            "</td><td>", own.limits.n)
+    end
+    w("</td></tr>")
+end
+
+local function pairs_section(w, row)
+    if #row.raters.pairs == 0 then return end
+    w("<section><h2>Raters among themselves, total</h2><table><thead><tr><th>Raters</th><th>Bias</th>",
+        "<th>95 % limits</th><th>n</th></tr></thead><tbody>")
+    for _, pair in ipairs(row.raters.pairs) do
+        local limits = pair.limits
+        w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", number(limits.bias, 2), "</td><td>",
+            limits.why and e(limits.why) or number(limits.low, 2) .. " to " .. number(limits.high, 2), "</td><td>",
+            limits.n or "", "</td></tr>")
+    end
+    w("</tbody></table></section>")
+end
+
+--- The whole page.
+function agreement.html(data)
+    return page.html("Agreement of simulator and raters", function(w)
+        w("<header><h1>Agreement of simulator and raters</h1><p>", data.attempts, " rated attempts, ", #data.raters,
+            " raters: ", e(table.concat(data.raters, ", ")), '.</p><p class="soft small">ICC(2,1), ICC(2,k): two-way ',
+            "random effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with ",
+            "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the ",
+            "simulator are not clinically validated.</p></header>")
+        w("<section><h2>By item</h2><table><thead><tr><th>Item</th><th></th><th>Raters: ICC(2,1)</th><th>ICC(2,k)</th>",
+            "<th>n</th><th>Simulator and raters: ICC(2,1)</th><th>Bias</th><th>95 % limits</th><th>n</th></tr></thead>",
+            "<tbody>")
+        for _, row in ipairs(data.rows) do table_row(w, row) end
+        w("</tbody></table></section>")
+        pairs_section(w, data.rows[#data.rows])
+        w('<section><h2>Simulator minus raters</h2><div class="charts">')
+        for i = #data.rows, 1, -1 do
+            local row = data.rows[i]
+            if not row.simulator.limits.why then
+                w("<figure><figcaption><b>", e(row.item), "</b> ", e(row.name), "</figcaption>")
+                chart(w, row)
+                w("</figure>")
+            end
+        end
+        w("</div></section>")
+    end)
+end
+
+return agreement

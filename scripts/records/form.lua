@@ -1,0 +1,96 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- The form with which a person rates a replay, without knowing whose it is. Works from a folder, without a network.
+--
+-- data: case = code of the recording, number, of = which of how many, video = file beside the page or nil
+
+local anchors = require "records.anchors"
+local markup = require "report.markup"
+local osacss = require "osacss"
+local page = require "records.page"
+
+local form = {}
+
+local e = markup.escape
+
+local style = [[
+body { max-width:76rem; }
+.item { border-top:1px solid var(--line); padding:.7rem 0; display:grid; grid-template-columns:3rem 1fr; }
+.item.open { background:#fff6ec; }
+.choices { display:grid; grid-template-columns:repeat(5,1fr) 4.5rem; gap:.4rem; margin:.4rem 0; }
+.choices label { border:1px solid var(--line); border-radius:8px; padding:.35rem .5rem; font-size:.84rem; cursor:pointer; }
+.choices label:has(input:checked) { border-color:var(--accent); background:#e7f0f7; }
+.choices b { font-size:1rem; margin-right:.3rem; }
+input[type=text],textarea { width:100%; font:inherit; font-size:.9rem; padding:.3rem .5rem; border:1px solid var(--line);
+  border-radius:6px; }
+button { font:inherit; font-weight:600; padding:.5rem 1.2rem; border:0; border-radius:8px; background:var(--accent);
+  color:#fff; cursor:pointer; } button.quiet { background:#e4e9ee; color:var(--ink); }
+video { max-width:48rem; }
+.bar-below { position:sticky; bottom:0; display:flex; gap:1rem; align-items:center; }
+]]
+
+-- Reads the choices and saves them as a file; nothing leaves the computer.
+local script = [[
+const form = document.forms[0];
+const items = [...document.querySelectorAll('.item')];
+const chosen = id => form.elements[id].value;
+function tell() {
+  const open = items.filter(item => !chosen(item.id));
+  document.getElementById('left').textContent = open.length ? open.length + ' items left' : 'All items answered';
+  return open;
+}
+form.addEventListener('change', event => { const item = event.target.closest('.item');
+  if (item) item.classList.remove('open'); tell(); });
+document.getElementById('rest').addEventListener('click', () => { for (const item of tell())
+  { form.elements[item.id].value = 'na'; item.classList.remove('open'); } tell(); });
+document.getElementById('save').addEventListener('click', () => {
+  const open = tell();
+  items.forEach(item => item.classList.toggle('open', open.includes(item)));
+  if (open.length) { open[0].scrollIntoView({ behavior: 'smooth', block: 'center' }); return; }
+  const answers = { schema: 1, form: 'OSACSS', case: form.dataset.case, items: {},
+    comment: form.elements.comment.value };
+  for (const item of items) answers.items[item.id] = {
+    score: chosen(item.id) === 'na' ? null : Number(chosen(item.id)),
+    comment: form.elements[item.id + '.comment'].value };
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([JSON.stringify(answers, null, 2) + '\n'], { type: 'application/json' }));
+  link.download = 'answers_' + form.dataset.case + '.json';
+  link.click();
+});
+tell();
+]]
+
+local function choice(w, id, value, label, text)
+    w('<label><input type="radio" name="', id, '" value="', value, '"> <b>', label, "</b>", e(text or ""), "</label>")
+end
+
+local function item_rows(w, item)
+    local own = anchors[item.id] or {}
+    w('<div class="item" id="', item.id, '"><b>', item.id, "</b><div><b>", e(item.name), '</b><div class="choices">')
+    for points = 1, 5 do choice(w, item.id, points, points, own[points]) end
+    choice(w, item.id, "na", "N/A")
+    w('</div><input type="text" name="', item.id, '.comment" placeholder="Comment" aria-label="Comment on ', item.id,
+        '"></div></div>')
+end
+
+--- The whole page.
+function form.html(data)
+    local title = ("Rating %d of %d"):format(data.number, data.of)
+    return page.html(title, function(w)
+        w("<header><h1>", title, "</h1><p>Watch the whole operation, then give each item of OSACSS 1 to 5 points. ",
+            "2 and 4 lie between the descriptions. N/A: it was not to be seen, or is no part of this exercise. ",
+            "Save, and send the file to who gave you this form.</p>")
+        if data.video then
+            w('<video controls preload="metadata" src="', e(data.video), '"></video><p class="soft small">If it does ',
+                'not play here, open <a href="', e(data.video), '">', e(data.video), "</a> in any player.</p>")
+        end
+        w('</header><form data-case="', e(data.case), '"><section>')
+        for _, item in ipairs(osacss.items) do item_rows(w, item) end
+        w('<div class="item"><span></span><textarea name="comment" rows="3" placeholder="On the whole" ',
+            'aria-label="Comment on the whole"></textarea></div></section>',
+            '<section class="bar-below"><button type="button" id="save">Save answers</button>',
+            '<button type="button" class="quiet" id="rest">All that is open: N/A</button><span id="left"></span>',
+            "</section></form><script>", script, "</script>")
+    end, style)
+end
+
+return form
