@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What a virtual surgeon does who has seen a piece go: tip in with irrigation, high; viscoelastic over the hole with the
--- other hand; out, and the patient is referred. It sees the picture only: no measure, no event, no score. [mm]
+-- What a virtual surgeon does who has seen a piece go: tip in with irrigation, high; viscoelastic over the hole with
+-- the other hand; out, and the patient is referred. It sees the picture only: no measure, no event, no score. [mm]
 
 local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What a virtual surgeon does who sees the edge of a hole: holds the chamber up with the tip, lays viscoelastic over the
--- hole with the other hand, has the bottle lowered, comes
--- out, and looks for vitreous. Where there is some, it is cut away.
+-- hole with the other hand, has the bottle lowered, comes out, and looks for vitreous. Where there is some, it is cut
+-- away.
 -- It sees the picture only: no measure, no event, no score. [mm]
 
 local instruments = require "surgeons.instruments"

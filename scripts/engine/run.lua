@@ -105,7 +105,8 @@ local function hear(self, asked, time_s)
 end
 
 --- Takes one observation: time_s, a row of numbers in the order of the schema, and the ids of the requests made since
---- the one before it, or nil. Returns the commands, a list of { kind, name, value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
+--- the one before it, or nil. Returns the commands, a list of { kind, name, value, text }. Raises "file:line:
+--- message (in step ...)" when the curriculum errs.
 function Run:observe(time_s, row, asked)
     self.commands = {}
     if self.finished then return self.commands end

@@ -2,7 +2,7 @@
 -- Charts as SVG: lines over time with steps and errors marked, a time line, and the way of the tip seen from above.
 
 local markup = require "report.markup"
-local t = require("report.words").t
+local translated = require("report.words").t
 
 local chart = {}
 
@@ -136,7 +136,7 @@ local function request_marks(w, requests, x_of, from, y)
         w(('<path d="M%.1f %d l6 6 l-6 6 l-6 -6 z" fill="#2f6690"><title>%s, %s</title></path>'):format(x, y - 6,
             e(request.title or request.id), markup.time(request.time_s)))
     end
-    w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 4, e(t("Asked and declared"))))
+    w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 4, e(translated("Asked and declared"))))
 end
 
 --- Steps as bars, errors and their recoveries as marks.

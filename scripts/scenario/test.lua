@@ -43,11 +43,12 @@ local function front(object, names, parts, what)
     })
 end
 
---- setup: schema, goals, events and requests (declared), settings, instruments (names), landmarks, step_s; scenario: as declared.
+--- setup: schema, goals, events and requests (declared), settings, instruments (names), landmarks, step_s; scenario: as
+--- declared.
 function Test.new(setup, scenario)
     local self = setmetatable({ scenario = scenario, step_s = setup.step_s, declared = setup.events,
-        settings = setup.settings, eye = Eye.new(setup.schema, setup.goals, setup.requests), events = {}, failures = {}, covered = {},
-        commands = {}, hands = {}, at = words.where(nil, scenario.line) }, Test)
+        settings = setup.settings, eye = Eye.new(setup.schema, setup.goals, setup.requests), events = {},
+        failures = {}, covered = {}, commands = {}, hands = {}, at = words.where(nil, scenario.line) }, Test)
     local instruments = {}
     for i, name in ipairs(setup.instruments) do
         local foot = name == microscope.name
