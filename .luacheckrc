@@ -3,7 +3,7 @@ std = "lua54"
 max_line_length = 120
 read_globals = { "rhexis" }
 exclude_files = { "build" }
-files["curricula"] = { read_globals = { "exercise", "step", "error_event", "operation", "part", "osacss", "rubric" } }
+files["curricula"] = { read_globals = { "exercise", "step", "error_event", "request", "operation", "part", "osacss", "rubric" } }
 files["rubrics"] = { read_globals = { "rubric" } }
 files["curricula/*/tests"] = { read_globals = { "scenarios", "scenario" } }
 files["curricula/*/starts.lua"] = { read_globals = { "starts" } }

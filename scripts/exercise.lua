@@ -20,6 +20,7 @@
 -- (function(eye) return eye.groove.length_mm > 4 end), or a list of either that must come true in that order.
 
 local fields = require "engine.fields"
+local requests = require "engine.requests"
 local settings_check = require "engine.settings_check"
 local texts = require "engine.texts"
 local words = require "engine.words"
@@ -85,6 +86,7 @@ local exercise_rules = {
     goals = { kind = "table", default = {} },
     steps = { kind = "table", required = true },
     errors = { kind = "table", default = {} },
+    requests = { kind = "table", default = {} },   -- what may be asked of the staff: see engine/requests.lua
     scoring = { kind = "table" },
     reference = { kind = "table", default = {} },  -- what a good performance needs, for measures relative to it
     over = { kind = "condition" },         -- ends the exercise, whatever step it is in
@@ -157,6 +159,10 @@ local function read_consequences(event)
 end
 
 language.error_event = language.declaration("error_event", event_rules, function(event) read_consequences(event) end)
+
+language.request = language.declaration("request", requests.rules, function(request)
+    requests.finish(request, language.flatten)
+end)
 
 function language.check_list(list, kind, field)
     local seen = {}
@@ -303,6 +309,7 @@ function language.exercise(given)
     local known = language.check_list(result.steps, "step", "steps")
     if #result.steps == 0 then words.fail(words.where("steps"), "an exercise needs at least one step") end
     language.check_list(result.errors, "error_event", "errors")
+    language.check_list(result.requests, "request", "requests")
     check_steps_of_events(result, known)
     check_items(result)
     link_steps(result)

@@ -84,9 +84,9 @@ private:
         if (!script_error_.empty()) {
             return false;
         }
+        Result<std::vector<Command>> commands = host_.observe(session_.observation(), commands_);
         commands_.clear();
         samples_.clear();
-        Result<std::vector<Command>> commands = host_.observe(session_.observation());
         if (!commands) {
             script_error_ = commands.error().text();
             return false;
@@ -98,12 +98,13 @@ private:
         if (!host_.has_surgeon() || host_.finished()) {
             return true;
         }
-        Result<std::vector<DeviceSample>> samples = host_.operate(session_.percept());
-        if (!samples) {
-            script_error_ = samples.error().text();
+        Result<SurgeonStep> done = host_.operate(session_.percept());
+        if (!done) {
+            script_error_ = done.error().text();
             return false;
         }
-        samples_ = std::move(samples).value();
+        samples_ = std::move(done.value().samples);
+        commands_.insert(commands_.end(), done.value().requests.begin(), done.value().requests.end());
         return true;
     }
 

@@ -70,7 +70,11 @@ public:
 private:
     /// False when the exercise ends here.
     bool look(const Observation& observation, std::uint64_t step) {
-        Result<std::vector<Command>> commands = host_.observe(observation);
+        std::span<const Command> given;
+        if (step > 0) {
+            given = recording_.steps[step - 1].commands;
+        }
+        Result<std::vector<Command>> commands = host_.observe(observation, given);
         rescore_.judged = step;
         if (!commands) {
             rescore_.script_error = commands.error().text();

@@ -58,14 +58,16 @@ public:
     Status begin(const char* which, const json& value) {
         Status started = host_.start(session_.schema(), session_.scene().instruments);
         const Result<json> declared = host_.declared_events();
-        if (!started || !declared) {
-            return started ? Status(declared.error()) : started;
+        const Result<json> requests = host_.declared_requests();
+        if (!started || !declared || !requests) {
+            return started ? Status(declared ? requests.error() : declared.error()) : started;
         }
         declared_ = declared.value();
         return script_.start({{which, value},
                               {"schema", schema_json(session_.schema())},
                               {"goals", host_.goals()},
                               {"events", declared_},
+                              {"requests", requests.value()},
                               {"settings", settings_json()},
                               {"instruments", session_.scene().instruments},
                               {"landmarks", landmarks_json(session_)},
@@ -74,7 +76,7 @@ public:
 
     Status run() {
         for (;;) {
-            Result<std::vector<Command>> commands = host_.observe(session_.observation());
+            Result<std::vector<Command>> commands = host_.observe(session_.observation(), given_);
             if (!commands) {
                 return commands.error();
             }
@@ -134,7 +136,8 @@ public:
 private:
     Status step(const ScenarioStep& wanted, std::vector<Command> commands) {
         commands.insert(commands.end(), wanted.commands.begin(), wanted.commands.end());
-        const StepOutcome outcome = session_.step(wanted.samples, commands);
+        given_ = std::move(commands);
+        const StepOutcome outcome = session_.step(wanted.samples, given_);
         if (outcome.failure != StepFailure::none) {
             return script_.refused("the step could not be solved; nothing moved in it");
         }
@@ -154,6 +157,7 @@ private:
     Session session_;
     ScenarioScript script_;
     json declared_;
+    std::vector<Command> given_;  ///< in the last step
     std::size_t logged_ = 0;
 };
 

@@ -145,7 +145,7 @@ public:
 
 private:
     Result<bool> look() {
-        Result<std::vector<Command>> commands = host_.observe(session_.observation());
+        Result<std::vector<Command>> commands = host_.observe(session_.observation(), commands_);
         if (!commands) {
             return commands.error();
         }
@@ -154,11 +154,12 @@ private:
     }
 
     Status advance() {
-        const Result<std::vector<DeviceSample>> samples = host_.operate(session_.percept());
-        if (!samples) {
-            return samples.error();
+        const Result<SurgeonStep> done = host_.operate(session_.percept());
+        if (!done) {
+            return done.error();
         }
-        session_.step(samples.value(), commands_);
+        commands_.insert(commands_.end(), done.value().requests.begin(), done.value().requests.end());
+        session_.step(done.value().samples, commands_);
         char note[64];
         std::snprintf(note, sizeof note, "%.1f s simulated", session_.time_s());
         progress_.show(session_.time_s() / limit_s_, note);

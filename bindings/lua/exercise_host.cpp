@@ -121,16 +121,23 @@ Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<st
     if (!status || !parts_->surgeon) {
         return status;
     }
-    return parts_->surgeon->start(instruments, scene().step_s);
+    const Result<json> requests = declared_requests();
+    return requests ? parts_->surgeon->start(instruments, scene().step_s, requests.value()) : requests.error();
 }
 
-Result<std::vector<Command>> ExerciseHost::observe(const Observation& observation) {
-    return parts_->exercise.observe(observation);
+Result<std::vector<Command>> ExerciseHost::observe(const Observation& observation, std::span<const Command> given) {
+    std::vector<std::string> asked;
+    for (const Command& command : given) {
+        if (command.kind == CommandKind::request) {
+            asked.push_back(command.name);
+        }
+    }
+    return parts_->exercise.observe(observation, asked);
 }
 
-Result<std::vector<DeviceSample>> ExerciseHost::operate(const Percept& percept) {
+Result<SurgeonStep> ExerciseHost::operate(const Percept& percept) {
     if (!parts_->surgeon) {
-        return std::vector<DeviceSample>{};
+        return SurgeonStep{};
     }
     return parts_->surgeon->operate(percept);
 }
@@ -139,6 +146,7 @@ bool ExerciseHost::finished() const { return parts_->exercise.finished(); }
 bool ExerciseHost::has_surgeon() const { return parts_->surgeon.has_value(); }
 const json& ExerciseHost::goals() const { return parts_->exercise.goals(); }
 Result<json> ExerciseHost::declared_events() { return parts_->exercise.ask("declared_events"); }
+Result<json> ExerciseHost::declared_requests() { return parts_->exercise.ask("declared_requests"); }
 Result<json> ExerciseHost::events() { return parts_->exercise.ask("events"); }
 Result<json> ExerciseHost::result() { return parts_->exercise.ask("result"); }
 

@@ -8,15 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
 #include "flow/command.hpp"
-#include "flow/device_sample.hpp"
 #include "flow/observation.hpp"
 #include "flow/percept.hpp"
 #include "flow/scene.hpp"
+#include "lua/surgeon_step.hpp"
 
 namespace rhexis {
 
@@ -64,12 +65,13 @@ public:
     /// Once, before the first step.
     Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);
 
-    /// Stage 6: the curriculum sees the observation; what it wants comes back as commands. A script error (file, line,
-    /// step) ends the exercise, not the session.
-    Result<std::vector<Command>> observe(const Observation& observation);
+    /// Stage 6: the curriculum sees the observation, and hears the requests among the commands of the step that led to
+    /// it; what it wants comes back as commands. A script error (file, line, step) ends the exercise, not the session.
+    Result<std::vector<Command>> observe(const Observation& observation, std::span<const Command> given = {});
 
-    /// The virtual surgeon sees the percept, with this person's delay and noise, and moves the instruments.
-    Result<std::vector<DeviceSample>> operate(const Percept& percept);
+    /// The virtual surgeon sees the percept, with this person's delay and noise, and moves the instruments
+    /// and asks the staff.
+    Result<SurgeonStep> operate(const Percept& percept);
 
     [[nodiscard]] bool finished() const;
     [[nodiscard]] bool has_surgeon() const;
@@ -78,7 +80,9 @@ public:
     [[nodiscard]] const nlohmann::json& goals() const;
     /// The error events that the exercise declares: [{"id", "title"}].
     [[nodiscard]] Result<nlohmann::json> declared_events();
-    /// Those that were raised so far: [{"id", "title", "time_s", "outcome", "recovery_s"}].
+    /// What may be asked of the staff: [{"id", "title", "name"}].
+    [[nodiscard]] Result<nlohmann::json> declared_requests();
+    /// The error events that were raised so far: [{"id", "title", "time_s", "outcome", "recovery_s"}].
     [[nodiscard]] Result<nlohmann::json> events();
 
     /// Whether the turn has just come to another step of the exercise.

@@ -300,7 +300,8 @@ Status ExerciseScript::start(const ObservationSchema& schema) {
     });
 }
 
-Result<std::vector<Command>> ExerciseScript::observe(const Observation& observation) {
+Result<std::vector<Command>> ExerciseScript::observe(const Observation& observation,
+                                                     const std::vector<std::string>& asked) {
     std::vector<Command> commands;
     const Status status = state_.run([&](lua_State* L) {
         row_.push(L);
@@ -308,7 +309,12 @@ Result<std::vector<Command>> ExerciseScript::observe(const Observation& observat
         lua_pop(L, 1);
         observe_.push(L);
         lua_pushnumber(L, observation.time_s);
-        lua_call(L, 1, 1);
+        if (asked.empty()) {
+            lua_pushnil(L);
+        } else {
+            lua::push(L, asked);
+        }
+        lua_call(L, 2, 1);
         commands = lua::commands_from(L);
         push_function(L, "finished");
         lua_call(L, 0, 1);

@@ -49,9 +49,11 @@ public:
     [[nodiscard]] const std::string& plan() const { return plan_; }
 
     Status start(const ObservationSchema& schema);
-    Result<std::vector<Command>> observe(const Observation& observation);
+    /// asked: ids of the requests made in the step that led there.
+    Result<std::vector<Command>> observe(const Observation& observation, const std::vector<std::string>& asked);
     [[nodiscard]] bool finished() const { return finished_; }
-    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "watch", "reached",
+    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events",
+    /// "declared_requests", "watch", "reached",
     /// "review".
     Result<nlohmann::json> ask(const char* function, const nlohmann::json& argument = nullptr);
 

@@ -53,6 +53,9 @@ CommandKind kind_from(const std::string& name) {
     if (name == "picture") {
         return CommandKind::picture;
     }
+    if (name == "request") {
+        return CommandKind::request;
+    }
     return name == "finish" ? CommandKind::finish : CommandKind::say;
 }
 

@@ -19,7 +19,7 @@ namespace rhexis {
 struct ScenarioStep {
     bool done = false;
     std::vector<DeviceSample> samples;
-    std::vector<Command> commands;  ///< settings only
+    std::vector<Command> commands;  ///< settings and requests only
 };
 
 class ScenarioScript {
@@ -34,7 +34,8 @@ public:
     [[nodiscard]] const std::string& chunk() const { return chunk_; }
 
     /// Begins a scenario or a start that is made by hand. setup: {"number" (from 1) or "start" (name), "schema",
-    /// "goals", "events", "settings", "instruments", "landmarks", "step_s"}, as scripts/scenario/test.lua reads them.
+    /// "goals", "events", "requests", "settings", "instruments", "landmarks", "step_s"}, as
+    /// scripts/scenario/test.lua reads them.
     Status start(const nlohmann::json& setup);
     /// events: as ExerciseHost::events gives them.
     Result<ScenarioStep> step(const Observation& observation, const nlohmann::json& events);

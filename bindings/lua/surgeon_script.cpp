@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/rng.hpp"
+#include "lua/json.hpp"
 #include "lua/samples.hpp"
 #include "lua/stack.hpp"
 
@@ -118,30 +119,34 @@ Result<SurgeonScript> SurgeonScript::load(const std::string& name, const Curricu
     return script;
 }
 
-Status SurgeonScript::start(const std::vector<std::string>& instruments, double step_s) {
+Status SurgeonScript::start(const std::vector<std::string>& instruments, double step_s,
+                            const nlohmann::json& requests) {
     return state_.run([&](lua_State* L) {
         host_.push(L);
         lua_getfield(L, -1, "start");
         lua::push(L, instruments);
         lua_pushnumber(L, step_s);
-        lua_call(L, 2, 0);
+        lua::push_json(L, requests);
+        lua_call(L, 3, 0);
         lua_getfield(L, -1, "operate");
         operate_ = LuaRef(state_, L);
     });
 }
 
-Result<std::vector<DeviceSample>> SurgeonScript::operate(const Percept& percept) {
-    std::vector<DeviceSample> samples;
+Result<SurgeonStep> SurgeonScript::operate(const Percept& percept) {
+    SurgeonStep step;
     const Status status = state_.run([&](lua_State* L) {
         operate_.push(L);
         push_percept(L, percept);
-        lua_call(L, 1, 1);
-        samples = lua::samples_from(L);
+        lua_call(L, 1, 2);
+        step.requests = lua::commands_from(L);
+        lua_pop(L, 1);
+        step.samples = lua::samples_from(L);
     });
     if (!status) {
         return status.error();
     }
-    return samples;
+    return step;
 }
 
 }  // namespace rhexis

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
-#include "flow/device_sample.hpp"
 #include "flow/percept.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/lua_state.hpp"
+#include "lua/surgeon_step.hpp"
 
 namespace rhexis {
 
@@ -22,8 +23,9 @@ public:
                                       const std::map<std::string, std::string>& habits, const std::string& root,
                                       std::uint64_t seed);
 
-    Status start(const std::vector<std::string>& instruments, double step_s);
-    Result<std::vector<DeviceSample>> operate(const Percept& percept);
+    /// requests: what may be asked of the staff, [{"id", "title", "name"}].
+    Status start(const std::vector<std::string>& instruments, double step_s, const nlohmann::json& requests);
+    Result<SurgeonStep> operate(const Percept& percept);
 
 private:
     explicit SurgeonScript(LuaState state) : state_(std::move(state)) {}

@@ -32,6 +32,13 @@ return exercise {
     },
     reference = { time_s = 30, path_mm = 121, movements = 8, entries = 2, jerk_mm_s3 = 490 },
 
+    requests = {
+        request "Retina surgeon called" {
+            meaning = "the patient is referred: the piece is taken out from behind",
+            answer = "They take the patient today.",
+        },
+    },
+
     steps = {
         step "hold" {
             title = "Keep the chamber up",
@@ -48,9 +55,15 @@ return exercise {
         },
         step "withdraw" {
             title = "Come out",
-            hint = "The tip leaves a chamber that stays up. Tell the retina surgeon; the rest is done from behind.",
+            hint = "The tip leaves a chamber that stays up.",
             done = "not phaco.present and not cannula.present",
             time_limit_s = 60,
+        },
+        step "refer" {
+            title = "Refer the patient",
+            hint = "Say that the retina surgeon is to be called; the rest is done from behind.",
+            done = "requested.retina_surgeon_called",
+            time_limit_s = 30,
         },
     },
 
@@ -81,7 +94,6 @@ return exercise {
         },
     },
 
-    over = { "phaco.present", "not phaco.present and not cannula.present" },
     time_limit_s = 240,
 
     scoring = osacss { "T8", "T11", "G3", "G4", "G5", "G6" },

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What a virtual surgeon does who has seen a piece go: tip in with irrigation, high; viscoelastic over the hole with
--- the other hand; out. It sees the picture only: no measure, no event, no score. [mm]
+-- the other hand; out, and the patient is referred. It sees the picture only: no measure, no event, no score. [mm]
 
 local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"
@@ -48,7 +48,9 @@ return function(me)
     me.pedal(1)
     bring(me, me, "phaco", "incision", { pupil[1], pupil[2], tip_z })
     me.wait(1)
-    if me.notices(function(seen) return seen.landmarks.capsule_hole end) then cover(me) end
+    local knows = me.notices(function(seen) return seen.landmarks.capsule_hole end)
+    if knows then cover(me) end
     take_out(me, me, "incision")
     me.pedal(0)
+    if knows then me.request("Retina surgeon called") end
 end

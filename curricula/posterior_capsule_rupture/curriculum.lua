@@ -35,6 +35,14 @@ return exercise {
     -- proposal: what group d comes near to
     reference = { time_s = 60, path_mm = 150, movements = 12, entries = 3, jerk_mm_s3 = 495 },
 
+    requests = {
+        request "Bottle down" {
+            meaning = "the bottle is lowered to 50 cm above the eye",
+            settings = { ["machine.bottle_cm"] = 50 },
+            answer = "Bottle at 50.",
+        },
+    },
+
     steps = {
         step "hold" {
             title = "Keep the chamber up",

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What a virtual surgeon does who sees the edge of a hole: holds the chamber up with the tip, lays viscoelastic over
--- the hole with the other hand, comes out, and looks for vitreous. Where there is some, it is cut away.
+-- the hole with the other hand, has the bottle lowered, comes out, and looks for vitreous. Where there is some, it is
+-- cut away.
 -- It sees the picture only: no measure, no event, no score. [mm]
 
 local instruments = require "surgeons.instruments"
@@ -83,7 +84,11 @@ return function(me)
     bring(me, me, "phaco", "incision", vector.add(hole, { 0, 0, tip_over }))
     me.pedal(1)
     me.wait(1)
-    if me.notices(function(seen) return seen.landmarks.capsule_hole end) then cover(me, hole, enough) end
+    if me.notices(function(seen) return seen.landmarks.capsule_hole end) then
+        cover(me, hole, enough)
+        me.request("Bottle down")
+        me.wait(1)
+    end
     take_out(me, me, "incision")
     me.pedal(0)
     for _ = 1, most_passes do

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// curriculum -> session: what a script wants, read at the start of the next step.
+// curriculum, surgeon -> session: what a script wants, read at the start of the next step.
 #pragma once
 
 #include <string>
@@ -11,6 +11,8 @@ enum class CommandKind {
     say,      ///< text for the trainee
     picture,  ///< keep a picture of this moment for the report; name is its caption key, text the caption
     finish,   ///< end the exercise; text is the reason
+    request,  ///< whoever operates asks the staff for something, or declares it; name is its id in the exercise. Input
+              ///< as samples are: the exercise, not the session, says what follows
 };
 
 struct Command {

@@ -1,16 +1,18 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What a curriculum sees of the eye. The measure "phaco.tip_depth_mm" is eye.phaco.tip_depth_mm in a function and
 -- phaco.tip_depth_mm in a text. Values stand in one row that the host overwrites each step; not-a-number shows as nil.
+-- That the staff has been asked for something is eye.requested("Bottle down"), and requested.bottle_down in a text.
 
+local requests = require "engine.requests"
 local words = require "engine.words"
 
 local Eye = {}
 Eye.__index = Eye
 
---- schema: list of { name, unit, meaning }; goals: named numbers of the exercise.
-function Eye.new(schema, goals)
+--- schema: list of { name, unit, meaning }; goals: named numbers of the exercise; declared: its requests, or nil.
+function Eye.new(schema, goals, declared)
     local self = setmetatable({ row = {}, time_s = 0, step_time_s = 0, goals = goals, names = {}, groups = {},
-        info = {} }, Eye)  -- `read`: names read since it was set, if it is
+        info = {}, requests = declared or {}, requested = {} }, Eye)  -- `read`: names read since it was set, if it is
     for i, entry in ipairs(schema) do
         local group, field = entry.name:match("^([^.]+)%.(.+)$")
         self.names[i] = entry.name
@@ -28,6 +30,14 @@ function Eye:look(time_s, row, step_time_s)
     self.time_s, self.row, self.step_time_s = time_s, row, step_time_s
 end
 
+--- Whether what a name stands for is true or false.
+function Eye:is_yes_no(name)
+    return name:find("^requested%.") ~= nil or (self.info[name] ~= nil and self.info[name].bool)
+end
+
+--- A request was made.
+function Eye:hear(id) self.requested[id] = true end
+
 --- Value of a measure by its full name; nil when it is not defined now.
 function Eye:value(name)
     local info = self.info[name]
@@ -41,6 +51,15 @@ end
 function Eye:resolve(name)
     if name == "time_s" then return function() return self.time_s end end
     if name == "step.time_s" then return function() return self.step_time_s end end
+    local request = name:match("^requested%.(.+)$")
+    if request then
+        local known = {}
+        for i, declared in ipairs(self.requests) do
+            if declared.id == request then return function() return self.requested[request] == true end end
+            known[i] = "requested." .. declared.id
+        end
+        return nil, known
+    end
     local goal = name:match("^goal%.(.+)$")
     if goal then
         local value = self.goals[goal]
@@ -96,6 +115,21 @@ local function goal_view(self)
     })
 end
 
+-- requested("Bottle down") and requested.bottle_down: whether that has been asked for, or declared, so far.
+local function request_view(self)
+    local function asked(_, name)
+        local id, complaint = requests.find(self.requests, name)
+        if not id then error(complaint, 2) end
+        return self.requested[id] == true
+    end
+    return setmetatable({}, {
+        __index = asked,
+        __call = asked,
+        __newindex = function() error("requests can only be looked at", 2) end,
+        __metatable = false,
+    })
+end
+
 --- The table that functions of a curriculum receive as `eye`.
 function Eye:make_view()
     local groups, names = {}, {}
@@ -104,6 +138,7 @@ function Eye:make_view()
         names[#names + 1] = group
     end
     groups.goal = goal_view(self)
+    groups.requested = request_view(self)
     local times = { time_s = function() return self.time_s end, step_time_s = function() return self.step_time_s end }
     return setmetatable({}, {
         __index = function(_, name)

@@ -6,6 +6,7 @@ local condition = require "engine.condition"
 local language = require "exercise"
 local operation = require "operation"
 local osacss = require "osacss"
+local requests = require "engine.requests"
 local review = require "engine.review"
 local scoring = require "scoring"
 local settings_check = require "engine.settings_check"
@@ -17,7 +18,7 @@ local host = {}
 --- The words that a curriculum finds besides the standard ones.
 function host.environment()
     return setmetatable({ exercise = language.exercise, step = language.step, error_event = language.error_event,
-        operation = operation.operation, part = operation.part, osacss = osacss,
+        request = language.request, operation = operation.operation, part = operation.part, osacss = osacss,
         rubric = scoring.rubric }, { __index = _G })
 end
 
@@ -102,6 +103,9 @@ function host.declared_events()
     return list
 end
 
+--- What may be asked of the staff.
+function host.declared_requests() return requests.listing(host.exercise.requests) end
+
 --- schema: list of { name, unit, meaning }. The row that observe reads is returned: the host overwrites it.
 function host.start(schema)
     host.run = Run.new(host.exercise, schema)
@@ -109,7 +113,8 @@ function host.start(schema)
     return host.row
 end
 
-function host.observe(time_s) return host.run:observe(time_s, host.row) end
+--- asked: ids of the requests made in the step that led here, or nil.
+function host.observe(time_s, asked) return host.run:observe(time_s, host.row, asked) end
 
 --- Whether the turn has just come to another step: when a changed exercise may be taken up.
 function host.at_boundary() return host.run ~= nil and not host.run.finished and host.run.steps:has_turned() end

@@ -41,7 +41,7 @@ local orders = { ["<"] = true, ["<="] = true, [">"] = true, [">="] = true }
 -- "phaco.present > 1": a measure that is true or false has no order.
 function Review:yes_no_compared(node, part, what)
     for _, inner in ipairs(node) do
-        if orders[node.op] and inner.op == "name" and (self.eye.info[inner.name] or {}).bool then
+        if orders[node.op] and inner.op == "name" and self.eye:is_yes_no(inner.name) then
             self:fault(part.where, "%s: %s is true or false and cannot be compared by %s", what, inner.name, node.op)
         end
         self:yes_no_compared(inner, part, what)
@@ -110,6 +110,9 @@ function Review:notes()
     for _, name in ipairs(words.keys(self.exercise.levels)) do
         local meaning = self.exercise.levels[name].meaning
         lines[#lines + 1] = "level " .. name .. (meaning and ": " .. meaning or "")
+    end
+    for _, request in ipairs(self.exercise.requests) do
+        lines[#lines + 1] = "request " .. request.title .. (request.meaning and ": " .. request.meaning or "")
     end
     return lines
 end

@@ -55,10 +55,10 @@ end
 
 --- schema: list of { name, unit, meaning }; exercise: from exercise { ... }.
 function Run.new(exercise, schema)
-    local self = setmetatable({ exercise = exercise, events = {}, commands = {}, time_s = 0 }, Run)
+    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, commands = {}, time_s = 0 }, Run)
     self.t = exercise.translated or function(text) return text end
     scoring.translate_with(self.t)
-    self.eye = Eye.new(schema, exercise.goals)
+    self.eye = Eye.new(schema, exercise.goals, exercise.requests)
     self.act = actions(self)
     self.log = event_log(self)
     self.steps = steps.prepare(exercise.steps, self.eye, self.act)
@@ -88,13 +88,31 @@ local function reason_to_end(self)
     return nil
 end
 
---- Takes one observation: time_s and a row of numbers in the order of the schema. Returns the commands, a list of
---- { kind, name, value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
-function Run:observe(time_s, row)
+-- The staff hears a request, does what the exercise says and answers. One that the exercise does not have, as in a
+-- recording that another one judges, is not for this staff.
+local function hear(self, asked, time_s)
+    for _, id in ipairs(asked) do
+        for _, request in ipairs(self.exercise.requests) do
+            if request.id == id then
+                table.insert(self.asked, { id = id, title = request.title, step = self.steps:current(),
+                    time_s = time_s, settings = words.as_object(request.settings) })
+                self.eye:hear(id)
+                for _, name in ipairs(words.keys(request.settings)) do self.act.set(name, request.settings[name]) end
+                if request.answer then self.act.say(request.answer) end
+            end
+        end
+    end
+end
+
+--- Takes one observation: time_s, a row of numbers in the order of the schema, and the ids of the requests made since
+--- the one before it, or nil. Returns the commands, a list of { kind, name, value, text }. Raises "file:line:
+--- message (in step ...)" when the curriculum errs.
+function Run:observe(time_s, row, asked)
     self.commands = {}
     if self.finished then return self.commands end
     self.time_s = time_s
     self.eye:look(time_s, row, time_s - self.steps:since())
+    if asked then hear(self, asked, time_s) end
     for _, watch in ipairs(self.watches) do watch:tick(time_s, self.steps:current(), self.log) end
     if self.sheet then self.sheet:tick(time_s) end
     if self.whole then self.whole:tick(time_s) end
@@ -110,6 +128,7 @@ function Run:left()
     for i, record in ipairs(self.events) do index_of[record] = i end
     for i, watch in ipairs(self.watches) do watches[i] = watch:left(index_of) end
     return { time_s = self.time_s, steps = self.steps:left(), events = self.events, watches = watches,
+        asked = self.asked,
         score = self.sheet and self.sheet:carried(self.time_s).measures }
 end
 
@@ -119,6 +138,11 @@ function Run:take_up(left)
     self.time_s, self.events = left.time_s, left.events
     self.log.events = self.events
     for _, record in ipairs(self.events) do words.as_object(record.evidence) end
+    for _, record in ipairs(left.asked) do
+        words.as_object(record.settings)
+        table.insert(self.asked, record)
+        self.eye:hear(record.id)
+    end
     local known = {}
     for _, watch in ipairs(left.watches) do known[watch.id] = watch end
     for _, watch in ipairs(self.watches) do
@@ -132,7 +156,7 @@ end
 function Run:result()
     local exercise = self.exercise
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
-        steps = self.steps.records, events = self.events, mode = exercise.mode,
+        steps = self.steps.records, events = self.events, requests = self.asked, mode = exercise.mode,
         hints = exercise.mode == "teaching", level = exercise.level, language = exercise.language or "en",
         orientation = orientation.of(exercise.patient, exercise.handedness), title = exercise.title,
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),

@@ -105,6 +105,9 @@ function texts.each(exercise, f)
         for i in ipairs(event.consequences.texts) do f(event.consequences.texts, i) end
     end
     for _, name in ipairs(words.keys(exercise.levels)) do f(exercise.levels[name], "meaning") end
+    for _, request in ipairs(exercise.requests) do
+        for _, key in ipairs({ "title", "meaning", "answer" }) do f(request, key) end
+    end
 end
 
 --- Puts all texts of an exercise into its language.

@@ -2,6 +2,7 @@
 -- Charts as SVG: lines over time with steps and errors marked, a time line, and the way of the tip seen from above.
 
 local markup = require "report.markup"
+local translated = require("report.words").t
 
 local chart = {}
 
@@ -128,10 +129,20 @@ function chart.over_time(spec, context)
     return w:text()
 end
 
+-- What was asked of the staff, on a row of its own.
+local function request_marks(w, requests, x_of, from, y)
+    for _, request in ipairs(requests) do
+        local x = x_of(request.time_s)
+        w(('<path d="M%.1f %d l6 6 l-6 6 l-6 -6 z" fill="#2f6690"><title>%s, %s</title></path>'):format(x, y - 6,
+            e(request.title or request.id), markup.time(request.time_s)))
+    end
+    w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 4, e(translated("Asked and declared"))))
+end
+
 --- Steps as bars, errors and their recoveries as marks.
-function chart.time_line(steps, events, last)
+function chart.time_line(steps, events, requests, last)
     local w, rows = markup.writer(), #steps
-    local tall = 26 * rows + (#events > 0 and 40 or 14) + 26
+    local tall = 26 * rows + (#events > 0 and 40 or 14) + (#requests > 0 and 26 or 0) + 26
     local wide, from = 1000, 250
     local function x_of(t) return from + (wide - from - 20) * math.min(1, t / last) end
     w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Time line of steps and errors">'):format(wide, tall))
@@ -162,6 +173,7 @@ function chart.time_line(steps, events, last)
         w(('<text x="%d" y="%d" text-anchor="end">Errors, and how long until put right</text>'):format(from - 10,
             y + 4))
     end
+    if #requests > 0 then request_marks(w, requests, x_of, from, tall - 40) end
     local step = nice_step(last, 10)
     for k = 0, math.floor(last / step + 1e-9) do
         w(('<text class="soft" x="%.1f" y="%d" text-anchor="middle">%s s</text>'):format(x_of(k * step), tall - 6,

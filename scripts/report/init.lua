@@ -186,7 +186,7 @@ local function time_line(w, report)
     local steps, events = report.steps or {}, report.events or {}
     w("<section><h2>", e(t("What happened when")), "</h2>")
     if #steps > 0 and (report.duration_s or 0) > 0 then
-        w(chart.time_line(steps, events, report.duration_s))
+        w(chart.time_line(steps, events, report.requests or {}, report.duration_s))
         w('<p class="soft small">', e(t("Green: step completed. Grey: not completed.")), "</p>")
     end
     event_cards(w, events)

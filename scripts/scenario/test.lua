@@ -8,6 +8,7 @@ local Microscope = require "scenario.microscope"
 local condition = require "engine.condition"
 local fields = require "engine.fields"
 local microscope = require "surgeons.microscope"
+local requests = require "engine.requests"
 local words = require "engine.words"
 
 local Test = {}
@@ -16,8 +17,8 @@ Test.__index = Test
 local seconds_rule = { kind = "number", from = 0, to = 7200 }
 
 --- What a scenario may ask of it, besides its instruments.
-Test.public = { "wait", "wait_until", "together", "set", "expect", "expect_near", "expect_event", "expect_no_event",
-    "value", "time_s" }
+Test.public = { "wait", "wait_until", "together", "set", "request", "expect", "expect_near", "expect_event",
+    "expect_no_event", "value", "time_s" }
 
 -- The table that a scenario is given for an object: its words and parts, and nothing behind them. what: for messages.
 local function front(object, names, parts, what)
@@ -42,11 +43,12 @@ local function front(object, names, parts, what)
     })
 end
 
---- setup: schema, goals, events (declared), settings, instruments (names), landmarks, step_s; scenario: as declared.
+--- setup: schema, goals, events and requests (declared), settings, instruments (names), landmarks, step_s; scenario: as
+--- declared.
 function Test.new(setup, scenario)
     local self = setmetatable({ scenario = scenario, step_s = setup.step_s, declared = setup.events,
-        settings = setup.settings, eye = Eye.new(setup.schema, setup.goals), events = {}, failures = {}, covered = {},
-        commands = {}, hands = {}, at = words.where(nil, scenario.line) }, Test)
+        settings = setup.settings, eye = Eye.new(setup.schema, setup.goals, setup.requests), events = {},
+        failures = {}, covered = {}, commands = {}, hands = {}, at = words.where(nil, scenario.line) }, Test)
     local instruments = {}
     for i, name in ipairs(setup.instruments) do
         local foot = name == microscope.name
@@ -173,6 +175,14 @@ function Test:set(values)
         fields.check_value({ kind = "number", from = setting.minimum, to = setting.maximum }, value, where, name)
         table.insert(self.commands, { kind = "set", name = name, value = value, text = "" })
     end
+end
+
+--- Asks the staff for something, or declares it, by its name in the exercise.
+function Test:request(name)
+    local where = self:where()
+    local id, complaint = requests.find(self.eye.requests, name)
+    if not id then words.fail(where, complaint) end
+    table.insert(self.commands, requests.command(id))
 end
 
 -- Expectations -----------------------------------------------------------------------------------------------------
@@ -324,6 +334,9 @@ end
 --- One step: what is observed now and the events so far; gives samples, commands and whether it is over.
 function Test:step(time_s, row, events)
     self.eye:look(time_s, row, 0)
+    for _, command in ipairs(self.commands) do
+        if command.kind == "request" then self.eye:hear(command.name) end
+    end
     self.events = events
     self.commands = {}
     if go_on(self) then return { done = true } end

@@ -8,6 +8,7 @@ local instruments = require "surgeons.instruments"
 local microscope = require "surgeons.microscope"
 local motion = require "surgeons.motion"
 local perception = require "surgeons.perception"
+local requests = require "engine.requests"
 local tremor = require "surgeons.tremor"
 local vector = require "surgeons.vector"
 
@@ -185,6 +186,13 @@ local function make_me(self)
     --- Presses the foot: 0 up, 1 irrigation, 2 aspiration, 3 ultrasound; the fraction is travel within the position.
     function me.pedal(position) self.pedal_target = position end
 
+    --- Asks the staff for something, or declares it, by its name in the exercise.
+    function me.request(name)
+        local id, complaint = requests.find(self.requests, name)
+        if not id then error(complaint, 2) end
+        table.insert(self.asked, requests.command(id))
+    end
+
     --- Names of the instruments for the hands, in the scene's order.
     function me.instruments() return { table.unpack(self.names) } end
 
@@ -197,13 +205,15 @@ local Operator = {}
 Operator.__index = Operator
 
 --- plan: function(me), run as a coroutine. seed: an integer. dt: [s]. names: of the instruments, in the scene's order.
---- habits: { recovers = false } for a person who sees danger and does nothing about it.
-function operator.start(plan, group, seed, dt, names, habits)
+--- habits: { recovers = false } for a person who sees danger and does nothing about it. declared: what may be asked of
+--- the staff, list of { id, title, name }.
+function operator.start(plan, group, seed, dt, names, habits, declared)
     local person = operator.person(group, seed)
     local function stream(purpose) return chance.stream(seed, purpose) end
     local hands, has_microscope = microscope.apart_from(names)
     local self = setmetatable({ person = person, dt = dt, time_s = 0, pedal = 0, pedal_target = 0,
         recovers = not habits or habits.recovers ~= false, names = hands, index = {},
+        requests = declared or {}, asked = {},
         foot = has_microscope and microscope.foot(stream("centring"), person.centring_mm) or nil,
         right = make_hand(stream, person, dt, "", first_for(hands, false)),
         left = make_hand(stream, person, dt, "left ", first_for(hands, true)), planning = stream("planning"),
@@ -243,9 +253,9 @@ local function put_away()
 end
 
 --- Takes the picture of now; returns what each instrument does in the coming step, in the scene's order:
---- { present, position, orientation, jaw, pedal }.
+--- { present, position, orientation, jaw, pedal }, and what is asked of the staff in it: commands.
 function Operator:operate(percept)
-    self.time_s = percept.time_s
+    self.time_s, self.asked = percept.time_s, {}
     local seen = self.look(percept)
     if not self.inattentive() then
         self.seen = seen
@@ -258,7 +268,7 @@ function Operator:operate(percept)
     if right then samples[right] = move(self, self.right, percept.landmarks, self.pedal) end
     if left then samples[left] = move(self, self.left, percept.landmarks, 0) end
     if self.foot then samples[#samples + 1] = self.foot:sample(percept.field) end
-    return samples
+    return samples, self.asked
 end
 
 return operator

@@ -54,13 +54,14 @@ function surgeon.choose(name, plan, given)
     return nil
 end
 
---- instruments: names, in the scene's order; dt: step [s].
-function surgeon.start(instruments, dt)
-    local person = operator.start(surgeon.plan, surgeon.group, surgeon.seed, dt, instruments, surgeon.habits)
+--- instruments: names, in the scene's order; dt: step [s]; requests: what may be asked of the staff, list of { id,
+--- title, name }.
+function surgeon.start(instruments, dt, requests)
+    local person = operator.start(surgeon.plan, surgeon.group, surgeon.seed, dt, instruments, surgeon.habits, requests)
     function surgeon.operate(percept)
-        local samples = person:operate(percept)
+        local samples, asked = person:operate(percept)
         for i, sample in ipairs(samples) do sample.instrument = i - 1 end
-        return samples
+        return samples, asked
     end
 end
 

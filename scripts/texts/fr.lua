@@ -10,6 +10,7 @@ return {
     ["Put right after %.1f s: %s."] = "Corrigé après %.1f s : %s.",
     ["End of the exercise."] = "Fin de l'exercice.",
     ["Before the first step."] = "Avant le premier instant.",
+    ["Asked and declared"] = "Demandé et déclaré",
     ["At the end."] = "À la fin.",
 
     -- rubric: reasons

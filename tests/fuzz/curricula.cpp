@@ -52,11 +52,11 @@ Result<Base> make_base(const std::string& root, const std::string& name, int ste
     for (int step = 0; step < steps; ++step) {
         base.seen.push_back(session.value().observation());
         const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
-        const Result<std::vector<DeviceSample>> samples = host.value().operate(session.value().percept());
-        if (!commands || !samples) {
-            return commands ? samples.error() : commands.error();
+        const Result<SurgeonStep> done = host.value().operate(session.value().percept());
+        if (!commands || !done) {
+            return commands ? done.error() : commands.error();
         }
-        session.value().step(samples.value(), commands.value());
+        session.value().step(done.value().samples, commands.value());
     }
     return base;
 }
@@ -145,11 +145,11 @@ std::string simulate(const std::string& folder, const CurriculaPlan& plan, std::
     const Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
     for (int step = 0; started && step < simulated_steps; ++step) {
         const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
-        const Result<std::vector<DeviceSample>> samples = host.value().operate(session.value().percept());
-        if (!commands || !samples) {
+        const Result<SurgeonStep> done = host.value().operate(session.value().percept());
+        if (!commands || !done) {
             break;
         }
-        session.value().step(samples.value(), commands.value());
+        session.value().step(done.value().samples, commands.value());
         for (const double value : session.value().observation().values) {
             if (std::isinf(value)) {
                 return "a measure is infinite";

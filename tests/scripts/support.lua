@@ -40,7 +40,7 @@ function support.load(text, name)
     name = name or "demo/curriculum.lua"
     words.begin_file(name, text)
     local globals = setmetatable({ exercise = language.exercise, step = language.step,
-        error_event = language.error_event, osacss = osacss }, { __index = _G })
+        error_event = language.error_event, request = language.request, osacss = osacss }, { __index = _G })
     return harness.compile(text, name, globals)()
 end
 
@@ -54,8 +54,8 @@ support.schema = {
 local nan = 0 / 0
 
 --- Feeds an exercise with a made-up attempt: at(t) gives a table of measures by name; what it leaves out is undefined.
---- Returns the run and all commands.
-function support.attempt(exercise, seconds, at, schema)
+--- Returns the run and all commands. asked: ids of requests by the number of the observation that follows them.
+function support.attempt(exercise, seconds, at, schema, asked)
     schema = schema or support.schema
     local run = Run.new(exercise, schema)
     local commands = {}
@@ -67,7 +67,7 @@ function support.attempt(exercise, seconds, at, schema)
             if type(value) == "boolean" then value = value and 1 or 0 end
             row[k] = value or nan
         end
-        for _, command in ipairs(run:observe(t, row)) do
+        for _, command in ipairs(run:observe(t, row, asked and asked[i])) do
             command.time_s = t
             commands[#commands + 1] = command
         end

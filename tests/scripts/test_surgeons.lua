@@ -286,7 +286,7 @@ case("both hands move at once, the foot goes with the leading one, and the other
     local person = operator.start(with_both, "d", 3, dt, names)
     local moved_at_once, before_right, before_left = 0, nil, nil
     for i = 0, 300 do
-        local right, left = table.unpack(person:operate(two_handed(i * dt)))
+        local right, left = table.unpack((person:operate(two_handed(i * dt))))
         if before_right then
             local a, b = vector.distance(right.position, before_right), vector.distance(left.position, before_left)
             if a > 0.02 and b > 0.02 and a < 1 and b < 1 then moved_at_once = moved_at_once + 1 end

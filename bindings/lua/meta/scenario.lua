@@ -60,6 +60,10 @@ function ScenarioTest:together(...) end
 ---@param values table<string, number>
 function ScenarioTest:set(values) end
 
+---Asks the staff for something, or declares it, by its name in the exercise: `t:request("Bottle down")`.
+---@param name string
+function ScenarioTest:request(name) end
+
 ---A condition holds now.
 ---@param condition string | function | table
 ---@return boolean

@@ -34,6 +34,9 @@ return scenarios {
             t.phaco:withdraw()
             t.cannula:withdraw()
             t:expect_event("Dropped piece", { recovered = true, within = 2 })
+            t:request("Retina surgeon called")
+            t:wait(0.1)
+            t:expect("requested.retina_surgeon_called")
             t:expect_no_event("Piece chased")
         end },
 

@@ -23,9 +23,11 @@ return scenarios {
     scenario "a hole, covered before the tip leaves" {
         function(t)
             found(t)
-            t:set { ["machine.bottle_cm"] = 50 }
             cover(t)
             t:expect("tamponade.cover > 0.95 and chamber.depth_share > 0.9")
+            t:request("Bottle down")
+            t:wait(1)
+            t:expect("requested.bottle_down and chamber.pressure_mmhg < 40")
             t.phaco:withdraw()
             t.cannula:withdraw()
             t:expect_event("Capsule torn, hyaloid intact", { recovered = true, within = 2 })
@@ -49,6 +51,15 @@ return scenarios {
             t:wait(1)
             t:expect("capsule.hole_growth > 0.1")
             t:expect_event("Capsule torn, hyaloid intact", { recovered = false, within = 46 })
+        end },
+
+    scenario "bottle asked down by 15 cm at once: the hole bears that, too" {
+        function(t)
+            found(t)
+            t:request("Bottle down")
+            t:wait(2)
+            t:expect("requested.bottle_down and chamber.pressure_mmhg < 40")
+            t:expect("capsule.hole_growth <= 0.1 and not vitreous.hyaloid_broken")
         end },
 
     scenario "bottle down step by step: the hole stays as it is" {
