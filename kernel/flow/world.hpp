@@ -19,6 +19,7 @@
 #include "flow/tool.hpp"
 #include "flow/viscoelastic.hpp"
 #include "flow/vitreous.hpp"
+#include "flow/wounds.hpp"
 
 namespace rhexis {
 
@@ -57,6 +58,7 @@ struct WorldModel {
     std::optional<IrisModel> iris;
     std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
     std::optional<VitreousModel> vitreous;          ///< behind bags[0], whose wall has a capsule, and a chamber
+    std::optional<WoundsModel> wounds;              ///< in place of the constant leak of the chamber
     std::optional<MicroscopeModel> microscope;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
@@ -82,6 +84,7 @@ struct WorldState {
     std::optional<IrisState> iris;
     std::optional<ViscoelasticState> viscoelastic;
     std::optional<VitreousState> vitreous;
+    std::optional<WoundsState> wounds;
     std::optional<MicroscopeState> microscope;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool
