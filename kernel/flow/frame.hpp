@@ -26,6 +26,8 @@ struct Frame {
     double time_s = 0.0;
     std::optional<VitreousState> vitreous{};
     std::optional<WoundsState> wounds{};
+    std::optional<GlobeState> globe{};
+    std::optional<ProlapseState> prolapse{};
 };
 
 /// Where the picture is taken from. Orthogonal views are not needed: a microscope is far away.

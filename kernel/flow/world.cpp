@@ -42,6 +42,12 @@ WorldState rest_state(const WorldModel& model) {
         state.wounds = rest_state(*model.wounds);
         state.chamber->wound = burnt_wound(model.wounds->start_burn);
     }
+    if (model.globe) {
+        state.globe = GlobeState{};
+    }
+    if (model.prolapse) {
+        state.prolapse = ProlapseState{};
+    }
     if (model.microscope) {
         state.microscope = MicroscopeState{model.microscope->start};
     }
