@@ -79,7 +79,7 @@ local exercise_rules = {
     objectives = { kind = "texts", default = {} },
     patient = { kind = "table", default = {} },
     tissues = { kind = "texts", required = true, choices = { "lens", "bag", "capsule", "anterior_capsule",
-        "iris", "cornea", "chamber", "viscoelastic", "implant", "vitreous" } },
+        "iris", "cornea", "chamber", "viscoelastic", "implant", "vitreous", "globe" } },
     instruments = { kind = "texts", required = true, choices = { "cannula", "cutter", "cystotome",
         "forceps", "hook", "injector", "lens_forceps", "phaco", "probe", "spatula", "triamcinolone", "microscope" } },
     settings = { kind = "table", default = {} },

@@ -327,7 +327,22 @@ return scoring.rubric {
         { id = "T14", name = "Wound closure", not_scored = "the wound is not simulated." },
 
         { id = "G1", name = "Wound neutrality and minimising eye rolling and corneal distortion",
-            not_scored = "the wound and the rolling of the eye are not simulated." },
+            not_scored = "the wound and the rolling of the eye are not simulated.", measures = {
+            { id = "G1.rotation", name = "Roll of the eye while instruments were in it (RMS)", unit = "degrees",
+                digits = 1, of = "globe.rotation_deg", take = "rms", during = "instruments.out_s <= 0", five = 3,
+                three = 7, one = 15, weight = 1, source = "proposal",
+                better = "Turn the instrument about its wound: the wound is the pivot and stays where it is." },
+            { id = "G1.excursion", name = "Shaft off the middle of its wound (mean)", unit = "mm", digits = 2,
+                of = "globe.excursion_mm", take = "mean", during = "instruments.out_s <= 0", five = 0.2, three = 0.5,
+                one = 1.0, weight = 1, source = "proposal",
+                better = "When the tip goes to one side, the hand goes to the other." },
+            { id = "G1.deflection", name = "Most that the cornea was bent beside a wound", unit = "mm", digits = 2,
+                of = "globe.corneal_deflection_mm", take = "max", five = 0.1, three = 0.3, one = 0.6, weight = 1,
+                source = "proposal", better = "Look for folds of the cornea at the wound, and ease the hand." },
+            { id = "G1.enlargement", name = "By which a wound was stretched", unit = "mm", digits = 2,
+                of = "globe.enlargement_mm", take = "last", five = 0.1, three = 0.3, one = 0.6, weight = 1,
+                source = "proposal", better = "Do not lever an instrument in its wound." },
+        } },
         { id = "G2", name = "Eye positioned centrally within microscope view",
             not_scored = "the microscope is not moved.", measures = {
             { id = "G2.offset", name = "Distance of the pupil from the middle of the field, share of its radius",
@@ -417,6 +432,14 @@ return scoring.rubric {
             { id = "G5.torn", name = "Length of the iris's edge that was torn", unit = "mm", digits = 1,
                 of = "iris.torn_mm", take = "last", five = 0, three = 0.5, one = 1.5, weight = 1, source = "proposal",
                 better = "Set the iris free by the pedal, never by pulling." },
+            { id = "G5.prolapse", name = "Prolapse of the iris (0: none, 1: put back, 2: left in the wound)", unit = "1",
+                digits = 0, of = "iris.prolapse_state", take = "last", five = 0, three = 1, one = 2, weight = 1,
+                source = "proposal",
+                better = "Lower the pressure before an instrument leaves; lower it through the side port, and stroke "
+                    .. "over the lip." },
+            { id = "G5.damage", name = "Damage of the prolapsed iris by pushes", unit = "1", digits = 2,
+                of = "iris.prolapse_damage", take = "last", five = 0, three = 0.15, one = 0.4, weight = 1,
+                source = "proposal", better = "Never push a prolapsed iris back through the wound." },
         } },
 
         { id = "G6", name = "Overall speed and fluidity of procedure", measures = {

@@ -99,6 +99,7 @@ uniform float incision_width;
 uniform float wound_burn;
 uniform vec3 side_port;
 uniform float side_port_width;
+uniform vec4 prolapse;     // of the iris into the main wound: direction, from the axis, length; 0: there is none
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.
@@ -122,6 +123,23 @@ vec3 iris_colour(vec3 at, float radius) {
     float texel_mm = 6.2831853 * radius / float(textureSize(iris_map, 0).x);
     float level = max(0.0, log2(pixel_mm / texel_mm) - 0.5);
     return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
+}
+
+// Iris that lies in the wound and before it: a dark moist fold. What it hides is in the last component.
+vec4 prolapsed(vec3 at) {
+    float along = at.y * prolapse.x - at.x * prolapse.y;
+    float out_to = dot(prolapse.xy, at.xy) - prolapse.z;
+    float half_length = 0.25 + 0.35 * prolapse.w;
+    float half_width = 0.42 * incision_width;
+    vec4 grain = texture(detail_map, at.xy * 0.30);
+    vec2 off = vec2(along / half_width, (out_to - half_length + 0.15) / half_length);
+    float round = dot(off, off) + 0.35 * (grain.r - 0.5);
+    float hides = 1.0 - smoothstep(0.80, 1.05, round);
+    vec3 fold = iris_colour(vec3(prolapse.xy * (limbus_radius - 1.6) + vec2(-prolapse.y, prolapse.x) * along, 0.0),
+                            limbus_radius - 1.6 + 0.25 * off.y);
+    float ridge = 0.55 + 0.35 * max(0.0, 1.0 - round) + 0.25 * (grain.g - 0.5);
+    float wet = 0.5 * smoothstep(0.25, 0.0, length(off - vec2(-0.25, 0.30)));
+    return vec4(fold * ridge + wet * lamp, hides);
 }
 
 // Where a burnt main wound is white: its roof and lips, more the nearer to its middle.
@@ -468,6 +486,12 @@ void main() {
     }
 #endif
 
+#if PART < 3
+    if (prolapse.w > 0.0) {
+        vec4 fold = prolapsed(view_eye + (limbus_z - view_eye.z) / outside.z * outside);
+        picture = mix(picture, fold.rgb, fold.a);
+    }
+#endif
     vec4 over = texelFetch(outer_tools, pixel, 0);
     picture *= 1.0 - 0.50 * shade.g;
     picture = picture * (1.0 - over.a) + over.rgb;

@@ -103,10 +103,22 @@ ChamberState chamber_state(const ChamberModel& model, double eye_pressure, doubl
     return state;
 }
 
+namespace {
+
+// Heat that shrinks collagen [s].
+constexpr double first_harm = 1.0;
+constexpr double full_harm = 3.0;
+
+}  // namespace
+
 double burn_share(const WoundState& wound) {
-    constexpr double first_harm = 1.0;  // [s]
-    constexpr double full_harm = 3.0;   // [s]
     return std::clamp((wound.hot_s - first_harm) / (full_harm - first_harm), 0.0, 1.0);
+}
+
+WoundState burnt_wound(double burn) {
+    WoundState wound;
+    wound.hot_s = burn > 0.0 ? first_harm + burn * (full_harm - first_harm) : 0.0;
+    return wound;
 }
 
 }  // namespace rhexis

@@ -103,6 +103,9 @@ double diaphragm_shift(const ChamberModel& model, double eye_volume, double hole
 /// Share of the burn that shrinks the wound most: 0 until it has been hot for a second, 1 from three seconds on.
 double burn_share(const WoundState& wound);
 
+/// A cool wound with that share of a burn.
+WoundState burnt_wound(double burn);
+
 /// Tanks filled to these pressures [Pa], nothing moved yet.
 ChamberState chamber_state(const ChamberModel& model, double eye_pressure, double tube_pressure);
 

@@ -13,8 +13,10 @@ namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
 /// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger
-/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it.
-enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter };
+/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it; blade: it
+/// cuts its way into the eye; hydrator: a cannula with saline; needle: it carries a suture; sponge: it presses from
+/// outside.
+enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter, blade, hydrator, needle, sponge };
 
 /// Cuts per minute of a cutter at its fastest.
 inline constexpr double fastest_cutter = 5000.0;
@@ -52,11 +54,13 @@ struct ToolModel {
     double edge_radius = 0.0;        ///< roundness of its sharpest edge [mm]; 0: that of its end
     double bevel = 0.0;              ///< phaco: angle of the opening from square [rad]
     double cutting = 1.0;            ///< cystotome: share of its toughness that a sheet has at the end of a cut
-    double reach = 0.0;       ///< forceps: radius of the ball about the tip in which its jaws close on a membrane [mm]
-    double lens_reach = 0.0;  ///< likewise of those that close on an implant [mm]
-    double hold = 0.0;        ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
-    double max_power = 0.0;   ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
-    bool stains = false;      ///< cannula: what comes out of it is triamcinolone, not viscoelastic
+    double reach = 0.0;        ///< forceps: radius of the ball about the tip in which its jaws close on a membrane [mm]
+    double lens_reach = 0.0;   ///< likewise of those that close on an implant [mm]
+    double hold = 0.0;         ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
+    double max_power = 0.0;    ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
+    double blade_width = 0.0;  ///< blade: beyond its point [mm]
+    double blade_point = 0.0;  ///< blade: length of its point, over which it widens [mm]
+    bool stains = false;       ///< cannula: what comes out of it is triamcinolone, not viscoelastic
     std::optional<Cartridge> cartridge;
 };
 

@@ -38,6 +38,16 @@ WorldState rest_state(const WorldModel& model) {
     if (model.vitreous) {
         state.vitreous = rest_state(*model.vitreous, *model.chamber);
     }
+    if (model.wounds) {
+        state.wounds = rest_state(*model.wounds);
+        state.chamber->wound = burnt_wound(model.wounds->start_burn);
+    }
+    if (model.globe) {
+        state.globe = GlobeState{};
+    }
+    if (model.prolapse) {
+        state.prolapse = ProlapseState{};
+    }
     if (model.microscope) {
         state.microscope = MicroscopeState{model.microscope->start};
     }

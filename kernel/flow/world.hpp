@@ -10,15 +10,18 @@
 #include "flow/chamber.hpp"
 #include "flow/contact.hpp"
 #include "flow/debris.hpp"
+#include "flow/globe.hpp"
 #include "flow/implant_parts.hpp"
 #include "flow/iris.hpp"
 #include "flow/membrane.hpp"
 #include "flow/microscope.hpp"
+#include "flow/prolapse.hpp"
 #include "flow/shell.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
 #include "flow/viscoelastic.hpp"
 #include "flow/vitreous.hpp"
+#include "flow/wounds.hpp"
 
 namespace rhexis {
 
@@ -57,6 +60,9 @@ struct WorldModel {
     std::optional<IrisModel> iris;
     std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
     std::optional<VitreousModel> vitreous;          ///< behind bags[0], whose wall has a capsule, and a chamber
+    std::optional<WoundsModel> wounds;              ///< in place of the constant leak of the chamber
+    std::optional<GlobeModel> globe;                ///< rolls under shafts; else it stands still
+    std::optional<ProlapseModel> prolapse;          ///< of an iris into the main one of simulated wounds
     std::optional<MicroscopeModel> microscope;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
@@ -82,6 +88,9 @@ struct WorldState {
     std::optional<IrisState> iris;
     std::optional<ViscoelasticState> viscoelastic;
     std::optional<VitreousState> vitreous;
+    std::optional<WoundsState> wounds;
+    std::optional<GlobeState> globe;
+    std::optional<ProlapseState> prolapse;
     std::optional<MicroscopeState> microscope;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool

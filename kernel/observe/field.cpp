@@ -20,18 +20,20 @@ double offset_of(const MicroscopeState& state, const EyeAnatomy& eye, const Vec3
 
 double FieldOfView::out_of_focus() const { return std::max(0.0, std::abs(defocus) - 0.5 * depth_of_field); }
 
-FieldOfView field_of_view(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye) {
+FieldOfView field_of_view(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye,
+                          const Vec3& pupil) {
     FieldOfView field;
     field.radius = model.field_radius;
     field.depth_of_field = model.depth_of_field;
-    field.pupil_offset = offset_of(state, eye, Vec3(0.0, 0.0, eye.iris_z));
+    field.pupil_offset = offset_of(state, eye, pupil);
     field.pupil_radius = corneal_magnification(eye, eye.iris_z) * eye.pupil_radius;
-    field.defocus = state.position.z() - eye.iris_z;
+    field.defocus = state.position.z() - pupil.z();
     return field;
 }
 
-void look_through(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye, Percept& percept) {
-    const FieldOfView field = field_of_view(model, state, eye);
+void look_through(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye, const Vec3& pupil,
+                  Percept& percept) {
+    const FieldOfView field = field_of_view(model, state, eye, pupil);
     percept.field = PerceivedField{state.position, field.radius, field.out_of_focus()};
     for (Landmark& mark : percept.landmarks) {
         const double reach = mark.name == "pupil" ? field.radius + field.pupil_radius : field.radius;

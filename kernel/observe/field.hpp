@@ -20,10 +20,13 @@ struct FieldOfView {
     [[nodiscard]] double out_of_focus() const;
 };
 
-FieldOfView field_of_view(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye);
+/// pupil: where its middle is in the room [mm].
+FieldOfView field_of_view(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye,
+                          const Vec3& pupil);
 
 /// Landmarks outside of the field do not show; the pupil does as long as a part of it is inside. Wounds stay: whoever
 /// has an instrument in one feels where it is.
-void look_through(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye, Percept& percept);
+void look_through(const MicroscopeModel& model, const MicroscopeState& state, const EyeAnatomy& eye, const Vec3& pupil,
+                  Percept& percept);
 
 }  // namespace rhexis

@@ -2,6 +2,7 @@
 // How the microscope stands over the pupil.
 #include "observe/field.hpp"
 #include "observe/measure_group.hpp"
+#include "observe/seen.hpp"
 
 namespace rhexis {
 namespace {
@@ -23,7 +24,7 @@ public:
     void measure(const ObserveInput& input, const LensView&, std::span<double>,
                  std::span<double> values) const override {
         const MicroscopeState& state = *input.state.microscope;
-        const FieldOfView field = field_of_view(*input.world.microscope, state, input.eye.anatomy);
+        const FieldOfView field = field_of_view(*input.world.microscope, state, input.eye.anatomy, pupil_middle(input));
         values[0] = state.position.x();
         values[1] = state.position.y();
         values[2] = state.position.z();

@@ -79,7 +79,13 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.vitreous) {
         groups.push_back(vitreous_measures());
     }
-    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous) {
+    if (world.globe) {
+        groups.push_back(globe_measures());
+    }
+    if (world.prolapse) {
+        groups.push_back(prolapse_measures());
+    }
+    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous || world.globe) {
         groups.push_back(presence_measures());
     }
     if (anterior_capsule(world) >= 0) {
@@ -202,8 +208,11 @@ Percept Observer::percept(const ObserveInput& input, const Observation& observat
         const double* const value = &observation.values[static_cast<std::size_t>(share - schema_.begin())];
         add_bridge_landmark(value[0], Vec3(value[1], value[2], value[3]), input.eye.anatomy, percept);
     }
+    if (input.state.globe) {
+        put_into_room(*input.world.globe, *input.state.globe, percept);
+    }
     if (input.world.microscope) {
-        look_through(*input.world.microscope, *input.state.microscope, input.eye.anatomy, percept);
+        look_through(*input.world.microscope, *input.state.microscope, input.eye.anatomy, pupil_middle(input), percept);
     }
     return percept;
 }

@@ -126,6 +126,15 @@ void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks)
     if (input.state.vitreous) {
         add_vitreous_landmarks(input, marks);
     }
+    if (input.state.globe) {
+        const EyeAnatomy& eye = input.eye.anatomy;
+        marks.push_back({"limbus", true, Vec3(0.0, 0.0, eye.limbus_z), eye.limbus_radius});
+    }
+    if (input.state.prolapse) {
+        const bool shows = input.state.prolapse->length > 0.2;
+        const Wound& wound = input.state.wounds->wounds[main_wound];
+        marks.push_back({"iris_prolapse", shows, wound.outer, input.state.prolapse->length});
+    }
     if (input.state.iris) {
         marks.push_back({"iris_caught", input.state.iris->tool >= 0, input.state.iris->place, 0.5});
     }
@@ -170,6 +179,20 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
         }
     }
     return percept;
+}
+
+void put_into_room(const GlobeModel& model, const GlobeState& globe, Percept& percept) {
+    for (Landmark& mark : percept.landmarks) {
+        mark.position = to_room(model, globe, mark.position);
+    }
+    for (PerceivedTool& tool : percept.tools) {
+        tool.pose = to_room(model, globe, tool.pose);
+    }
+}
+
+Vec3 pupil_middle(const ObserveInput& input) {
+    const Vec3 middle(0.0, 0.0, input.eye.anatomy.iris_z);
+    return input.state.globe ? to_room(*input.world.globe, *input.state.globe, middle) : middle;
 }
 
 void add_bridge_landmark(double share, const Vec3& place, const EyeAnatomy& eye, Percept& percept) {

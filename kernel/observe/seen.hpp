@@ -17,8 +17,16 @@ namespace rhexis {
 /// "fragment_N" (middle of a piece, the largest first; size: radius of a ball of its volume) and "fragment_N_near" (its
 /// tissue nearest to the first instrument's tip), with a capsule
 /// "capsule_folds" (where a tip holds it) and "capsule_hole" (size: radius), with an iris that moves "iris_caught".
+/// With a globe that rolls "limbus" (its middle; size: radius), with wounds and an iris "iris_prolapse" (at the outer
+/// lip; size: length).
 /// Those of an anterior capsule are in rhexis_marks.hpp, those of an implant in implant_marks.hpp.
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris);
+
+/// What the eye's frame has, where it is in the room when the globe has rolled.
+void put_into_room(const GlobeModel& model, const GlobeState& globe, Percept& percept);
+
+/// Of the pupil, in the room.
+Vec3 pupil_middle(const ObserveInput& input);
 
 /// With a groove and a chamber "bridge": where the reflex of a groove that is held apart stops, because the halves
 /// still hang together (size: radius of a disc of that share of a section 7 mm across; only while something holds).

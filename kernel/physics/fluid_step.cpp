@@ -6,13 +6,17 @@
 
 #include "mesh/places.hpp"
 #include "physics/chamber_flow.hpp"
+#include "physics/globe_roll.hpp"
 #include "physics/iris_motion.hpp"
+#include "physics/iris_prolapse.hpp"
 #include "physics/vitreous_motion.hpp"
 #include "physics/wound_heat.hpp"
 
 namespace rhexis {
 
 namespace {
+
+constexpr double widest_open = 30.0;  ///< that the chamber is made for
 
 double hole_area(const WorldState& state) {
     return state.capsule ? std::numbers::pi * state.capsule->hole_radius * state.capsule->hole_radius : 0.0;
@@ -74,6 +78,10 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         if (model.vitreous) {
             control.wound_open = wound_release(*model.vitreous, *state.vitreous, control.wound_open);
         }
+        if (model.globe && chamber.leak_conductance > 0.0) {
+            control.wound_open = std::min(
+                widest_open, control.wound_open + pressed_open(model, tools, state) / chamber.leak_conductance);
+        }
         state.flows = advance_chamber(chamber, control, dt, *state.chamber);
         heat_wound(hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0,
                    std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
@@ -96,6 +104,9 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
     }
     if (model.iris) {
         move_iris(model, tools, probes, dt, state);
+        if (model.prolapse) {
+            move_prolapse(model, tools, dt, state);
+        }
     }
 }
 

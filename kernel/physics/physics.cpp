@@ -12,6 +12,7 @@
 #include "physics/crack.hpp"
 #include "physics/debris_motion.hpp"
 #include "physics/fluid_step.hpp"
+#include "physics/globe_roll.hpp"
 #include "physics/membrane_stepper.hpp"
 #include "physics/puncture.hpp"
 #include "physics/rim_rupture.hpp"
@@ -384,6 +385,9 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     s.started = state;
     s.started.tips.resize(tools.size());  // a script may have added a tool
     s.started.plungers.resize(tools.size());
+    if (s.model->globe) {
+        roll_globe(*s.model, tools, dt, s.started);
+    }
     if (s.has_fluid()) {
         const ProfileScope scope(profile, "chamber");
         step_fluid(*s.model, tools, s.probes, dt, s.started);

@@ -3,8 +3,23 @@
 
 #include <algorithm>
 
+#include "physics/globe_roll.hpp"
+
 namespace rhexis {
 namespace {
+
+constexpr double sheared =
+    0.1;  ///< viscosity of viscoelastic in a slit, at thousands of shears a second [Pa s]. Proposal
+
+/// Through a wound whose lip a shaft presses, share of the chamber per second.
+double burped(const WorldModel& world, std::span<const ToolState> tools, const WorldState& state) {
+    if (!world.globe) {
+        return 0.0;
+    }
+    const double pressure = std::max(0.0, viscoelastic_pressure(*world.viscoelastic, *state.viscoelastic));
+    const double thinner = world.globe->viscosity / sheared;
+    return thinner * pressed_open(world, tools, state) * pressure / world.viscoelastic->volume;
+}
 
 bool inside(const ViscoelasticModel& model, const ToolState& tool) {
     const Vec3& tip = tool.pose.position;
@@ -19,7 +34,7 @@ void fill_chamber(const WorldModel& world, std::span<const ToolState> tools, dou
     }
     const ViscoelasticModel& model = *world.viscoelastic;
     ViscoelasticState& chamber = *state.viscoelastic;
-    double lost = 0.0;
+    double lost = dt * burped(world, tools, state);
     for (std::size_t k = 0; k < tools.size(); ++k) {
         if (!inside(model, tools[k])) {
             continue;

@@ -30,8 +30,19 @@ double reach_of_wound(const EyeAnatomy& eye, const Vec3& inner_lip, double width
 
 constexpr std::size_t most_crumbs = 24;  ///< that are drawn; as in the shader
 
+/// Likewise iris in the wound, which takes the edge along.
+Vec3 prolapsed_edge(const Frame& frame) {
+    constexpr double half = 1.5;  // length that draws half as far as any [mm]
+    const double length = frame.prolapse ? frame.prolapse->length : 0.0;
+    const Vec2 direction = frame.eye->incision.head<2>().normalized();
+    return {direction.x(), direction.y(), -1.3 * length / (length + half)};
+}
+
 /// A strand in the wound holds the pupil's edge there, and the rest comes in: towards the wound, negative [mm].
 Vec3 peaked_edge(const Frame& frame) {
+    if (frame.prolapse && frame.prolapse->length > 0.0) {
+        return prolapsed_edge(frame);
+    }
     if (!frame.vitreous || !(frame.vitreous->wound > 0.0)) {
         return Vec3::Zero();
     }
@@ -121,6 +132,12 @@ void set_harm(const Program& program, const Frame& frame) {
     program.set("folds", folds);
     program.set("hole", hole);
     program.set("caught_edge", caught_edge(frame));
+    Eigen::Vector4d prolapse = Eigen::Vector4d::Zero();
+    if (frame.prolapse && frame.wounds && frame.prolapse->length > 0.1) {
+        const Vec2 lip = frame.wounds->wounds[main_wound].inner.head<2>();
+        prolapse << lip.normalized(), lip.norm(), frame.prolapse->length;
+    }
+    program.set("prolapse", prolapse);
     set_vitreous(program, frame);
     const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
     program.set("crumb_count", static_cast<int>(crumbs));

@@ -148,7 +148,23 @@ Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-Image Renderer::draw(const Frame& frame, const Camera& camera) {
+namespace {
+
+/// The camera stands in the room, what is drawn in the eye's frame.
+Camera in_eye(const Frame& frame, Camera camera) {
+    if (frame.eye && frame.globe && frame.model->globe) {
+        const Quat back = rotation_of(*frame.globe).conjugate();
+        camera.eye = to_eye(*frame.model->globe, *frame.globe, camera.eye);
+        camera.target = to_eye(*frame.model->globe, *frame.globe, camera.target);
+        camera.up = back * camera.up;
+    }
+    return camera;
+}
+
+}  // namespace
+
+Image Renderer::draw(const Frame& frame, const Camera& room) {
+    const Camera camera = in_eye(frame, room);
     const GlContext::Use use(parts_->context);
     parts_->look_at(frame);
     Passes& passes = *parts_->passes;

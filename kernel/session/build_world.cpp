@@ -143,6 +143,17 @@ VitreousModel make_vitreous(const std::map<std::string, double>& settings, const
     return vitreous;
 }
 
+GlobeModel make_globe(const EyeAnatomy& eye) {
+    GlobeModel globe;
+    const double rise = std::sqrt(eye.globe_radius * eye.globe_radius - eye.limbus_radius * eye.limbus_radius);
+    globe.centre.z() = eye.limbus_z - rise;
+    globe.front_radius = eye.cornea_radius;
+    globe.front_centre.z() = eye.cornea_apex_z - eye.cornea_radius;
+    globe.lips = {eye.incision, eye.side_port};
+    globe.widths = {eye.incision_width, eye.side_port_width};
+    return globe;
+}
+
 constexpr double side_port_width = 1.0;  // [mm]
 
 bool has_instrument(const SceneDescription& scene, const std::string& name) {
@@ -250,6 +261,9 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         world->vitreous = make_vitreous(all_settings(scene), eye.value().anatomy);
         world->capsule->tear_speed = backed_tear_speed;
     }
+    if (has_tissue(scene, "globe")) {
+        world->globe = make_globe(eye.value().anatomy);
+    }
     if (has_tissue(scene, "anterior_capsule")) {
         world->membranes.push_back(make_anterior_capsule(lens_shape(scene.patient), eye.value().bag, scene.patient.age,
                                                          capsule_settings(all_settings(scene))));
@@ -263,6 +277,9 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     }
     if (has_tissue(scene, "chamber") && has_tissue(scene, "iris")) {
         world->iris = make_iris(eye.value().anatomy);
+        if (world->wounds) {
+            world->prolapse = ProlapseModel{};
+        }
     }
     for (const std::string& name : scene.instruments) {
         if (name == microscope_name) {

@@ -180,6 +180,22 @@ void fluid_fields(auto& io, auto& world) {
         inner(vitreous.open_s);
         inner(vitreous.inside);
     });
+    io.maybe(world.globe, [](auto& inner, auto& globe) {
+        inner(globe.roll);
+        for (auto& lip : globe.lips) {
+            inner(lip.excursion);
+            inner(lip.deflection);
+            inner(lip.enlargement);
+        }
+    });
+    io.maybe(world.prolapse, [](auto& inner, auto& prolapse) {
+        inner(prolapse.length);
+        inner(prolapse.most);
+        inner(prolapse.damage);
+        inner(prolapse.pushed);
+        inner(prolapse.stroke_s);
+        inner(prolapse.pull);
+    });
     io.maybe(world.microscope, [](auto& inner, auto& microscope) { inner(microscope.position); });
     io.maybe(world.capsule, [](auto& inner, auto& capsule) {
         inner(capsule.tool);

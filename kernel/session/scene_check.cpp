@@ -16,8 +16,8 @@
 namespace rhexis {
 namespace {
 
-const auto known_tissues = std::to_array<std::string>(
-    {"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber", "viscoelastic", "implant", "vitreous"});
+const auto known_tissues = std::to_array<std::string>({"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea",
+                                                       "chamber", "viscoelastic", "implant", "vitreous", "globe"});
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -99,6 +99,9 @@ Status check_combination(const SceneDescription& scene) {
     if (named("vitreous") && !(named("capsule") && named("chamber"))) {
         return Error{"tissues names vitreous without capsule and chamber", "",
                      "all three: it comes forward through the one into the other"};
+    }
+    if (named("globe") && !named("cornea")) {
+        return Error{"tissues names globe without cornea", "", "both: shafts turn the globe by the cornea"};
     }
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};

@@ -64,6 +64,7 @@ struct Session::Parts {
     void obey(std::span<const Command> commands);
     void read_input(std::span<const DeviceSample> given);
     void leave(int tool);
+    [[nodiscard]] DeviceSample in_eye(DeviceSample sample) const;
     void move_tools();
     void move_microscope();
     StepOutcome advance_physics();
@@ -219,6 +220,14 @@ void Session::Parts::read_input(std::span<const DeviceSample> given) {
     }
 }
 
+/// Hands and devices are in the room; what they hold is simulated in the eye's frame, which rolls.
+DeviceSample Session::Parts::in_eye(DeviceSample sample) const {
+    if (state.globe) {
+        sample.pose = to_eye(*world->globe, *state.globe, sample.pose);
+    }
+    return sample;
+}
+
 /// An implant that still lies in an injector leaves the eye with it.
 void Session::Parts::leave(int tool) {
     const ToolModel& model = world->tools[tool];
@@ -237,7 +246,7 @@ void Session::Parts::move_tools() {
             tools[i] = hold_tool(tools[i]);
             continue;
         }
-        ToolStep step_of_tool = next_tool(world->tools[i], tools[i], *samples[i], scene.step_s, limits);
+        ToolStep step_of_tool = next_tool(world->tools[i], tools[i], in_eye(*samples[i]), scene.step_s, limits);
         if (tools[i].present && !step_of_tool.state.present) {
             leave(i);
         }
@@ -463,7 +472,10 @@ Frame Session::frame() const {
             p.state.debris,
             p.state.microscope,
             p.state.time_s,
-            p.state.vitreous};
+            p.state.vitreous,
+            p.state.wounds,
+            p.state.globe,
+            p.state.prolapse};
 }
 
 Snapshot Session::snapshot() const {

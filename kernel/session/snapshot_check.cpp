@@ -157,6 +157,28 @@ Status microscope_fits(const WorldState& state, const WorldModel& world) {
     return fits ? success() : Status(misfit("the microscope"));
 }
 
+Status globe_fits(const WorldState& state, const WorldModel& world) {
+    bool fits = state.globe.has_value() == world.globe.has_value();
+    if (fits && state.globe) {
+        fits = state.globe->roll.allFinite() && state.globe->roll.norm() <= 1.0;
+        for (const Lip& lip : state.globe->lips) {
+            fits = fits && lip.deflection.allFinite() && std::isfinite(lip.excursion) && lip.enlargement >= 0.0 &&
+                   std::isfinite(lip.enlargement);
+        }
+    }
+    return fits ? success() : Status(misfit("the globe"));
+}
+
+Status prolapse_fits(const WorldState& state, const WorldModel& world) {
+    bool fits = state.prolapse.has_value() == world.prolapse.has_value();
+    if (fits && state.prolapse) {
+        const ProlapseState& own = *state.prolapse;
+        fits = own.length >= 0.0 && own.damage >= 0.0 && own.damage <= 1.0 &&
+               std::isfinite(own.length + own.most + own.pushed + own.stroke_s + own.pull);
+    }
+    return fits ? success() : Status(misfit("the prolapse of the iris"));
+}
+
 bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
 
 bool sound(const VitreousState& vitreous) {
@@ -235,6 +257,11 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
     }
     if (Status status = microscope_fits(snapshot.world, world); !status) {
         return status;
+    }
+    for (const Status& status : {globe_fits(snapshot.world, world), prolapse_fits(snapshot.world, world)}) {
+        if (!status) {
+            return status;
+        }
     }
     return settings_fit(snapshot);
 }

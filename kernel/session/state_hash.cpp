@@ -192,6 +192,22 @@ void add(StateHash& hash, const VitreousState& vitreous) {
     }
 }
 
+void add(StateHash& hash, const GlobeState& globe) {
+    add(hash, globe.roll);
+    for (const Lip& lip : globe.lips) {
+        add(hash, lip.deflection);
+        hash.add(lip.excursion);
+        hash.add(lip.enlargement);
+    }
+}
+
+void add(StateHash& hash, const ProlapseState& prolapse) {
+    for (const double value :
+         {prolapse.length, prolapse.most, prolapse.damage, prolapse.pushed, prolapse.stroke_s, prolapse.pull}) {
+        hash.add(value);
+    }
+}
+
 void add(StateHash& hash, const IrisState& iris) {
     hash.add(static_cast<std::uint64_t>(iris.tool + 1));
     add(hash, iris.place);
@@ -259,6 +275,12 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     add_if(hash, world.viscoelastic);
     if (world.vitreous) {
         add(hash, *world.vitreous);
+    }
+    if (world.globe) {
+        add(hash, *world.globe);
+    }
+    if (world.prolapse) {
+        add(hash, *world.prolapse);
     }
     if (world.microscope) {
         add(hash, world.microscope->position);

@@ -237,10 +237,17 @@ local function towards(value, target, most) return value + math.max(-most, math.
 --- The plan has run to its end.
 function Operator:done() return coroutine.status(self.thread) == "dead" end
 
--- What one hand does in the coming step. The wound holds the shaft, wherever one believes it to be.
+-- The wound holds the shaft, wherever one believes it to be; but an eye that can roll gives way to the hand, so that the
+-- shaft goes where one believes the wound to be.
+local function wound_of(self, name, landmarks)
+    local believed = landmarks.limbus and self.seen and self.seen.landmarks[name]
+    return believed or landmarks[name]
+end
+
+-- What one hand does in the coming step.
 local function move(self, side, landmarks, pedal)
     local hold = instruments.held(side.instrument)
-    local wound = landmarks[side.wound or hold.wound]
+    local wound = wound_of(self, side.wound or hold.wound, landmarks)
     local tip = vector.add(side.hand:advance(self.dt), side.tremble())
     side.jaw = towards(side.jaw, side.jaw_target, side.jaw_rate * self.dt)
     local shaft = wound and instruments.shaft(hold, wound.position, tip) or vector.unit({ 0, -1, 0.5 })

@@ -28,7 +28,7 @@ MicroscopeModel microscope() {
 }
 
 FieldOfView field_at(const Vec3& position, const EyeAnatomy& eye = bare_pupil()) {
-    return field_of_view(microscope(), MicroscopeState{position}, eye);
+    return field_of_view(microscope(), MicroscopeState{position}, eye, Vec3(0.0, 0.0, eye.iris_z));
 }
 
 bool shows(const Percept& percept, const std::string& name) {
@@ -42,7 +42,7 @@ Percept seen_from(const Vec3& position) {
                          {"tear_tip", true, Vec3(2.0, 0.0, 2.0), 0.0},
                          {"hidden", false, Vec3(0.0, 0.0, 2.0), 0.0},
                          {"incision", true, Vec3(0.0, -5.0, 2.5), 1.2}};
-    look_through(microscope(), MicroscopeState{position}, bare_pupil(), percept);
+    look_through(microscope(), MicroscopeState{position}, bare_pupil(), Vec3(0.0, 0.0, bare_pupil().iris_z), percept);
     return percept;
 }
 
