@@ -87,34 +87,10 @@ vec3 photographed(vec3 light) {
     return pow(value, vec3(1.0 / 2.2));
 }
 
-#if PART >= 1
 uniform sampler2D iris_map;
-uniform sampler2D inner_tools;
-uniform sampler2D stop;
-uniform vec3 reference;
-uniform float iris_z;
 uniform float pupil_radius;
-uniform vec3 incision;
 uniform float incision_width;
-uniform float wound_burn;
-uniform vec3 side_port;
-uniform float side_port_width;
 uniform vec4 prolapse;     // of the iris into the main wound: direction, from the axis, length; 0: there is none
-uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
-
-// Mirror image of the microscope's lamps in the tear film, and the glow around it.
-vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
-    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
-    const float sizes[3] = float[3](0.050, 0.046, 0.018);
-    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
-    vec2 light = vec2(0.0);
-    for (int i = 0; i < 3; ++i) {
-        float apart = length(slant - ways[i].xy);
-        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
-        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
-    }
-    return light * step(0.0, way.z);
-}
 
 vec3 iris_colour(vec3 at, float radius) {
     float outward = (radius - pupil_radius) / (limbus_radius + 0.25 - pupil_radius);
@@ -140,6 +116,31 @@ vec4 prolapsed(vec3 at) {
     float ridge = 0.55 + 0.35 * max(0.0, 1.0 - round) + 0.25 * (grain.g - 0.5);
     float wet = 0.5 * smoothstep(0.25, 0.0, length(off - vec2(-0.25, 0.30)));
     return vec4(fold * ridge + wet * lamp, hides);
+}
+
+#if PART >= 1
+uniform sampler2D inner_tools;
+uniform sampler2D stop;
+uniform vec3 reference;
+uniform float iris_z;
+uniform vec3 incision;
+uniform float wound_burn;
+uniform vec3 side_port;
+uniform float side_port_width;
+uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
+
+// Mirror image of the microscope's lamps in the tear film, and the glow around it.
+vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
+    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
+    const float sizes[3] = float[3](0.050, 0.046, 0.018);
+    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
+    vec2 light = vec2(0.0);
+    for (int i = 0; i < 3; ++i) {
+        float apart = length(slant - ways[i].xy);
+        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
+        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
+    }
+    return light * step(0.0, way.z);
 }
 
 // Where a burnt main wound is white: its roof and lips, more the nearer to its middle.

@@ -32,6 +32,8 @@ RUNS = [
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
     ("iol_injection", None),
+    ("wound_burn", None),
+    ("iris_prolapse", None),
 ]
 
 
