@@ -79,7 +79,10 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.vitreous) {
         groups.push_back(vitreous_measures());
     }
-    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous) {
+    if (world.wounds) {
+        groups.push_back(wounds_measures());
+    }
+    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous || world.wounds) {
         groups.push_back(presence_measures());
     }
     if (anterior_capsule(world) >= 0) {

@@ -32,6 +32,8 @@ RUNS = [
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
     ("iol_injection", None),
+    ("incision", None),
+    ("wound_closure", None),
 ]
 
 
