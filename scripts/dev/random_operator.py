@@ -34,6 +34,8 @@ RUNS = [
     ("iol_injection", None),
     ("wound_burn", None),
     ("iris_prolapse", None),
+    ("incision", None),
+    ("wound_closure", None),
 ]
 
 
