@@ -87,34 +87,10 @@ vec3 photographed(vec3 light) {
     return pow(value, vec3(1.0 / 2.2));
 }
 
-#if PART >= 1
 uniform sampler2D iris_map;
-uniform sampler2D inner_tools;
-uniform sampler2D stop;
-uniform vec3 reference;
-uniform float iris_z;
 uniform float pupil_radius;
-uniform vec3 incision;
 uniform float incision_width;
-uniform float wound_burn;
-uniform vec3 side_port;
-uniform float side_port_width;
 uniform vec4 prolapse;     // of the iris into the main wound: direction, from the axis, length; 0: there is none
-uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
-
-// Mirror image of the microscope's lamps in the tear film, and the glow around it.
-vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
-    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
-    const float sizes[3] = float[3](0.050, 0.046, 0.018);
-    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
-    vec2 light = vec2(0.0);
-    for (int i = 0; i < 3; ++i) {
-        float apart = length(slant - ways[i].xy);
-        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
-        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
-    }
-    return light * step(0.0, way.z);
-}
 
 vec3 iris_colour(vec3 at, float radius) {
     float outward = (radius - pupil_radius) / (limbus_radius + 0.25 - pupil_radius);
@@ -142,12 +118,59 @@ vec4 prolapsed(vec3 at) {
     return vec4(fold * ridge + wet * lamp, hides);
 }
 
+#if PART >= 1
+uniform sampler2D inner_tools;
+uniform sampler2D stop;
+uniform vec3 reference;
+uniform float iris_z;
+uniform vec3 incision;
+uniform float wound_burn;
+uniform vec3 side_port;
+uniform float side_port_width;
+uniform vec2 wound_swelling;  // of the stroma beside the main wound and the side port: 0 none, 1 white
+uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
+uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
+
+// Mirror image of the microscope's lamps in the tear film, and the glow around it.
+vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
+    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
+    const float sizes[3] = float[3](0.050, 0.046, 0.018);
+    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
+    vec2 light = vec2(0.0);
+    for (int i = 0; i < 3; ++i) {
+        float apart = length(slant - ways[i].xy);
+        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
+        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
+    }
+    return light * step(0.0, way.z);
+}
+
 // Where a burnt main wound is white: its roof and lips, more the nearer to its middle.
 float burnt(vec3 at, float grain) {
     vec2 outward = incision.xy / max(length(incision.xy), 1e-3);
     float along = at.y * outward.x - at.x * outward.y;
     float off = dot(outward, at.xy) - 1.04 * length(incision.xy);
     return min(0.95, 1.5 * exp(-pow(along / (0.65 * incision_width), 4.0) - pow(off / (0.34 + 0.2 * grain), 2.0)));
+}
+
+// Where the stroma beside a wound is white and tight with water: its tunnel and both of its sides.
+float swollen_stroma(vec3 at, vec3 inner_lip, float width, float grain) {
+    vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
+    float along = at.y * outward.x - at.x * outward.y;
+    float off = dot(outward, at.xy) - 0.5 * (length(inner_lip.xy) + limbus_radius);
+    float shape = exp(-pow(along / (0.62 * width + 0.35), 4.0) - pow(off / (0.75 + 0.5 * (grain - 0.5)), 4.0));
+    return 0.62 * shape * (0.75 + 0.5 * grain);
+}
+
+// Fluid on an outer lip: a film with a bright edge. Returns a brightness to add and the share it hides.
+vec2 film_on_lip(vec3 at, vec3 inner_lip, float reach, float grain) {
+    vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
+    vec2 off = at.xy - (limbus_radius - 0.05) * outward;
+    float along = off.y * outward.x - off.x * outward.y;
+    float far = length(vec2(0.55 * along, dot(off, outward))) + 0.25 * reach * (grain - 0.5);
+    float inside = 1.0 - smoothstep(reach - 0.10, reach, far);
+    float edge = exp(-pow((far - reach + 0.06) / 0.045, 2.0));
+    return vec2(0.30 * edge * (0.4 + grain) + 0.10 * inside, 0.28 * inside + 0.25 * edge);
 }
 
 // A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
@@ -477,11 +500,29 @@ void main() {
         vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
         inner = mix(inner, vec3(0.80, 0.79, 0.75) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
+        if (wound_swelling.x > 0.0) {
+            inner = mix(inner, vec3(0.70, 0.73, 0.74) * lamp,
+                        wound_swelling.x * swollen_stroma(on_cornea, incision, incision_width, grain.g));
+        }
+        if (wound_swelling.y > 0.0) {
+            inner = mix(inner, vec3(0.70, 0.73, 0.74) * lamp,
+                        wound_swelling.y * swollen_stroma(on_cornea, side_port, side_port_width, grain.g));
+        }
 #endif
         picture = mix(inner, picture, white);
         vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
         vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
         float clear = (1.0 - white) * step(0.0, to_cornea);
+#if PART < 3
+        if (wound_fluid.x > 0.0) {
+            vec2 film = film_on_lip(on_cornea, incision, wound_fluid.x, grain.g);
+            picture = picture * (1.0 - film.y) + film.x * lamp;
+        }
+        if (wound_fluid.y > 0.0) {
+            vec2 film = film_on_lip(on_cornea, side_port, wound_fluid.y, grain.g);
+            picture = picture * (1.0 - film.y) + film.x * lamp;
+        }
+#endif
         picture += clear * (2.6 * lamps.x + 0.03 * lamps.y + 0.003 + 0.006 * smoothstep(0.55, 0.9, grain.b)) * lamp;
     }
 #endif

@@ -2,7 +2,7 @@
 -- Iris in a wound that is short and lies far back: let the pressure out through the side port, and stroke it home.
 
 local phaco_events = require "phaco_events"
-local wound_events = require "wound_events"
+local globe_events = require "globe_events"
 
 return exercise {
     title = "Iris prolapse",
@@ -55,8 +55,8 @@ return exercise {
     },
 
     errors = {
-        error_event "Iris prolapse" (wound_events.iris_prolapse { items = { "G5", "T2", "T14" } }),
-        error_event "Eye rolled" (wound_events.eye_rolled { items = { "G1" } }),
+        error_event "Iris prolapse" (globe_events.iris_prolapse { items = { "G5", "T2", "T14" } }),
+        error_event "Eye rolled" (globe_events.eye_rolled { items = { "G1" } }),
         error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
     },
 

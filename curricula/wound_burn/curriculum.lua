@@ -2,7 +2,7 @@
 -- A plug in the tip: ultrasound would burn the wound. Find out before it does, have the tip cleared, and go on.
 
 local phaco_events = require "phaco_events"
-local wound_events = require "wound_events"
+local globe_events = require "globe_events"
 
 return exercise {
     title = "Ultrasound without flow",
@@ -79,7 +79,7 @@ return exercise {
     errors = {
         error_event "Infusion off" (phaco_events.infusion_off { items = { "T7", "T8" } }),
         error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "T14", "G1" } }),
-        error_event "Eye rolled" (wound_events.eye_rolled { items = { "G1" } }),
+        error_event "Eye rolled" (globe_events.eye_rolled { items = { "G1" } }),
     },
 
     time_limit_s = 240,

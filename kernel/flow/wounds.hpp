@@ -71,7 +71,7 @@ struct WoundsModel {
     double skin_stiffness = 3.0e5;   ///< of the cornea near the limbus under a sponge [uN/mm]
     double outflow =
         0.3 / 60.0 / pascal_per_mmhg;  ///< and inflow of aqueous: towards the pressure at rest [mm^3/(s Pa)]
-    double bleeding = 0.02;            ///< of the choroid, per pressure that drives it [mm^3/(s Pa)]
+    double bleeding = 0.006;           ///< of the choroid, per pressure that drives it [mm^3/(s Pa)]
     std::array<Wound, wound_count> start;
     double start_burn = 0.0;  ///< of the main wound, as in burn_share()
 };
@@ -85,7 +85,7 @@ struct WoundsState {
     std::size_t caught_at = main_wound;  ///< of which wound
     bool stitching = false;              ///< the needle is in the cornea
     Vec3 bite = Vec3::Zero();            ///< where it went in [mm]
-    double deepest = 0.0;                ///< that it went beyond the back of the cornea since [mm]
+    double deepest = 0.0;                ///< that it has been below the front since [mm]
     double pressed_s = 0.0;              ///< for which a sponge has pressed on the main wound [s]
     bool checked = false;                ///< it has pressed long and hard enough since the wounds were last changed
     double tested_leak = 0.0;            ///< most that came meanwhile [mm^3/s]

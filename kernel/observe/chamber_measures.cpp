@@ -80,14 +80,15 @@ public:
         const ChamberState& chamber = *input.state.chamber;
         const ChamberFlows& flows = input.state.flows;
         const double rest = input.eye.anatomy.anterior_chamber_depth;
-        const double depth = std::max(0.0, rest + depth_change(model, chamber.eye_volume));
+        const double in_front = volume_in_front(chamber, input.state.wounds ? &*input.state.wounds : nullptr);
+        const double depth = std::max(0.0, rest + depth_change(model, in_front));
         const double pressure = eye_pressure(model, chamber.eye_volume) / pascal_per_mmhg;
         const bool stepped = input.state.time_s > 0.0;
         const double lost = look_back(input.dt, depth, memory);
         remember(stepped ? std::min(pressure, flows.lowest_eye_pressure / pascal_per_mmhg) : pressure, depth / rest,
                  lost, memory);
         const double shift =
-            input.state.bags.empty() ? diaphragm_shift(model, chamber.eye_volume, 0.0) : input.state.bags[0].cushion_z;
+            input.state.bags.empty() ? diaphragm_shift(model, in_front, 0.0) : input.state.bags[0].cushion_z;
         std::size_t next = 0;
         for (const double value :
              {pressure, memory[lowest_pressure], depth, depth / rest, memory[least_share], lost, memory[surges], shift,

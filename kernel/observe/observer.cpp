@@ -85,7 +85,11 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.prolapse) {
         groups.push_back(prolapse_measures());
     }
-    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous || world.globe) {
+    if (world.wounds) {
+        groups.push_back(wounds_measures());
+    }
+    if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous || world.globe ||
+        world.wounds) {
         groups.push_back(presence_measures());
     }
     if (anterior_capsule(world) >= 0) {

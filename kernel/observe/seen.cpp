@@ -140,6 +140,29 @@ void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks)
     }
 }
 
+/// Where wounds are to be cut or have been, how they stand open, what comes out of them, and what holds them.
+void add_wound_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    constexpr double shows_gape = 0.1;      // share of a wound without a tunnel
+    constexpr double shows_fluid = 0.3;     // [mm^3]
+    constexpr double shows_swelling = 0.3;  // share of the most
+    constexpr double shows_peel = 0.3;      // [mm]
+    const WoundsState& state = *input.state.wounds;
+    const Wound& main = state.wounds[main_wound];
+    const Wound& side = state.wounds[side_port];
+    marks.push_back({"incision_site", true, main.outer, 0.5 * main.width});
+    marks.push_back({"side_port_site", true, side.outer, 0.5 * side.width});
+    marks.push_back({"wound_gape", main.gape > shows_gape, main.outer, main.gape});
+    marks.push_back({"wound_fluid", main.fluid > shows_fluid, main.outer, ball_radius(main.fluid)});
+    marks.push_back({"side_port_fluid", side.fluid > shows_fluid, side.outer, ball_radius(side.fluid)});
+    marks.push_back({"stroma_white", main.swelling > shows_swelling, main.outer, main.swelling});
+    marks.push_back({"side_port_white", side.swelling > shows_swelling, side.outer, side.swelling});
+    marks.push_back({"descemet_flap", main.peel > shows_peel, main.inner, main.peel});
+    marks.push_back({"stitches", main.sutures > 0, main.outer, static_cast<double>(main.sutures)});
+    // How hard the eye is, is felt by what presses on it.
+    marks.push_back({"hardness", main.press > 0.0 || side.press > 0.0, main.outer,
+                     eye_pressure(*input.world.chamber, input.state.chamber->eye_volume) / pascal_per_mmhg});
+}
+
 }  // namespace
 
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
@@ -167,6 +190,9 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
         }
     }
     add_harm_landmarks(input, percept.landmarks);
+    if (input.state.wounds) {
+        add_wound_landmarks(input, percept.landmarks);
+    }
     if (lens.model != nullptr) {
         add_lens_landmarks(input, lens, percept.landmarks);
         if (!input.world.bags.empty()) {

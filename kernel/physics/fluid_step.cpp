@@ -10,6 +10,8 @@
 #include "physics/iris_motion.hpp"
 #include "physics/iris_prolapse.hpp"
 #include "physics/vitreous_motion.hpp"
+#include "physics/wound_closing.hpp"
+#include "physics/wound_cutting.hpp"
 #include "physics/wound_heat.hpp"
 
 namespace rhexis {
@@ -74,7 +76,17 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         if (model.vitreous) {
             lay_viscoelastic(model, tools, probes, dt, state);
         }
+        if (model.wounds) {
+            cut_wounds(model, tools, dt, state);
+            close_wounds(model, tools, dt, state);
+        }
         ChamberControl control = chamber_control(model, tools, state.tips, probes, state.chamber->wound);
+        if (model.wounds) {
+            control.wound_open = wounds_open(model, tools, state);
+        }
+        if (model.prolapse) {  // it is the main wound that leaks
+            control.wound_open *= unplugged_share(*model.prolapse, *state.prolapse);
+        }
         if (model.vitreous) {
             control.wound_open = wound_release(*model.vitreous, *state.vitreous, control.wound_open);
         }
@@ -85,7 +97,11 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         state.flows = advance_chamber(chamber, control, dt, *state.chamber);
         heat_wound(hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0,
                    std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
-        const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
+        if (model.wounds) {
+            share_leak(model, tools, dt, state);
+        }
+        const double in_front = volume_in_front(*state.chamber, state.wounds ? &*state.wounds : nullptr);
+        const double shift = diaphragm_shift(chamber, in_front, hole_area(state));
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;
         }

@@ -47,7 +47,9 @@ void pull_edge(const IrisModel& model, std::span<const ToolState> tools, std::sp
 void move_iris(const WorldModel& model, std::span<const ToolState> tools, std::span<const MouthProbe> probes, double dt,
                WorldState& state) {
     IrisState& iris = *state.iris;
-    const double shift = state.chamber ? diaphragm_shift(*model.chamber, state.chamber->eye_volume, 0.0) : 0.0;
+    const WoundsState* const wounds = state.wounds ? &*state.wounds : nullptr;
+    const double shift =
+        state.chamber ? diaphragm_shift(*model.chamber, volume_in_front(*state.chamber, wounds), 0.0) : 0.0;
     iris.z = model.iris->rest_z + shift;
     iris.pupil_radius = model.iris->pupil_radius * std::clamp(1.0 - model.iris->widening * shift, 0.5, 1.5);
     iris.strain = 0.0;

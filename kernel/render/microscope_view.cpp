@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "math/roots.hpp"
 #include "render/still_lens.hpp"
 
 namespace rhexis {
@@ -103,6 +104,22 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("side_port_width", eye.side_port_width);
 }
 
+/// What shows of how wounds are shut, and of what comes out of them.
+void set_wounds(const Program& program, const Frame& frame) {
+    Vec2 swelling = Vec2::Zero();
+    Vec2 fluid = Vec2::Zero();
+    if (frame.wounds) {
+        constexpr double least = 0.05;  // on a lip, that shows [mm^3]
+        const Wound& main = frame.wounds->wounds[main_wound];
+        const Wound& side = frame.wounds->wounds[side_port];
+        swelling = Vec2(main.cut ? main.swelling : 0.0, side.cut ? side.swelling : 0.0);
+        fluid = Vec2(main.fluid > least ? 1.3 * ball_radius(main.fluid) : 0.0,
+                     side.fluid > least ? 1.3 * ball_radius(side.fluid) : 0.0);
+    }
+    program.set("wound_swelling", swelling);
+    program.set("wound_fluid", fluid);
+}
+
 /// The ball that stands on the hole, and the strand from there to the wound.
 void set_vitreous(const Program& program, const Frame& frame) {
     Eigen::Vector4d ball = Eigen::Vector4d::Zero();
@@ -139,6 +156,7 @@ void set_harm(const Program& program, const Frame& frame) {
     }
     program.set("prolapse", prolapse);
     set_vitreous(program, frame);
+    set_wounds(program, frame);
     const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
     program.set("crumb_count", static_cast<int>(crumbs));
     for (std::size_t i = 0; i < crumbs; ++i) {

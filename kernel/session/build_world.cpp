@@ -155,6 +155,42 @@ GlobeModel make_globe(const EyeAnatomy& eye) {
 }
 
 constexpr double side_port_width = 1.0;  // [mm]
+constexpr double side_port_inset = 1.5;  // [mm]
+
+/// Of the side port, across the view.
+Vec2 side_port_direction(const EyeAnatomy& eye, double angle) {
+    if (angle == 80.0) {
+        return eye.side_port.head<2>().normalized();
+    }
+    const Vec2 turned = direction_at(std::numbers::pi / 180.0 * angle);
+    return {-turned.y(), -turned.x()};
+}
+
+WoundsModel make_wounds(const std::map<std::string, double>& settings, const EyeAnatomy& eye, const Patient& patient) {
+    const HalfEllipsoids lens = lens_shape(patient);
+    WoundsModel wounds;
+    wounds.front_radius = eye.cornea_radius;
+    wounds.front_centre.z() = eye.cornea_apex_z - eye.cornea_radius;
+    wounds.back_radius = eye.cornea_back_radius;
+    wounds.back_centre.z() = eye.cornea_apex_z - eye.cornea_thickness - eye.cornea_back_radius;
+    wounds.limbus_radius = eye.limbus_radius;
+    wounds.iris_z = eye.iris_z + 0.5 * eye.iris_thickness;
+    wounds.pupil_radius = eye.pupil_radius;
+    wounds.lens_radius = lens.radius;
+    wounds.lens_front = lens.anterior;
+    wounds.start_burn = settings.at("wounds.main_burn");
+    Wound& main = wounds.start[main_wound];
+    Wound& side = wounds.start[rhexis::side_port];
+    main = made_wound(wounds, Vec2(0.0, -1.0), settings.at("wounds.main_tunnel_mm"),
+                      settings.at("wounds.main_width_mm"), settings.at("wounds.main_inner_lip_mm"));
+    main.peel = main.most_peel = settings.at("wounds.main_peel_mm");
+    side = made_wound(wounds, side_port_direction(eye, settings.at("side_port.angle_deg")),
+                      settings.at("wounds.side_tunnel_mm"), settings.at("wounds.side_width_mm"), side_port_inset);
+    // Where it is to be cut, an uncut wound has its lips.
+    main.begun = main.cut = settings.at("wounds.uncut") < 0.5;
+    side.begun = side.cut = settings.at("wounds.uncut") < 1.5;
+    return wounds;
+}
 
 bool has_instrument(const SceneDescription& scene, const std::string& name) {
     return std::find(scene.instruments.begin(), scene.instruments.end(), name) != scene.instruments.end();
@@ -263,6 +299,9 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     }
     if (has_tissue(scene, "globe")) {
         world->globe = make_globe(eye.value().anatomy);
+    }
+    if (has_tissue(scene, "wounds")) {
+        world->wounds = make_wounds(all_settings(scene), eye.value().anatomy, scene.patient);
     }
     if (has_tissue(scene, "anterior_capsule")) {
         world->membranes.push_back(make_anterior_capsule(lens_shape(scene.patient), eye.value().bag, scene.patient.age,

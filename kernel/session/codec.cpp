@@ -133,6 +133,49 @@ void step_fields(auto& io, auto& step) {
     io(step.hash);
 }
 
+void wounds_fields(auto& io, auto& world) {
+    io.maybe(world.wounds, [](auto& inner, auto& state) {
+        for (auto& wound : state.wounds) {
+            inner(wound.begun);
+            inner(wound.cut);
+            inner(wound.outer);
+            inner(wound.inner);
+            inner(wound.mark);
+            inner(wound.heading);
+            inner(wound.tunnel);
+            inner(wound.planes);
+            inner(wound.width);
+            inner(wound.passed);
+            inner(wound.left);
+            inner(wound.right);
+            inner(wound.peel);
+            inner(wound.most_peel);
+            inner(wound.swelling);
+            inner(wound.sutures);
+            inner(wound.distortion);
+            inner(wound.gape);
+            inner(wound.press);
+            inner(wound.leak);
+            inner(wound.fluid);
+        }
+        inner(state.touches);
+        inner(state.touching);
+        inner(state.catching);
+        inner(state.caught_at);
+        inner(state.stitching);
+        inner(state.bite);
+        inner(state.deepest);
+        inner(state.pressed_s);
+        inner(state.checked);
+        inner(state.tested_leak);
+        inner(state.peak_press);
+        inner(state.aqueous);
+        inner(state.injected);
+        inner(state.source);
+        inner(state.behind);
+    });
+}
+
 void fluid_fields(auto& io, auto& world) {
     io.maybe(world.chamber, [](auto& inner, auto& chamber) {
         inner(chamber.eye_volume);
@@ -348,6 +391,7 @@ void world_fields(auto& io, auto& world) {
         inner(bag.adherent);
     });
     fluid_fields(io, world);
+    wounds_fields(io, world);
     io.list(world.loads, 36, [](auto& inner, auto& load) {
         inner(load.solid);
         inner(load.nodes);

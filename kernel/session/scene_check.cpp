@@ -16,8 +16,9 @@
 namespace rhexis {
 namespace {
 
-const auto known_tissues = std::to_array<std::string>({"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea",
-                                                       "chamber", "viscoelastic", "implant", "vitreous", "globe"});
+const auto known_tissues =
+    std::to_array<std::string>({"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber",
+                                "viscoelastic", "implant", "vitreous", "globe", "wounds"});
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -102,6 +103,14 @@ Status check_combination(const SceneDescription& scene) {
     }
     if (named("globe") && !named("cornea")) {
         return Error{"tissues names globe without cornea", "", "both: shafts turn the globe by the cornea"};
+    }
+    if (named("wounds") && !(named("cornea") && named("chamber"))) {
+        return Error{"tissues names wounds without cornea and chamber", "",
+                     "all three: a wound goes through the one into the other"};
+    }
+    if (const double angle = std::abs(all_settings(scene).at("side_port.angle_deg")); named("wounds") && angle < 30.0) {
+        return Error{"settings.side_port.angle_deg is " + short_number(angle) + " from the main wound", "",
+                     "30 to 150, or -150 to -30: the wounds must not run into each other"};
     }
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};

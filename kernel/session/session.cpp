@@ -112,6 +112,14 @@ EyeAnatomy moved_anatomy(EyeAnatomy anatomy, const WorldState& state) {
     if (state.chamber) {
         anatomy.wound_burn = burn_share(state.chamber->wound);
     }
+    if (state.wounds) {
+        const Wound& main = state.wounds->wounds[main_wound];
+        const Wound& side = state.wounds->wounds[side_port];
+        anatomy.incision = main.cut ? main.inner : anatomy.incision;
+        anatomy.incision_width = main.cut ? main.width : 0.0;
+        anatomy.side_port = side.inner;
+        anatomy.side_port_width = side.cut ? side.width : 0.0;
+    }
     return anatomy;
 }
 
@@ -166,6 +174,9 @@ Session::Parts::Parts(const SceneDescription& description, std::uint64_t session
       was_refused(scene.instruments.size(), 0) {
     if (injects(scene)) {
         state.shells[0].loaded = true;  // until it is laid into its injector it lies flat beside the eye
+    }
+    if (state.wounds) {
+        eye.anatomy = moved_anatomy(rest_anatomy, state);
     }
     cut_into_segments();
     observer_memory.assign(observer.memory_size(), 0.0);
@@ -296,6 +307,9 @@ void Session::Parts::keep_state_of_failed_step(StepFailure failure) {
 StepOutcome Session::Parts::advance_physics() {
     if (step % checkpoint_steps == 0) {
         physics.drop_caches();  // by count, recording or not: going on from a checkpoint equals running through
+    }
+    if (state.wounds) {
+        state.wounds->source = pascal_per_mmhg * settings.at("suprachoroidal.pressure_mmhg");
     }
     StepOutcome outcome = physics.advance(state, tools, scene.step_s, next, contacts, profile);
     for (const std::string& line : outcome.notes) {

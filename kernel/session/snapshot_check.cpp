@@ -189,6 +189,27 @@ bool sound(const VitreousState& vitreous) {
     return std::isfinite(sum) && vitreous.caught.allFinite();
 }
 
+bool sound(const Wound& wound) {
+    const double sum = wound.tunnel + wound.width + wound.passed + wound.left + wound.right + wound.peel +
+                       wound.most_peel + wound.swelling + wound.distortion + wound.gape + wound.press + wound.leak +
+                       wound.fluid;
+    return std::isfinite(sum) && wound.outer.allFinite() && wound.inner.allFinite() && wound.mark.allFinite() &&
+           wound.heading.allFinite() && wound.planes >= 0 && wound.sutures >= 0;
+}
+
+bool sound(const WoundsState& state) {
+    const double sum = state.deepest + state.pressed_s + state.tested_leak + state.peak_press + state.aqueous +
+                       state.injected + state.source + state.behind;
+    return std::isfinite(sum) && state.bite.allFinite() && state.touches >= 0 && state.caught_at < wound_count &&
+           std::all_of(state.wounds.begin(), state.wounds.end(), [](const Wound& wound) { return sound(wound); });
+}
+
+Status wounds_fit(const WorldState& state, const WorldModel& world) {
+    const bool fits = state.wounds.has_value() == world.wounds.has_value() &&
+                      (!state.wounds || (tool_fits(state.wounds->catching, world) && sound(*state.wounds)));
+    return fits ? success() : Status(misfit("the wounds"));
+}
+
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
     if (state.chamber.has_value() != world.chamber.has_value() ||
         state.capsule.has_value() != world.capsule.has_value() || state.iris.has_value() != world.iris.has_value() ||
@@ -253,6 +274,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
         return status;
     }
     if (Status status = fluid_fits(snapshot.world, world); !status) {
+        return status;
+    }
+    if (Status status = wounds_fit(snapshot.world, world); !status) {
         return status;
     }
     if (Status status = microscope_fits(snapshot.world, world); !status) {

@@ -208,6 +208,33 @@ void add(StateHash& hash, const ProlapseState& prolapse) {
     }
 }
 
+void add(StateHash& hash, const Wound& wound) {
+    hash.add(static_cast<std::uint64_t>(wound.planes) * 4 + (wound.begun ? 1 : 0) + (wound.cut ? 2 : 0));
+    hash.add(static_cast<std::uint64_t>(wound.sutures));
+    for (const Vec3* const place : {&wound.outer, &wound.inner, &wound.mark, &wound.heading}) {
+        add(hash, *place);
+    }
+    for (const double value :
+         {wound.tunnel, wound.width, wound.passed, wound.left, wound.right, wound.peel, wound.most_peel, wound.swelling,
+          wound.distortion, wound.gape, wound.press, wound.leak, wound.fluid}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const WoundsState& state) {
+    for (const Wound& wound : state.wounds) {
+        add(hash, wound);
+    }
+    hash.add(static_cast<std::uint64_t>(state.touches) * 8 + (state.touching ? 1 : 0) + (state.stitching ? 2 : 0) +
+             (state.checked ? 4 : 0));
+    hash.add(static_cast<std::uint64_t>(state.catching + 1) * wound_count + state.caught_at);
+    add(hash, state.bite);
+    for (const double value : {state.deepest, state.pressed_s, state.tested_leak, state.peak_press, state.aqueous,
+                               state.injected, state.source, state.behind}) {
+        hash.add(value);
+    }
+}
+
 void add(StateHash& hash, const IrisState& iris) {
     hash.add(static_cast<std::uint64_t>(iris.tool + 1));
     add(hash, iris.place);
@@ -281,6 +308,9 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     }
     if (world.prolapse) {
         add(hash, *world.prolapse);
+    }
+    if (world.wounds) {
+        add(hash, *world.wounds);
     }
     if (world.microscope) {
         add(hash, world.microscope->position);

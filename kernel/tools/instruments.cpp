@@ -11,12 +11,14 @@
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
 #include "tools/spatula.hpp"
+#include "tools/wound_tools.hpp"
 
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",      "cutter", "cystotome", "forceps", "hook",         "injector",
-            "lens_forceps", "phaco",  "probe",     "spatula", "triamcinolone"};
+    return {"cannula",         "cutter",   "cystotome",    "forceps",       "hook",  "hydration_cannula",
+            "injector",        "keratome", "lens_forceps", "needle_holder", "phaco", "probe",
+            "side_port_blade", "spatula",  "sponge",       "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -58,6 +60,21 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "triamcinolone") {
         return triamcinolone_cannula();
+    }
+    if (name == "keratome") {
+        return keratome();
+    }
+    if (name == "side_port_blade") {
+        return side_port_blade();
+    }
+    if (name == "hydration_cannula") {
+        return hydration_cannula();
+    }
+    if (name == "needle_holder") {
+        return needle_holder();
+    }
+    if (name == "sponge") {
+        return sponge();
     }
     return Error{"there is no instrument '" + std::string(name) + "'", "instruments", suggestion(name, tool_names())};
 }

@@ -32,6 +32,10 @@ RUNS = [
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
     ("iol_injection", None),
+    ("wound_burn", None),
+    ("iris_prolapse", None),
+    ("incision", None),
+    ("wound_closure", None),
 ]
 
 

@@ -20,6 +20,12 @@ local held = {
     cannula = bent(0.6),
     triamcinolone = bent(0.6, "side_port"),
     hook = bent(0.5, "side_port"),
+    -- They work from outside: about where a wound is, or is to be.
+    keratome = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
+    side_port_blade = { wound = "side_port_site", orientation = vector.orientation, bend_mm = 0 },
+    hydration_cannula = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
+    needle_holder = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
+    sponge = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
 }
 
 --- name: of an instrument of the scene.

@@ -19,7 +19,7 @@ return scenarios {
     scenario "eye rolled, shaft back to the wound" {
         function(t)
             come_in(t)
-            carry(t, 3)
+            carry(t, 5)
             t:expect_event("Eye rolled", { within = 1 })
             t:expect("globe.corneal_deflection_mm > 0.3 and globe.excursion_mm > 2")
             t.phaco:move_to(over_lens, { seconds = 1, shaft = "wound" })
@@ -30,7 +30,7 @@ return scenarios {
     scenario "eye rolled, and held so" {
         function(t)
             come_in(t)
-            carry(t, 3)
+            carry(t, 5)
             t:expect_event("Eye rolled", { within = 1 })
             t:expect_event("Eye rolled", { recovered = false, within = 5 })
         end },
