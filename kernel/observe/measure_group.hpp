@@ -86,6 +86,7 @@ std::unique_ptr<MeasureGroup> capsule_measures();
 std::unique_ptr<MeasureGroup> reflex_measures();
 std::unique_ptr<MeasureGroup> viscoelastic_measures();
 std::unique_ptr<MeasureGroup> vitreous_measures();
+std::unique_ptr<MeasureGroup> zonule_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
 /// tools: how many instruments the scene has.
 std::unique_ptr<MeasureGroup> motion_measures(std::size_t tools);

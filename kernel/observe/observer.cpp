@@ -79,6 +79,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.vitreous) {
         groups.push_back(vitreous_measures());
     }
+    if (!world.bags.empty() && world.bags[0].breakable) {
+        groups.push_back(zonule_measures());
+    }
     if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous) {
         groups.push_back(presence_measures());
     }

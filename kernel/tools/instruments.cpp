@@ -11,12 +11,13 @@
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
 #include "tools/spatula.hpp"
+#include "tools/zonule_tools.hpp"
 
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",      "cutter", "cystotome", "forceps", "hook",         "injector",
-            "lens_forceps", "phaco",  "probe",     "spatula", "triamcinolone"};
+    return {"cannula",      "capsule_hook", "cutter", "cystotome", "forceps", "hook",         "injector",
+            "lens_forceps", "phaco",        "probe",  "ring",      "spatula", "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -52,6 +53,12 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "cannula") {
         return viscoelastic_cannula();
+    }
+    if (name == "capsule_hook") {
+        return capsule_hook();
+    }
+    if (name == "ring") {
+        return tension_ring();
     }
     if (name == "cutter") {
         return cutter();

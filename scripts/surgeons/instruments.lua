@@ -20,6 +20,8 @@ local held = {
     cannula = bent(0.6),
     triamcinolone = bent(0.6, "side_port"),
     hook = bent(0.5, "side_port"),
+    capsule_hook = bent(0.5, "side_port"),
+    ring = bent(0.5),
 }
 
 --- name: of an instrument of the scene.

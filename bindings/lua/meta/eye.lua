@@ -25,9 +25,9 @@ local eye = {}
 ---
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". With capsule and
----chamber "vitreous": it comes forward through a hole in the capsule. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
+---chamber "vitreous": it comes forward through a hole in the capsule, and where zonules are lost. With a bag "zonules": they can break. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "cutter", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe",
+---Instruments: "cannula", "capsule_hook", "cutter", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe",
 ---"spatula", "triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
 ---where its settings leave it.
 ---```lua
