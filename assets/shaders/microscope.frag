@@ -129,6 +129,8 @@ uniform vec3 side_port;
 uniform float side_port_width;
 uniform vec2 wound_swelling;  // of the stroma beside the main wound and the side port: 0 none, 1 white
 uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
+uniform vec4 capsule_hooks[5];  // across the eye: where each holds the edge of the opening, and the limbus
+uniform int capsule_hook_count;
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.
@@ -215,6 +217,8 @@ uniform int has_bag;
 uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
+uniform int bag_edge_shows;     // whether the scene has a bag that can come out behind the iris
+uniform float ring_in;          // share of a tension ring in it
 uniform float cortical_opacity;
 uniform sampler2D sheets;  // see SheetLayer
 uniform int has_sheets;
@@ -395,6 +399,22 @@ vec3 capsule(vec3 entry, vec3 way) {
     return lamp * (0.34 * edge * lit + 0.10 * fold * lit + veil * (0.006 + 0.030 * smoothstep(0.72, 1.0, sheen)));
 }
 
+// Beyond the edge of a bag that has come out behind the iris: the reflex without a lens, and the edge itself.
+vec3 past_bag(vec3 deep, vec3 entry, vec3 way, float covered) {
+    if (has_bag == 0 || bag_edge_shows == 0) {
+        return deep;
+    }
+    vec3 from = (bag_from_world * vec4(entry, 1.0)).xyz;
+    vec3 along = mat3(bag_from_world) * way;
+    vec2 at = (from - from.z / along.z * along).xy;
+    float beyond = length(at) - bag_shape.x + 0.05 * (texture(detail_map, at * 0.21).r - 0.5);
+    vec3 reflex = fundus * fundus_light * texelFetch(pupil_light, ivec2(0), 0).rgb;
+    deep = mix(deep, reflex, smoothstep(-0.01, 0.06, beyond) * (1.0 - covered));
+    deep *= 1.0 - 0.62 * exp(-pow((beyond + 0.03) / 0.06, 2.0)) * (1.0 - covered);
+    float ring = ring_in * exp(-pow((beyond + 0.26) / 0.07, 2.0)) * (1.0 - covered);
+    return mix(deep, vec3(0.20, 0.26, 0.42) * lamp, 0.75 * ring);
+}
+
 // What thin sheets do to the light of what lies under them. A stained layer keeps red back and returns blue.
 const vec3 stain_passes = vec3(0.31, 0.66, 1.0);
 const vec3 stain_returns = vec3(0.026, 0.125, 0.40);
@@ -476,7 +496,8 @@ void main() {
     vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
 #endif
 #if PART >= 2
-    vec3 deep = under_sheets(pupil_colour(entry, inside, tool, iris_rho)) * (1.0 - 0.12 * shade.r) +
+    vec3 lens = past_bag(pupil_colour(entry, inside, tool, iris_rho), entry, inside, tool.a);
+    vec3 deep = under_sheets(lens) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
     float aside = caught_edge.z != 0.0 ? dot(on_iris.xy, caught_edge.xy) / max(iris_rho, 0.01) : -1.0;
     float edge = caught_edge.z < 0.0 ? pupil_radius + caught_edge.z * (1.0 - exp(-(1.0 - aside) / 0.06))
@@ -489,6 +510,18 @@ void main() {
     inner = mix(deep, inner, smoothstep(edge - soft, edge + soft, iris_rho));
 #endif
 #endif
+
+    for (int i = 0; i < capsule_hook_count; ++i) {
+        vec2 line = capsule_hooks[i].zw - capsule_hooks[i].xy;
+        vec2 off = on_iris.xy - capsule_hooks[i].xy;
+        float share = clamp(dot(off, line) / dot(line, line), 0.0, 1.0);
+        float beside = length(off - share * line);
+        float wide = share < 0.08 ? 0.13 : 0.075;
+        float soft_edge = max(0.02, 0.8 * pixel_mm);
+        float round_light = sqrt(max(0.0, 1.0 - pow(min(beside / wide, 1.0), 2.0)));
+        inner = mix(inner, vec3(0.05, 0.11, 0.34) * lamp * (0.45 + 0.9 * round_light),
+                    0.92 * (1.0 - smoothstep(wide - soft_edge, wide + soft_edge, beside)));
+    }
 
     if (has_cornea == 0) {
         picture = inner;

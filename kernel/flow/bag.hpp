@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "flow/zonules.hpp"
 #include "math/types.hpp"
 
 namespace rhexis {
@@ -54,6 +56,7 @@ struct BagModel {
     double cushion = 0.0;         ///< stiffness with which the vitreous holds it along z [uN/mm]; 0: no vitreous
     double adhesion = 0.0;        ///< cortex to capsule where they still adhere: strength [Pa]
     std::vector<std::uint8_t> adherent;  ///< per coarse node of the lens: 1 where they do at the start; empty: nowhere
+    std::optional<ZonuleModel> breakable;  ///< zonules that can break; none: they hold whatever happens
 };
 
 struct BagState {
@@ -63,6 +66,7 @@ struct BagState {
     double cushion_z = 0.0;                ///< where the vitreous holds it now [mm]
     Vec6 load = Vec6::Zero();              ///< force and torque of instruments on its wall [uN, uN mm]
     std::vector<std::uint8_t> adherent;    ///< as in the model, now
+    std::optional<ZonuleState> zonules;    ///< there where the model has zonules that can break
 };
 
 }  // namespace rhexis

@@ -15,8 +15,23 @@ namespace rhexis {
 /// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger
 /// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it; blade: it
 /// cuts its way into the eye; hydrator: a cannula with saline; needle: it carries a suture; sponge: it presses from
-/// outside.
-enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter, blade, hydrator, needle, sponge };
+/// outside; capsule_hook: stays on the edge of the capsule's opening when the hand lets go of it there; ring: is fed
+/// into the bag.
+enum class ToolKind {
+    probe,
+    phaco,
+    cystotome,
+    forceps,
+    cannula,
+    injector,
+    cutter,
+    blade,
+    hydrator,
+    needle,
+    sponge,
+    capsule_hook,
+    ring
+};
 
 /// Cuts per minute of a cutter at its fastest.
 inline constexpr double fastest_cutter = 5000.0;
@@ -91,7 +106,8 @@ struct ToolState {
     Vec3 velocity = Vec3::Zero();  ///< of the tip [mm/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
     double jaw = 0.0;                      ///< opening, 0 closed to 1 open; cannula: how hard the hand presses, 0 to 1;
-                                           ///< injector: how far the hand wants the plunger, share of its stroke
+                                           ///< injector: how far the hand wants the plunger, share of its stroke;
+                                           ///< capsule_hook: 1 held; ring: how far the hand has fed it
     double previous_jaw = 0.0;             ///< at the end of the previous step
     double pedal = 0.0;                    ///< 0 to 3
     bool irrigation = false;               ///< pedal at 1 or more

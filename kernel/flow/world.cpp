@@ -17,6 +17,9 @@ WorldState rest_state(const WorldModel& model) {
     state.bags.resize(model.bags.size());
     for (std::size_t i = 0; i < model.bags.size(); ++i) {
         state.bags[i].adherent = model.bags[i].adherent;
+        if (model.bags[i].breakable) {
+            state.bags[i].zonules = rest_state(*model.bags[i].breakable);
+        }
     }
     state.tips.resize(model.tools.size());
     state.plungers.resize(model.tools.size());
@@ -52,6 +55,15 @@ WorldState rest_state(const WorldModel& model) {
         state.microscope = MicroscopeState{model.microscope->start};
     }
     return state;
+}
+
+Vec3 vitreous_place(const WorldModel& model, const std::vector<BagState>& bags, const CapsuleState& capsule,
+                    const VitreousState& vitreous) {
+    const BagState& bag = bags[0];
+    if (bag.zonules && vitreous.front[zonule_gap] > vitreous.front[capsule_hole]) {
+        return bag.pose.to_world(model.bags[0].shape.radius * widest_gap(model.bags[0], *bag.zonules).middle);
+    }
+    return bag.pose.to_world(capsule.hole_place);
 }
 
 }  // namespace rhexis

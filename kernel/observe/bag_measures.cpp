@@ -17,9 +17,12 @@ struct ZonuleLoad {
 ZonuleLoad zonule_load(const BagModel& model, const BagState& state) {
     Vec3 sum = Vec3::Zero();
     ZonuleLoad result;
-    for (const ZonuleSpring& spring : model.zonules) {
-        sum += zonule_force(spring, state.pose);
-        result.strain = std::max(result.strain, zonule_strain(spring, state.pose));
+    const ZonuleShares shares(model, state);
+    for (std::size_t i = 0; i < model.zonules.size(); ++i) {
+        if (shares.of(i) > 0.0) {
+            sum += shares.of(i) * zonule_force(model.zonules[i], state.pose);
+            result.strain = std::max(result.strain, zonule_strain(model.zonules[i], state.pose));
+        }
     }
     result.load = sum.norm();
     return result;

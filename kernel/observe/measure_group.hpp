@@ -89,6 +89,7 @@ std::unique_ptr<MeasureGroup> vitreous_measures();
 std::unique_ptr<MeasureGroup> globe_measures();
 std::unique_ptr<MeasureGroup> prolapse_measures();
 std::unique_ptr<MeasureGroup> wounds_measures();
+std::unique_ptr<MeasureGroup> zonule_measures();
 std::unique_ptr<MeasureGroup> presence_measures();
 /// tools: how many instruments the scene has.
 std::unique_ptr<MeasureGroup> motion_measures(std::size_t tools);

@@ -88,6 +88,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (world.wounds) {
         groups.push_back(wounds_measures());
     }
+    if (!world.bags.empty() && world.bags[0].breakable) {
+        groups.push_back(zonule_measures());
+    }
     if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous || world.globe ||
         world.wounds) {
         groups.push_back(presence_measures());

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "math/roots.hpp"
+#include "observe/bag_edge.hpp"
 
 namespace rhexis {
 namespace {
@@ -61,6 +63,15 @@ void add_lens_landmarks(const ObserveInput& input, const LensView& lens, std::ve
     add_groove_landmarks(lens, eye, marks);
 }
 
+/// From how many degrees without zonules on the bag visibly lacks its hold there. Proposal
+constexpr double seen_gap_deg = 30.0;
+
+/// Height of the edge of the opening over the equator, share of the front pole's.
+double rim_share(const BagModel& bag) {
+    const double share = bag.opening_radius / bag.shape.radius;
+    return std::sqrt(std::max(0.0, 1.0 - share * share));
+}
+
 /// The edge of the opened anterior capsule; it shows where the pupil is wider.
 Landmark capsulorhexis(const BagModel& bag, const BagState& state, const EyeAnatomy& eye) {
     const double share = bag.opening_radius / bag.shape.radius;
@@ -102,7 +113,7 @@ void add_vitreous_landmarks(const ObserveInput& input, std::vector<Landmark>& ma
     constexpr double shows = 0.3;  // of what hangs in front: share that is white
     constexpr double peaks = 1.0;  // of what hangs in the wound [mm^3]
     const VitreousState& vitreous = *input.state.vitreous;
-    const Vec3 hole = input.state.bags[0].pose.to_world(input.state.capsule->hole_place);
+    const Vec3 hole = vitreous_place(input.world, input.state.bags, *input.state.capsule, vitreous);
     const double front = vitreous_in_front(vitreous);
     const double radius = vitreous_radius(front);
     marks.push_back({"pupil_peak", vitreous.wound > peaks, input.world.vitreous->wound, vitreous.wound});
@@ -112,6 +123,25 @@ void add_vitreous_landmarks(const ObserveInput& input, std::vector<Landmark>& ma
     // Its edge bends the light: how full the chamber is of it can be judged as in a still chamber.
     marks.push_back({"viscoelastic", true, Vec3(0.0, 0.0, input.eye.anatomy.iris_z),
                      filled_share(*input.world.vitreous, vitreous)});
+}
+
+/// A bag that lies beside its place: its edge, where it comes out behind the iris, and its tilt. Hooks and ring show.
+void add_zonule_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    const BagState& bag = input.state.bags[0];
+    const ZonuleGap gap = widest_gap(input.world.bags[0], *bag.zonules);
+    const BagEdge edge = bag_edge(input);
+    marks.push_back({"bag_edge", edge.inside > 0.0, edge.place, edge.inside});
+    // Towards a gap the edge of the opening stands nearest to the middle: there it lacks its hold.
+    marks.push_back({"zonule_gap", gap.width_deg >= seen_gap_deg,
+                     bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
+                                       input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) *
+                                           Vec3::UnitZ()),
+                     0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
+    marks.push_back({"ring", bag.zonules->ring >= 1.0, bag.pose.position, input.world.bags[0].shape.radius});
+    for (std::size_t i = 0; i < bag.zonules->hooks.size(); ++i) {
+        marks.push_back({"capsule_hook_" + std::to_string(i + 1), true,
+                         bag.pose.to_world(bag.zonules->hooks[i].on_bag), 0.0});
+    }
 }
 
 /// What shows of a capsule that is held or open, and of an iris that is caught.
@@ -134,6 +164,9 @@ void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks)
         const bool shows = input.state.prolapse->length > 0.2;
         const Wound& wound = input.state.wounds->wounds[main_wound];
         marks.push_back({"iris_prolapse", shows, wound.outer, input.state.prolapse->length});
+    }
+    if (!input.state.bags.empty() && input.state.bags[0].zonules) {
+        add_zonule_landmarks(input, marks);
     }
     if (input.state.iris) {
         marks.push_back({"iris_caught", input.state.iris->tool >= 0, input.state.iris->place, 0.5});

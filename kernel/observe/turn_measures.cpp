@@ -33,8 +33,10 @@ double torque_on_lens(const ContactSet& contacts, ContactPartner partner, const 
 
 double zonule_torque(const BagModel& model, const BagState& state, const Axis& axis) {
     double sum = 0.0;
-    for (const ZonuleSpring& spring : model.zonules) {
-        sum += axis.torque(state.pose.to_world(spring.on_bag), zonule_force(spring, state.pose));
+    const ZonuleShares shares(model, state);
+    for (std::size_t i = 0; i < model.zonules.size(); ++i) {
+        const ZonuleSpring& spring = model.zonules[i];
+        sum += axis.torque(state.pose.to_world(spring.on_bag), shares.of(i) * zonule_force(spring, state.pose));
     }
     return sum;
 }

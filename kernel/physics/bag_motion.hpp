@@ -14,8 +14,9 @@ double bag_radius_squared(const BagModel& bag);
 /// Moment of inertia about any axis through the centre [g mm^2].
 double bag_inertia(const BagModel& bag);
 
-/// Force and torque about the centre of the zonules, and of the vitreous where it holds the bag at cushion_z.
-Vec6 suspension_wrench(const BagModel& bag, const Pose& pose, double cushion_z);
+/// Force and torque about the centre at a pose: of the zonules that hold, of hooks, and of the vitreous where that
+/// holds the bag.
+Vec6 suspension_wrench(const BagModel& bag, const BagState& state, const Pose& pose);
 
 /// Springs, drag, load and inertia at the end of an implicit step of dt [s] that moved the bag from `state` to pose.
 RigidTerm bag_term(const BagModel& bag, const BagState& state, const Pose& pose, const Vec6& velocity, double dt);

@@ -24,6 +24,7 @@
 #include "physics/tear_tip.hpp"
 #include "physics/viscoelastic_fill.hpp"
 #include "physics/world_check.hpp"
+#include "physics/zonule_loss.hpp"
 
 namespace rhexis {
 
@@ -425,6 +426,11 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
                 accelerate_bag(s.model->bags[b], dt / bag_substeps, next.bags[b]);
                 move_bag(dt / bag_substeps, next.bags[b]);
             }
+        }
+    }
+    for (std::size_t b = 0; b < next.bags.size(); ++b) {
+        if (next.bags[b].zonules) {
+            tend_zonules(s.model->bags[b], s.model->tools, tools, dt, next.bags[b]);
         }
     }
     if (next.capsule) {

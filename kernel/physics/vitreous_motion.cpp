@@ -9,6 +9,7 @@ namespace rhexis {
 
 namespace {
 
+constexpr double narrow_gap = 45.0;  ///< between zonules, through which no vitreous comes [degrees]. Proposal
 constexpr double reach = 0.4;      ///< of a mouth beyond what hangs in front [mm]. Proposal
 constexpr double wholly = 2.0;     ///< volume that fills a mouth [mm^3]. Proposal
 constexpr double shuts = 0.7;      ///< share of a mouth that uncut vitreous shuts. Proposal
@@ -234,14 +235,34 @@ void wash_out(const WorldModel& model, const std::array<WayForward, opening_coun
     }
 }
 
+/// Between the edge of the bag and the ciliary body, where no zonule is left; a narrow gap lets nothing through.
+WayForward gap_way(const BagModel& model, const BagState& state) {
+    const ZonuleGap gap = widest_gap(model, *state.zonules);
+    if (gap.width_deg < narrow_gap) {
+        return {};
+    }
+    const Vec3 edge = state.pose.to_world(model.shape.radius * gap.middle);
+    double ciliary = 0.0;
+    for (const ZonuleSpring& spring : model.zonules) {
+        ciliary = std::max(ciliary, spring.on_ciliary.head<2>().norm());
+    }
+    const double width = std::max(0.0, ciliary - edge.head<2>().norm());
+    const double arc = gap.width_deg * std::numbers::pi / 180.0;
+    const double area = 0.5 * arc * (ciliary + edge.head<2>().norm()) * width;
+    return {edge + 0.5 * width * gap.middle, area, std::sqrt(area / std::numbers::pi)};
+}
+
 }  // namespace
 
-std::array<WayForward, opening_count> ways_forward(const WorldModel&, const WorldState& state) {
+std::array<WayForward, opening_count> ways_forward(const WorldModel& model, const WorldState& state) {
     std::array<WayForward, opening_count> ways;
     if (state.capsule && !state.bags.empty() && state.capsule->hole_radius > 0.0) {
         const double radius = state.capsule->hole_radius;
         ways[capsule_hole] = {state.bags[0].pose.to_world(state.capsule->hole_place),
                               std::numbers::pi * radius * radius, radius};
+    }
+    if (!state.bags.empty() && state.bags[0].zonules) {
+        ways[zonule_gap] = gap_way(model.bags[0], state.bags[0]);
     }
     return ways;
 }

@@ -29,6 +29,7 @@ double reach_of_wound(const EyeAnatomy& eye, const Vec3& inner_lip, double width
     return width > 0.0 ? 1.075 * inner_lip.head<2>().norm() - 0.35 : eye.limbus_radius;
 }
 
+constexpr std::size_t most_hooks = 5;    ///< that are drawn; as in the shader
 constexpr std::size_t most_crumbs = 24;  ///< that are drawn; as in the shader
 
 /// Likewise iris in the wound, which takes the edge along.
@@ -127,7 +128,7 @@ void set_vitreous(const Program& program, const Frame& frame) {
     double white = 0.0;
     if (frame.vitreous && frame.capsule && !frame.bags.empty()) {
         const double radius = vitreous_radius(vitreous_in_front(*frame.vitreous));
-        const Vec3 place = frame.bags[0].pose.to_world(frame.capsule->hole_place);
+        const Vec3 place = vitreous_place(*frame.model, frame.bags, *frame.capsule, *frame.vitreous);
         ball << place + radius * Vec3::UnitZ(), radius;
         strand << frame.eye->incision, frame.vitreous->wound > 0.0 ? vitreous_radius(frame.vitreous->wound) : 0.0;
         white = frame.vitreous->marked;
@@ -167,6 +168,21 @@ void set_harm(const Program& program, const Frame& frame) {
     }
 }
 
+/// What shows of a bag whose zonules can break: its edge, a ring, and hooks.
+void set_zonules(const Program& program, const Frame& frame) {
+    const bool breakable = !frame.bags.empty() && frame.bags[0].zonules.has_value();
+    program.set("bag_edge_shows", breakable ? 1 : 0);
+    program.set("ring_in", breakable ? frame.bags[0].zonules->ring : 0.0);
+    const std::size_t hooks = breakable ? std::min(frame.bags[0].zonules->hooks.size(), most_hooks) : 0;
+    program.set("capsule_hook_count", static_cast<int>(hooks));
+    for (std::size_t i = 0; i < hooks; ++i) {
+        const CapsuleHook& hook = frame.bags[0].zonules->hooks[i];
+        Eigen::Vector4d line;
+        line << frame.bags[0].pose.to_world(hook.on_bag).head<2>(), hook.at_limbus.head<2>();
+        program.set(("capsule_hooks[" + std::to_string(i) + "]").c_str(), line);
+    }
+}
+
 void set_bag(const Program& program, const Frame& frame) {
     program.set("has_bag", frame.bags.empty() ? 0 : 1);
     if (!frame.bags.empty()) {
@@ -175,6 +191,7 @@ void set_bag(const Program& program, const Frame& frame) {
         program.set("bag_shape", Vec3(bag.shape.radius, bag.shape.anterior, bag.shape.posterior));
         program.set("opening_radius", bag.opening_radius);
     }
+    set_zonules(program, frame);
 }
 
 /// Two triangles for each rectangle, as shares of the picture.

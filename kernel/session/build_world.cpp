@@ -26,6 +26,26 @@ void set_up_bag(BagModel& bag, const std::map<std::string, double>& settings) {
     }
 }
 
+/// The zonules of meridians within the arc that is lost at the start; they are numbered against the clock from +x.
+ZonuleModel make_zonules(const std::map<std::string, double>& settings, const BagModel& bag, const EyeAnatomy& eye) {
+    ZonuleModel zonules;
+    zonules.breaks_at *= settings.at("zonules.toughness");
+    zonules.rest_stretch *= settings.at("zonules.tension");
+    zonules.limbus_radius = eye.limbus_radius;
+    zonules.limbus_z = eye.limbus_z;
+    const std::size_t meridians = bag.zonules.size() / 2;
+    const double apart = 360.0 / static_cast<double>(meridians);
+    const auto first = static_cast<std::size_t>(std::lround(settings.at("zonules.lost_from_deg") / apart));
+    const auto count = static_cast<std::size_t>(std::lround(settings.at("zonules.lost_deg") / apart));
+    zonules.lost.assign(bag.zonules.size(), 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t meridian = (first + i) % meridians;
+        zonules.lost[2 * meridian] = 1;
+        zonules.lost[2 * meridian + 1] = 1;
+    }
+    return zonules;
+}
+
 constexpr double vitreous_stiffness =
     1.5e5;                                 ///< below A^2 / C, 3.6e5, of a wall that gives way to it [uN/mm]. Proposal
 constexpr double cortex_adhesion = 300.0;  ///< [Pa]. Proposal: no tool can turn a lens that adheres all round
@@ -197,7 +217,7 @@ bool has_instrument(const SceneDescription& scene, const std::string& name) {
 }
 
 bool needs_side_port(const SceneDescription& scene) {
-    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_tissue(scene, "vitreous");
+    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_instrument(scene, "capsule_hook") || has_tissue(scene, "vitreous");
 }
 
 /// Of viscoelastic that an implant shears some ten times a second [Pa s]: a hundredth and less of that at rest.
@@ -281,6 +301,9 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
             bag.adherent = adherent_nodes(eye.value().lens, all_settings(scene).at("hydrodissection.freed"));
         }
         bag.cushion = has_tissue(scene, "chamber") ? vitreous_stiffness : 0.0;
+        if (has_tissue(scene, "zonules")) {
+            bag.breakable = make_zonules(all_settings(scene), bag, eye.value().anatomy);
+        }
     }
     if (has_tissue(scene, "chamber")) {
         world->chamber = make_chamber(all_settings(scene));

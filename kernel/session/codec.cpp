@@ -382,13 +382,22 @@ void world_fields(auto& io, auto& world) {
     });
     io.list(world.membranes, 88, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
     io.list(world.shells, 57, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
-    io.list(world.bags, 168, [](auto& inner, auto& bag) {
+    io.list(world.bags, 169, [](auto& inner, auto& bag) {
         inner(bag.pose);
         inner(bag.velocity);
         inner(bag.angular_velocity);
         inner(bag.cushion_z);
         inner(bag.load);
         inner(bag.adherent);
+        inner.maybe(bag.zonules, [](auto& zonule_io, auto& zonules) {
+            zonule_io(zonules.broken);
+            zonule_io.list(zonules.hooks, 56, [](auto& hook_io, auto& hook) {
+                hook_io(hook.on_bag);
+                hook_io(hook.at_limbus);
+                hook_io(hook.length);
+            });
+            zonule_io(zonules.ring);
+        });
     });
     fluid_fields(io, world);
     wounds_fields(io, world);

@@ -18,7 +18,7 @@ namespace {
 
 const auto known_tissues =
     std::to_array<std::string>({"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber",
-                                "viscoelastic", "implant", "vitreous", "globe", "wounds"});
+                                "viscoelastic", "implant", "vitreous", "globe", "wounds", "zonules"});
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -114,6 +114,17 @@ Status check_combination(const SceneDescription& scene) {
     }
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};
+    }
+    if (named("zonules") && (!named("bag") || named("implant"))) {
+        return Error{"tissues names zonules " + std::string(named("implant") ? "with implant" : "without bag"), "",
+                     "zonules with a bag that a lens lies in, or lay: those of an implant's bag do not break"};
+    }
+    for (const char* instrument : {"capsule_hook", "ring"}) {
+        if (std::find(scene.instruments.begin(), scene.instruments.end(), instrument) != scene.instruments.end() &&
+            !named("zonules")) {
+            return Error{std::string("instruments names ") + instrument + ", but tissues no zonules", "",
+                         "both: it stands in for zonules that are lost"};
+        }
     }
     for (const char* other : {"lens", "bag"}) {
         if (named("anterior_capsule") && named(other)) {

@@ -103,9 +103,15 @@ constexpr auto table = std::to_array<SettingInfo>({
     {"wounds.side_width_mm", "mm", 0.5, 3.0, 1.0, false, "Width of the side port at the start."},
     {"wounds.uncut", "1", 0.0, 2.0, 0.0, false,
      "Wounds that are not cut at the start: 0: none; 1: the main wound; 2: nor the side port."},
+    {"zonules.lost_deg", "deg", 0.0, 345.0, 0.0, false,
+     "Arc without zonules at the start, in steps of 15; where tissues name zonules."},
+    {"zonules.lost_from_deg", "deg", 0.0, 360.0, 0.0, false,
+     "Where that arc begins, against the clock from the surgeon's right."},
     {"zonules.strength", "1", 0.05, 2.0, 1.0, false, "Stiffness of the zonules, share of that at the patient's age."},
     {"zonules.tension", "1", 0.0, 2.0, 1.0, false,
      "Tension of the zonules that hold the anterior capsule at rest, share of the standard one."},
+    {"zonules.toughness", "1", 0.02, 3.0, 1.0, false,
+     "Stretch at which a zonule breaks, share of 3.82 mm; where tissues name zonules."},
 });
 
 std::vector<std::string> names() {

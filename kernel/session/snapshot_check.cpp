@@ -210,6 +210,18 @@ Status wounds_fit(const WorldState& state, const WorldModel& world) {
     return fits ? success() : Status(misfit("the wounds"));
 }
 
+bool zonules_fit(const BagModel& model, const BagState& state) {
+    if (!model.breakable || !state.zonules) {
+        return !model.breakable && !state.zonules;
+    }
+    const ZonuleState& zonules = *state.zonules;
+    return zonules.broken.size() == model.zonules.size() && zonules.hooks.size() <= model.breakable->most_hooks &&
+           zonules.ring >= 0.0 && zonules.ring <= 1.0 &&
+           std::all_of(zonules.hooks.begin(), zonules.hooks.end(), [](const CapsuleHook& hook) {
+               return hook.on_bag.allFinite() && hook.at_limbus.allFinite() && std::isfinite(hook.length);
+           });
+}
+
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
     if (state.chamber.has_value() != world.chamber.has_value() ||
         state.capsule.has_value() != world.capsule.has_value() || state.iris.has_value() != world.iris.has_value() ||
@@ -224,6 +236,9 @@ Status fluid_fits(const WorldState& state, const WorldModel& world) {
         const std::size_t nodes = world.solids.empty() ? 0 : world.solids[0].coarse.nodes.size();
         if (state.bags[i].adherent.size() != (world.bags[i].adherent.empty() ? 0 : nodes)) {
             return misfit("the adhesion of the cortex");
+        }
+        if (!zonules_fit(world.bags[i], state.bags[i])) {
+            return misfit("the zonules");
         }
     }
     if ((state.capsule && !tool_fits(state.capsule->tool, world)) ||

@@ -92,6 +92,16 @@ void add(StateHash& hash, const BagState& bag) {
     hash.add(bag.cushion_z);
     hash.add(std::span<const double>(bag.load.data(), 6));
     hash.add_bytes(bag.adherent.data(), bag.adherent.size());
+    if (bag.zonules) {
+        hash.add_bytes(bag.zonules->broken.data(), bag.zonules->broken.size());
+        hash.add(static_cast<std::uint64_t>(bag.zonules->hooks.size()));
+        for (const CapsuleHook& hook : bag.zonules->hooks) {
+            add(hash, hook.on_bag);
+            add(hash, hook.at_limbus);
+            hash.add(hook.length);
+        }
+        hash.add(bag.zonules->ring);
+    }
 }
 
 void add(StateHash& hash, const ShellState& shell) {

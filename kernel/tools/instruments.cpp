@@ -12,13 +12,14 @@
 #include "tools/rhexis_tools.hpp"
 #include "tools/spatula.hpp"
 #include "tools/wound_tools.hpp"
+#include "tools/zonule_tools.hpp"
 
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",         "cutter",   "cystotome",    "forceps",       "hook",  "hydration_cannula",
-            "injector",        "keratome", "lens_forceps", "needle_holder", "phaco", "probe",
-            "side_port_blade", "spatula",  "sponge",       "triamcinolone"};
+    return {"cannula",         "capsule_hook", "cutter",       "cystotome",     "forceps", "hook",  "hydration_cannula",
+            "injector",        "keratome",     "lens_forceps", "needle_holder", "phaco",   "probe", "ring",
+            "side_port_blade", "spatula",      "sponge",       "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -54,6 +55,12 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "cannula") {
         return viscoelastic_cannula();
+    }
+    if (name == "capsule_hook") {
+        return capsule_hook();
+    }
+    if (name == "ring") {
+        return tension_ring();
     }
     if (name == "cutter") {
         return cutter();

@@ -26,6 +26,8 @@ local held = {
     hydration_cannula = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
     needle_holder = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
     sponge = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
+    capsule_hook = bent(0.5, "side_port"),
+    ring = bent(0.5),
 }
 
 --- name: of an instrument of the scene.
