@@ -13,8 +13,9 @@ namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
 /// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger
-/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it.
-enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter };
+/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it; aspirator: a
+/// mouth in its side that sucks.
+enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter, aspirator };
 
 /// Cuts per minute of a cutter at its fastest.
 inline constexpr double fastest_cutter = 5000.0;
@@ -57,6 +58,7 @@ struct ToolModel {
     double hold = 0.0;        ///< forceps, cystotome: most that jaws or hook bear before it slips [uN]
     double max_power = 0.0;   ///< phaco: ultrasound power delivered to tissue at 100 % [mW]
     bool stains = false;      ///< cannula: what comes out of it is triamcinolone, not viscoelastic
+    bool saline = false;      ///< cannula: what comes out of it is saline
     std::optional<Cartridge> cartridge;
 };
 

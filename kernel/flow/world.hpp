@@ -9,11 +9,14 @@
 #include "flow/capsule.hpp"
 #include "flow/chamber.hpp"
 #include "flow/contact.hpp"
+#include "flow/cortex.hpp"
 #include "flow/debris.hpp"
+#include "flow/hydrodissection.hpp"
 #include "flow/implant_parts.hpp"
 #include "flow/iris.hpp"
 #include "flow/membrane.hpp"
 #include "flow/microscope.hpp"
+#include "flow/retained_viscoelastic.hpp"
 #include "flow/shell.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
@@ -55,8 +58,11 @@ struct WorldModel {
     std::optional<ChamberModel> chamber;
     std::optional<CapsuleModel> capsule;  ///< the posterior wall of bags[0]
     std::optional<IrisModel> iris;
-    std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
-    std::optional<VitreousModel> vitreous;          ///< behind bags[0], whose wall has a capsule, and a chamber
+    std::optional<ViscoelasticModel> viscoelastic;        ///< in place of a chamber through which fluid flows
+    std::optional<VitreousModel> vitreous;                ///< behind bags[0], whose wall has a capsule, and a chamber
+    std::optional<HydrodissectionModel> hydrodissection;  ///< of solids[0] in bags[0]; with capsule and chamber
+    std::optional<CortexModel> cortex;                    ///< on the wall of bags[0]; with capsule and chamber
+    std::optional<RetainedViscoelasticModel> retained;    ///< with bags[0] and chamber
     std::optional<MicroscopeModel> microscope;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
@@ -82,6 +88,9 @@ struct WorldState {
     std::optional<IrisState> iris;
     std::optional<ViscoelasticState> viscoelastic;
     std::optional<VitreousState> vitreous;
+    std::optional<HydrodissectionState> hydrodissection;
+    std::optional<CortexState> cortex;
+    std::optional<RetainedViscoelasticState> retained;
     std::optional<MicroscopeState> microscope;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool

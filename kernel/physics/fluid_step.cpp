@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "mesh/places.hpp"
+#include "physics/bag_contents.hpp"
 #include "physics/chamber_flow.hpp"
+#include "physics/hydrodissection_flow.hpp"
 #include "physics/iris_motion.hpp"
 #include "physics/vitreous_motion.hpp"
 #include "physics/wound_heat.hpp"
@@ -16,6 +18,17 @@ namespace {
 
 double hole_area(const WorldState& state) {
     return state.capsule ? std::numbers::pi * state.capsule->hole_radius * state.capsule->hole_radius : 0.0;
+}
+
+/// Where the vitreous holds the bag: with the diaphragm, and before what is trapped behind the lens [mm].
+double lens_shift(const WorldModel& model, const WorldState& state) {
+    double volume = state.chamber->eye_volume;
+    double forward = 0.0;
+    if (model.hydrodissection) {
+        volume -= state.hydrodissection->trapped;
+        forward = forward_shift(*model.hydrodissection, *state.hydrodissection);
+    }
+    return diaphragm_shift(*model.chamber, volume, hole_area(state)) + forward;
 }
 
 /// Index of the handpiece that the machine serves; -1: none is in the eye.
@@ -70,13 +83,22 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         if (model.vitreous) {
             lay_viscoelastic(model, tools, probes, dt, state);
         }
+        if (model.cortex) {
+            look_for_cortex(model, tools, probes, state);
+        }
         ChamberControl control = chamber_control(model, tools, state.tips, probes, state.chamber->wound);
         if (model.vitreous) {
             control.wound_open = wound_release(*model.vitreous, *state.vitreous, control.wound_open);
         }
+        if (model.hydrodissection) {
+            hydrodissect(model, tools, dt, state);
+            control.wound_open = hydrodissection_release(*model.hydrodissection, tools,
+                                                         eye_pressure(chamber, state.chamber->eye_volume));
+        }
         state.flows = advance_chamber(chamber, control, dt, *state.chamber);
-        heat_wound(hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
-        const double shift = diaphragm_shift(chamber, state.chamber->eye_volume, hole_area(state));
+        const double power = hand >= 0 && model.tools[hand].kind == ToolKind::phaco ? tools[hand].power : 0.0;
+        heat_wound(power, std::max(0.0, state.flows.infusion), dt, state.chamber->wound);
+        const double shift = lens_shift(model, state);
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;
         }
@@ -88,6 +110,15 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
             // What the flow loses in the tubing does not pull at the mouth.
             tip.suction = std::max(0.0, before - state.flows.tip * chamber.tube_resistance);
             tip.hold = tip.suction * probes[hand].area * (1.0 - tip.open);
+        }
+        if (model.hydrodissection) {
+            strain_by_trapped(model, dt, state);
+        }
+        if (model.cortex) {
+            strip_cortex(model, tools, probes, dt, state);
+        }
+        if (model.retained) {
+            remove_viscoelastic(model, tools, probes, dt, state);
         }
         if (model.vitreous) {
             move_vitreous(model, tools, probes, dt, state);

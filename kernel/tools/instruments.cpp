@@ -5,6 +5,7 @@
 #include "flow/microscope.hpp"
 #include "tools/cutter.hpp"
 #include "tools/hook.hpp"
+#include "tools/ia_tip.hpp"
 #include "tools/injector.hpp"
 #include "tools/lens_forceps.hpp"
 #include "tools/phaco_tip.hpp"
@@ -15,8 +16,8 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",      "cutter", "cystotome", "forceps", "hook",         "injector",
-            "lens_forceps", "phaco",  "probe",     "spatula", "triamcinolone"};
+    return {"cannula",      "cutter", "cystotome", "forceps",        "hook",    "ia_tip",       "injector",
+            "lens_forceps", "phaco",  "probe",     "saline_cannula", "spatula", "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -58,6 +59,12 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "triamcinolone") {
         return triamcinolone_cannula();
+    }
+    if (name == "saline_cannula") {
+        return saline_cannula();
+    }
+    if (name == "ia_tip") {
+        return ia_tip();
     }
     return Error{"there is no instrument '" + std::string(name) + "'", "instruments", suggestion(name, tool_names())};
 }

@@ -32,6 +32,9 @@ RUNS = [
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
     ("iol_injection", None),
+    ("hydrodissection", None),
+    ("cortex", None),
+    ("viscoelastic_removal", None),
 ]
 
 

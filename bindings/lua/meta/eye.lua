@@ -25,10 +25,11 @@ local eye = {}
 ---
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". With capsule and
----chamber "vitreous": it comes forward through a hole in the capsule. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
+---chamber "vitreous": it comes forward through a hole in the capsule; with the lens too "hydrodissection": its cortex
+---adheres, and saline parts it; without the lens "cortex" and "retained_viscoelastic", which are aspirated. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "cutter", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe",
----"spatula", "triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
+---Instruments: "cannula", "cutter", "cystotome", "forceps", "hook", "ia_tip", "injector", "lens_forceps", "phaco",
+---"probe", "saline_cannula", "spatula", "triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
 ---where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
