@@ -230,6 +230,12 @@ uniform vec4 vitreous_strand;  // that leads to the wound: place, radius; 0: the
 uniform float vitreous_white;  // share that triamcinolone shows
 uniform vec4 crumbs[24];
 uniform int crumb_count;
+uniform vec4 bag_cells[24];    // per sector of the bag, a value 0 to 1 for each ring from the axis out
+uniform int bag_sectors;       // 0: there are none
+uniform int bag_rings;
+uniform vec4 optic;            // of an implant that is a disc only: middle, radius; 0: there is none
+uniform float optic_rocked;    // 0 to 1
+uniform int cells_are_cortex;  // 1: cortex on the wall; 0: what the wave of hydrodissection has parted
 
 const vec3 fundus = vec3(1.0, 0.30, 0.08);
 const vec3 scattered_share = vec3(0.054, 0.034, 0.013);  // of the light that the cataract takes out
@@ -343,6 +349,46 @@ float vitreous_at(vec3 entry, vec3 way) {
     return amount;
 }
 
+float bag_cell(int sector, int ring) {
+    vec4 rings = bag_cells[(sector + bag_sectors) % bag_sectors];
+    return rings[clamp(ring, 0, bag_rings - 1)];
+}
+
+// What the cells of the bag say where the ray goes through it, smooth between them.
+float bag_cells_at(vec3 entry, vec3 way) {
+    if (bag_sectors == 0) {
+        return 0.0;
+    }
+    vec3 from = (bag_from_world * vec4(entry, 1.0)).xyz;
+    vec3 along = mat3(bag_from_world) * way;
+    vec2 at = (from + (-1.2 - from.z) / along.z * along).xy;
+    at += 0.5 * (texture(detail_map, at * 0.07).rg - 0.5);
+    float ring = min(dot(at, at) / (bag_shape.x * bag_shape.x), 1.0) * float(bag_rings) - 0.5;
+    float sector = atan(at.y, at.x) / 6.2831853 * float(bag_sectors) - 0.5;
+    ivec2 cell = ivec2(floor(vec2(sector, ring)));
+    vec2 part = smoothstep(0.0, 1.0, vec2(sector, ring) - vec2(cell));
+    return mix(mix(bag_cell(cell.x, cell.y), bag_cell(cell.x + 1, cell.y), part.x),
+               mix(bag_cell(cell.x, cell.y + 1), bag_cell(cell.x + 1, cell.y + 1), part.x), part.y);
+}
+
+// Cortex: grey-white fluff whose fibres run from the fornix to the middle.
+float fluff(vec3 entry) {
+    float turn = atan(entry.y, entry.x);
+    float radius = length(entry.xy);
+    float fibre = texture(detail_map, vec2(turn * 1.7, radius * 0.05)).r;
+    return clamp(0.15 + 0.6 * fibre + 0.7 * (texture(detail_map, entry.xy * 0.13).g - 0.35), 0.0, 1.0);
+}
+
+// The edge of an optic in the reflex.
+float optic_edge(vec3 entry, vec3 way) {
+    if (optic.w <= 0.0) {
+        return 0.0;
+    }
+    vec2 off = (entry + (optic.z - entry.z) / way.z * way).xy - optic.xy;
+    off.y *= 1.0 + 0.12 * optic_rocked;
+    return smoothstep(0.10, 0.02, abs(length(off) - optic.w));
+}
+
 vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float blocked = texelFetch(stop, pixel, 0).r < 1000.0 ? 1.0 : 0.0;
@@ -357,6 +403,11 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     // and one side a little better than the other.
     cone *= 1.0 + 0.16 * dot(place - 0.5, vec2(-0.9, 1.6));
     vec3 reflex = fundus * fundus_light * reaches * look.clear * cone * posterior_capsule(entry, way);
+    // The edge of the wave bends the light away, and what it has parted is a little duller.
+    float cells = bag_cells_at(entry, way);
+    float cortex = cells_are_cortex == 1 ? cells : 0.0;
+    float wave = cells_are_cortex == 1 ? 0.0 : cells;
+    reflex *= (1.0 - 2.4 * wave * (1.0 - wave)) * (1.0 - 0.06 * wave) * (1.0 - 0.45 * cortex);
     float lit = look.shade * (1.0 - 0.65 * max(look.hollow, 0.0)) * look.haze;
     vec3 scattered = mix(scattered_share, scattered_white, cortical_opacity);
     vec3 haze = 0.5 * scattered * (1.0 - exp(-2.0 * depth)) * lamp * lit;
@@ -364,6 +415,9 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     vec3 lens = haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
     float strands = vitreous_at(entry, way) * (1.0 - tool.a);
     lens = mix(lens * (1.0 - 0.05 * strands), vec3(0.74, 0.74, 0.72) * lamp, 0.85 * vitreous_white * strands);
+    lens = mix(lens, vec3(0.62, 0.60, 0.56) * lamp, 0.6 * cortex * fluff(entry) * (1.0 - tool.a));
+    float edge = optic_edge(entry, way) * (1.0 - tool.a);
+    lens = lens * (1.0 - 0.35 * edge) + 0.05 * edge * lamp;
     vec2 crumb = crumbs_at(entry, way);
     return mix(lens, (0.04 + 0.16 * crumb.y) * vec3(0.95, 0.85, 0.66) * lamp, 0.85 * crumb.x * (1.0 - tool.a));
 }

@@ -28,6 +28,9 @@ struct Frame {
     std::optional<WoundsState> wounds{};
     std::optional<GlobeState> globe{};
     std::optional<ProlapseState> prolapse{};
+    std::optional<HydrodissectionState> hydrodissection{};
+    std::optional<CortexState> cortex{};
+    std::optional<RetainedViscoelasticState> retained{};
 };
 
 /// Where the picture is taken from. Orthogonal views are not needed: a microscope is far away.

@@ -23,6 +23,9 @@ double tangent_of(double angle) {
 
 Mouth tip_mouth(const ToolModel& tool) {
     const RoundedCone& end = tool.parts.front();
+    if (tool.kind == ToolKind::aspirator) {
+        return {end.a + Vec3(0.0, end.radius_a, 0.0), Vec3::UnitY()};
+    }
     const double tangent = tangent_of(tool.bevel);
     return {end.a + Vec3(0.0, 0.0, end.radius_a * (tangent - 1.0)), Vec3(0.0, tangent, -1.0).normalized()};
 }

@@ -16,7 +16,7 @@ namespace rhexis {
 /// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it; blade: it
 /// cuts its way into the eye; hydrator: a cannula with saline; needle: it carries a suture; sponge: it presses from
 /// outside; capsule_hook: stays on the edge of the capsule's opening when the hand lets go of it there; ring: is fed
-/// into the bag.
+/// into the bag; aspirator: a mouth in its side that sucks.
 enum class ToolKind {
     probe,
     phaco,
@@ -30,7 +30,8 @@ enum class ToolKind {
     needle,
     sponge,
     capsule_hook,
-    ring
+    ring,
+    aspirator
 };
 
 /// Cuts per minute of a cutter at its fastest.
@@ -76,6 +77,7 @@ struct ToolModel {
     double blade_width = 0.0;  ///< blade: beyond its point [mm]
     double blade_point = 0.0;  ///< blade: length of its point, over which it widens [mm]
     bool stains = false;       ///< cannula: what comes out of it is triamcinolone, not viscoelastic
+    bool saline = false;       ///< cannula: what comes out of it is saline
     std::optional<Cartridge> cartridge;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/world.hpp"
 
+#include <algorithm>
+
 namespace rhexis {
 
 WorldState rest_state(const WorldModel& model) {
@@ -50,6 +52,17 @@ WorldState rest_state(const WorldModel& model) {
     }
     if (model.prolapse) {
         state.prolapse = ProlapseState{};
+    }
+    if (model.hydrodissection) {
+        state.hydrodissection = rest_state(*model.hydrodissection);
+        const double excess = std::max(0.0, model.hydrodissection->start_fill - 1.0);
+        state.chamber->eye_volume += excess * model.hydrodissection->chamber_volume;
+    }
+    if (model.cortex) {
+        state.cortex = rest_state(*model.cortex);
+    }
+    if (model.retained) {
+        state.retained = rest_state(*model.retained);
     }
     if (model.microscope) {
         state.microscope = MicroscopeState{model.microscope->start};

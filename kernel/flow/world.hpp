@@ -9,13 +9,16 @@
 #include "flow/capsule.hpp"
 #include "flow/chamber.hpp"
 #include "flow/contact.hpp"
+#include "flow/cortex.hpp"
 #include "flow/debris.hpp"
 #include "flow/globe.hpp"
+#include "flow/hydrodissection.hpp"
 #include "flow/implant_parts.hpp"
 #include "flow/iris.hpp"
 #include "flow/membrane.hpp"
 #include "flow/microscope.hpp"
 #include "flow/prolapse.hpp"
+#include "flow/retained_viscoelastic.hpp"
 #include "flow/shell.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
@@ -58,11 +61,16 @@ struct WorldModel {
     std::optional<ChamberModel> chamber;
     std::optional<CapsuleModel> capsule;  ///< the posterior wall of bags[0]
     std::optional<IrisModel> iris;
-    std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
-    std::optional<VitreousModel> vitreous;          ///< behind bags[0], whose wall has a capsule, and a chamber
-    std::optional<WoundsModel> wounds;              ///< in place of the constant leak of the chamber
-    std::optional<GlobeModel> globe;                ///< rolls under shafts; else it stands still
-    std::optional<ProlapseModel> prolapse;          ///< of an iris into the main one of simulated wounds
+    std::optional<ViscoelasticModel> viscoelastic;        ///< in place of a chamber through which fluid flows
+    std::optional<VitreousModel> vitreous;                ///< behind bags[0], whose wall has a capsule, and a chamber
+    std::optional<WoundsModel> wounds;                    ///< in place of the constant leak of the chamber
+    std::optional<GlobeModel> globe;                      ///< rolls under shafts; else it stands still
+    std::optional<ProlapseModel> prolapse;                ///< of an iris into the main one of simulated wounds
+    std::optional<ViscoelasticModel> viscoelastic;        ///< in place of a chamber through which fluid flows
+    std::optional<VitreousModel> vitreous;                ///< behind bags[0], whose wall has a capsule, and a chamber
+    std::optional<HydrodissectionModel> hydrodissection;  ///< of solids[0] in bags[0]; with capsule and chamber
+    std::optional<CortexModel> cortex;                    ///< on the wall of bags[0]; with capsule and chamber
+    std::optional<RetainedViscoelasticModel> retained;    ///< with bags[0] and chamber
     std::optional<MicroscopeModel> microscope;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
@@ -91,6 +99,9 @@ struct WorldState {
     std::optional<WoundsState> wounds;
     std::optional<GlobeState> globe;
     std::optional<ProlapseState> prolapse;
+    std::optional<HydrodissectionState> hydrodissection;
+    std::optional<CortexState> cortex;
+    std::optional<RetainedViscoelasticState> retained;
     std::optional<MicroscopeState> microscope;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool
@@ -105,8 +116,8 @@ struct WorldState {
 /// The state at rest of everything in the model.
 WorldState rest_state(const WorldModel& model);
 
-/// From where most of the vitreous in front has come: the middle of the hole in the capsule, or the edge of the bag where
-/// zonules are lost [mm]. The scene has a capsule and vitreous.
+/// From where most of the vitreous in front has come: the middle of the hole in the capsule, or the edge of the bag
+/// where zonules are lost [mm]. The scene has a capsule and vitreous.
 Vec3 vitreous_place(const WorldModel& model, const std::vector<BagState>& bags, const CapsuleState& capsule,
                     const VitreousState& vitreous);
 

@@ -90,6 +90,11 @@ std::unique_ptr<MeasureGroup> globe_measures();
 std::unique_ptr<MeasureGroup> prolapse_measures();
 std::unique_ptr<MeasureGroup> wounds_measures();
 std::unique_ptr<MeasureGroup> zonule_measures();
+std::unique_ptr<MeasureGroup> hydrodissection_measures();
+std::unique_ptr<MeasureGroup> cortex_measures();
+std::unique_ptr<MeasureGroup> retained_viscoelastic_measures();
+/// Of an aspirator.
+std::unique_ptr<MeasureGroup> port_measures(const ToolModel& model, int tool);
 std::unique_ptr<MeasureGroup> presence_measures();
 /// tools: how many instruments the scene has.
 std::unique_ptr<MeasureGroup> motion_measures(std::size_t tools);

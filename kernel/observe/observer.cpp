@@ -30,6 +30,20 @@ int injector(const WorldModel& world) {
     return found == world.tools.end() ? -1 : static_cast<int>(found - world.tools.begin());
 }
 
+bool has_contents(const WorldModel& world) { return world.hydrodissection || world.cortex || world.retained; }
+
+void add_bag_contents(const WorldModel& world, std::vector<std::unique_ptr<MeasureGroup>>& groups) {
+    if (world.hydrodissection) {
+        groups.push_back(hydrodissection_measures());
+    }
+    if (world.cortex) {
+        groups.push_back(cortex_measures());
+    }
+    if (world.retained) {
+        groups.push_back(retained_viscoelastic_measures());
+    }
+}
+
 std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, const ObservedTissues& tissues,
                                                        double dt) {
     std::vector<std::unique_ptr<MeasureGroup>> groups;
@@ -39,6 +53,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
         groups.push_back(tremor_measures(world.tools[i].name, i, dt));
         if (anterior_capsule(world) >= 0) {
             groups.push_back(capsule_tool_measures(world.tools[i], i, anterior_capsule(world)));
+        }
+        if (world.tools[i].kind == ToolKind::aspirator) {
+            groups.push_back(port_measures(world.tools[i], i));
         }
         if (world.tools[i].kind == ToolKind::injector && !world.shells.empty()) {
             groups.push_back(injection_measures(i));
@@ -91,8 +108,9 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     if (!world.bags.empty() && world.bags[0].breakable) {
         groups.push_back(zonule_measures());
     }
+    add_bag_contents(world, groups);
     if (anterior_capsule(world) >= 0 || world.microscope || world.implant || world.vitreous || world.globe ||
-        world.wounds) {
+        world.wounds || has_contents(world)) {
         groups.push_back(presence_measures());
     }
     if (anterior_capsule(world) >= 0) {

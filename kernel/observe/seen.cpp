@@ -132,16 +132,65 @@ void add_zonule_landmarks(const ObserveInput& input, std::vector<Landmark>& mark
     const BagEdge edge = bag_edge(input);
     marks.push_back({"bag_edge", edge.inside > 0.0, edge.place, edge.inside});
     // Towards a gap the edge of the opening stands nearest to the middle: there it lacks its hold.
-    marks.push_back({"zonule_gap", gap.width_deg >= seen_gap_deg,
-                     bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
-                                       input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) *
-                                           Vec3::UnitZ()),
-                     0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
+    marks.push_back(
+        {"zonule_gap", gap.width_deg >= seen_gap_deg,
+         bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
+                           input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) * Vec3::UnitZ()),
+         0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
     marks.push_back({"ring", bag.zonules->ring >= 1.0, bag.pose.position, input.world.bags[0].shape.radius});
     for (std::size_t i = 0; i < bag.zonules->hooks.size(); ++i) {
-        marks.push_back({"capsule_hook_" + std::to_string(i + 1), true,
-                         bag.pose.to_world(bag.zonules->hooks[i].on_bag), 0.0});
+        marks.push_back(
+            {"capsule_hook_" + std::to_string(i + 1), true, bag.pose.to_world(bag.zonules->hooks[i].on_bag), 0.0});
     }
+}
+
+/// The wave by its edge in the reflex, how far the lens has turned by a spoke of its cortex, the pupil as it is now.
+void add_hydrodissection_landmarks(const ObserveInput& input, const LensView& lens, std::vector<Landmark>& marks) {
+    const HydrodissectionState& hydro = *input.state.hydrodissection;
+    const Pose& bag = input.state.bags[0].pose;
+    marks.push_back({"fluid_wave", wave_share(hydro) > 0.0, bag.to_world(hydro.entry), wave_share(hydro)});
+    if (lens.motion != nullptr) {
+        constexpr double spoke = 2.0;  // from the axis [mm]
+        const Vec2& turn = lens.motion->turn;
+        const Vec3 place(spoke * turn.x(), spoke * turn.y(), bag.position.z() + input.world.bags[0].shape.anterior);
+        marks.push_back({"cortical_spoke", true, place, 0.1});
+    }
+    if (input.state.iris) {
+        marks.push_back({"pupil_edge", true, Vec3(0.0, 0.0, input.state.iris->z), input.state.iris->pupil_radius});
+    }
+}
+
+/// Of each sector that has cortex, where it hangs in the fornix or on the back; size: share that is left.
+void add_cortex_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    const CortexModel& model = *input.world.cortex;
+    const CortexState& cortex = *input.state.cortex;
+    const int rings = model.cells.rings;
+    for (int sector = 0; sector < model.cells.sectors; ++sector) {
+        double left = 0.0;
+        int last = sector * rings;
+        for (int ring = 0; ring < rings; ++ring) {
+            const double volume = cortex.volume[static_cast<std::size_t>(sector * rings + ring)];
+            left += volume / (model.volume * rings);
+            last = volume > 0.0 ? sector * rings + ring : last;
+        }
+        const Vec3 place = cortex_place(model, input.world.bags[0].shape, last);
+        marks.push_back(
+            {"cortex_" + std::to_string(sector + 1), left > 0.02, input.state.bags[0].pose.to_world(place), left});
+    }
+    marks.push_back({"cortex_at_tip", cortex.held, input.state.bags[0].pose.to_world(cortex.place), 0.3});
+}
+
+/// How the implant lies, and what is left before and behind it: an optic on viscoelastic floats when it is touched.
+void add_retained_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    constexpr double floats = 0.03;  // of all viscoelastic, behind the optic
+    const RetainedViscoelasticModel& model = *input.world.retained;
+    const RetainedViscoelasticState& left = *input.state.retained;
+    const double start = std::max(1.0, viscoelastic_at_start(model));
+    const Vec3 optic = input.state.bags[0].pose.to_world(Vec3(0.0, 0.0, model.optic_z));
+    marks.push_back({"optic", true, optic, model.optic_radius});
+    marks.push_back({"optic_floats", left.behind > floats * start, optic, left.behind / start});
+    marks.push_back(
+        {"viscoelastic", left.front > floats * start, Vec3(0.0, 0.0, input.eye.anatomy.iris_z), left.front / start});
 }
 
 /// What shows of a capsule that is held or open, and of an iris that is caught.
@@ -167,6 +216,12 @@ void add_harm_landmarks(const ObserveInput& input, std::vector<Landmark>& marks)
     }
     if (!input.state.bags.empty() && input.state.bags[0].zonules) {
         add_zonule_landmarks(input, marks);
+    }
+    if (input.state.cortex) {
+        add_cortex_landmarks(input, marks);
+    }
+    if (input.state.retained) {
+        add_retained_landmarks(input, marks);
     }
     if (input.state.iris) {
         marks.push_back({"iris_caught", input.state.iris->tool >= 0, input.state.iris->place, 0.5});
@@ -225,6 +280,9 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
     add_harm_landmarks(input, percept.landmarks);
     if (input.state.wounds) {
         add_wound_landmarks(input, percept.landmarks);
+    }
+    if (input.state.hydrodissection) {
+        add_hydrodissection_landmarks(input, lens, percept.landmarks);
     }
     if (lens.model != nullptr) {
         add_lens_landmarks(input, lens, percept.landmarks);

@@ -22,6 +22,10 @@ enum Memory : std::size_t {
     memory_count
 };
 
+bool has_mouth(ToolKind kind) {
+    return kind == ToolKind::phaco || kind == ToolKind::cutter || kind == ToolKind::aspirator;
+}
+
 class ToolMeasures : public MeasureGroup {
 public:
     ToolMeasures(const ToolModel& model, int tool, const ToolSurroundings& around)
@@ -35,6 +39,7 @@ public:
 private:
     void describe_phaco(ObservationSchema& schema) const;
     void describe_cutter(ObservationSchema& schema) const;
+    void describe_aspirator(ObservationSchema& schema) const;
     void describe_mouth(ObservationSchema& schema) const;
     void describe_lens(ObservationSchema& schema) const;
     void describe_bag(ObservationSchema& schema) const;
@@ -58,7 +63,10 @@ void ToolMeasures::describe(ObservationSchema& schema) const {
     if (model_.kind == ToolKind::cutter) {
         describe_cutter(schema);
     }
-    if (around_.chamber && (model_.kind == ToolKind::phaco || model_.kind == ToolKind::cutter)) {
+    if (model_.kind == ToolKind::aspirator) {
+        describe_aspirator(schema);
+    }
+    if (around_.chamber && has_mouth(model_.kind)) {
         describe_mouth(schema);
     }
     if (around_.lens) {
@@ -92,6 +100,13 @@ void ToolMeasures::describe_cutter(ObservationSchema& schema) const {
     schema.push_back({group + "aspirating", "bool", "Aspiration draws."});
     schema.push_back({group + "cutting", "bool", "Its blade cuts."});
     schema.push_back({group + "cuts_per_min", "1/min", "Cuts per minute now."});
+}
+
+void ToolMeasures::describe_aspirator(ObservationSchema& schema) const {
+    const std::string group = model_.name + ".";
+    schema.push_back({group + "pedal", "1", "Foot pedal: 0 up, 1 irrigation, 2 aspiration too."});
+    schema.push_back({group + "irrigating", "bool", "Irrigation flows."});
+    schema.push_back({group + "aspirating", "bool", "Aspiration draws."});
 }
 
 void ToolMeasures::describe_mouth(ObservationSchema& schema) const {
@@ -172,6 +187,12 @@ void measure_cutter(const ToolState& tool, Writer& out) {
     out.put(fastest_cutter * tool.power);
 }
 
+void measure_aspirator(const ToolState& tool, Writer& out) {
+    out.put(tool.pedal);
+    out.put(truth(tool.irrigation));
+    out.put(truth(tool.aspiration > 0.0));
+}
+
 void measure_mouth(const TipState& tip, Writer& out) {
     out.put(1.0 - tip.open);
     out.put(tip.lens);
@@ -235,7 +256,10 @@ void ToolMeasures::measure(const ObserveInput& input, const LensView& lens, std:
     if (model_.kind == ToolKind::cutter) {
         measure_cutter(tool, out);
     }
-    if (around_.chamber && (model_.kind == ToolKind::phaco || model_.kind == ToolKind::cutter)) {
+    if (model_.kind == ToolKind::aspirator) {
+        measure_aspirator(tool, out);
+    }
+    if (around_.chamber && has_mouth(model_.kind)) {
         measure_mouth(input.state.tips[tool_], out);
     }
     if (around_.lens) {

@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "mesh/places.hpp"
+#include "physics/bag_contents.hpp"
 #include "physics/chamber_flow.hpp"
 #include "physics/globe_roll.hpp"
+#include "physics/hydrodissection_flow.hpp"
 #include "physics/iris_motion.hpp"
 #include "physics/iris_prolapse.hpp"
 #include "physics/vitreous_motion.hpp"
@@ -22,6 +24,17 @@ constexpr double widest_open = 30.0;  ///< that the chamber is made for
 
 double hole_area(const WorldState& state) {
     return state.capsule ? std::numbers::pi * state.capsule->hole_radius * state.capsule->hole_radius : 0.0;
+}
+
+/// Where the vitreous holds the bag: with the diaphragm, and before what is trapped behind the lens [mm].
+double lens_shift(const WorldModel& model, const WorldState& state) {
+    double volume = volume_in_front(*state.chamber, state.wounds ? &*state.wounds : nullptr);
+    double forward = 0.0;
+    if (model.hydrodissection) {
+        volume -= state.hydrodissection->trapped;
+        forward = forward_shift(*model.hydrodissection, *state.hydrodissection);
+    }
+    return diaphragm_shift(*model.chamber, volume, hole_area(state)) + forward;
 }
 
 /// Index of the handpiece that the machine serves; -1: none is in the eye.
@@ -80,6 +93,9 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
             cut_wounds(model, tools, dt, state);
             close_wounds(model, tools, dt, state);
         }
+        if (model.cortex) {
+            look_for_cortex(model, tools, probes, state);
+        }
         ChamberControl control = chamber_control(model, tools, state.tips, probes, state.chamber->wound);
         if (model.wounds) {
             control.wound_open = wounds_open(model, tools, state);
@@ -89,6 +105,11 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         }
         if (model.vitreous) {
             control.wound_open = wound_release(*model.vitreous, *state.vitreous, control.wound_open);
+        }
+        if (model.hydrodissection) {
+            hydrodissect(model, tools, dt, state);
+            control.wound_open = hydrodissection_release(*model.hydrodissection, tools,
+                                                         eye_pressure(chamber, state.chamber->eye_volume));
         }
         if (model.globe && chamber.leak_conductance > 0.0) {
             control.wound_open = std::min(
@@ -100,8 +121,7 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         if (model.wounds) {
             share_leak(model, tools, dt, state);
         }
-        const double in_front = volume_in_front(*state.chamber, state.wounds ? &*state.wounds : nullptr);
-        const double shift = diaphragm_shift(chamber, in_front, hole_area(state));
+        const double shift = lens_shift(model, state);
         for (BagState& bag : state.bags) {
             bag.cushion_z = shift;
         }
@@ -113,6 +133,15 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
             // What the flow loses in the tubing does not pull at the mouth.
             tip.suction = std::max(0.0, before - state.flows.tip * chamber.tube_resistance);
             tip.hold = tip.suction * probes[hand].area * (1.0 - tip.open);
+        }
+        if (model.hydrodissection) {
+            strain_by_trapped(model, dt, state);
+        }
+        if (model.cortex) {
+            strip_cortex(model, tools, probes, dt, state);
+        }
+        if (model.retained) {
+            remove_viscoelastic(model, tools, probes, dt, state);
         }
         if (model.vitreous) {
             move_vitreous(model, tools, probes, dt, state);

@@ -52,6 +52,10 @@ void move_iris(const WorldModel& model, std::span<const ToolState> tools, std::s
         state.chamber ? diaphragm_shift(*model.chamber, volume_in_front(*state.chamber, wounds), 0.0) : 0.0;
     iris.z = model.iris->rest_z + shift;
     iris.pupil_radius = model.iris->pupil_radius * std::clamp(1.0 - model.iris->widening * shift, 0.5, 1.5);
+    if (state.hydrodissection) {
+        iris.z += forward_shift(*model.hydrodissection, *state.hydrodissection);
+        iris.pupil_radius *= pupil_share(*model.hydrodissection, *state.hydrodissection);
+    }
     iris.strain = 0.0;
     if (iris.tool >= 0 && !tools[iris.tool].present) {
         iris.tool = -1;

@@ -54,8 +54,9 @@ bool covered_by_iris(const WorldModel& model, const WorldState& state, const Vec
 
 MouthProbe mouth_probe(const ToolModel& tool) {
     MouthProbe probe;
-    if ((tool.kind != ToolKind::phaco && tool.kind != ToolKind::cutter) || tool.parts.empty() ||
-        !(tool.bore_radius > 0.0)) {
+    const bool aspirates =
+        tool.kind == ToolKind::phaco || tool.kind == ToolKind::cutter || tool.kind == ToolKind::aspirator;
+    if (!aspirates || tool.parts.empty() || !(tool.bore_radius > 0.0)) {
         return probe;
     }
     probe.mouth = tip_mouth(tool);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/longest.hpp"
+#include "physics/bag_contents.hpp"
 #include "physics/bag_motion.hpp"
 #include "physics/capsule_wall.hpp"
 #include "physics/fluid_step.hpp"
@@ -126,6 +127,9 @@ void set_bag_poses(const std::vector<BagState>& bags, PartnerPoses& poses) {
 void load_bag(const StepTask& task, std::span<const Pose> tools, BagState& bag) {
     if (task.state.capsule) {
         bag.load = capsule_load(task.model, *task.state.capsule, bag.pose, task.tools, tools);
+        if (task.state.cortex || task.state.hydrodissection) {
+            bag.load += contents_load(task.model, task.state, bag.pose);
+        }
     }
 }
 

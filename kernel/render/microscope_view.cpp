@@ -183,8 +183,36 @@ void set_zonules(const Program& program, const Frame& frame) {
     }
 }
 
+/// Cortex on the wall, or where the wave of hydrodissection has been: one value per cell.
+void set_bag_cells(const Program& program, const Frame& frame) {
+    const bool cortex = frame.cortex.has_value() && frame.model->cortex.has_value();
+    const bool wave = frame.hydrodissection.has_value() && frame.model->hydrodissection.has_value();
+    const BagCells cells =
+        cortex ? frame.model->cortex->cells : (wave ? frame.model->hydrodissection->cells : BagCells{0, 0, 1.0});
+    Eigen::Vector4d optic = Eigen::Vector4d::Zero();
+    if (frame.retained && frame.model->retained && !frame.bags.empty()) {
+        const RetainedViscoelasticModel& disc = *frame.model->retained;
+        optic << frame.bags[0].pose.to_world(Vec3(0.0, 0.0, disc.optic_z)), disc.optic_radius;
+    }
+    program.set("optic", optic);
+    program.set("optic_rocked", frame.retained ? frame.retained->rocked : 0.0);
+    program.set("bag_sectors", cells.sectors);
+    program.set("bag_rings", cells.rings);
+    program.set("cells_are_cortex", cortex ? 1 : 0);
+    for (int sector = 0; sector < cells.sectors; ++sector) {
+        Eigen::Vector4d rings = Eigen::Vector4d::Zero();
+        for (int ring = 0; ring < cells.rings; ++ring) {
+            const std::size_t cell = static_cast<std::size_t>(sector * cells.rings + ring);
+            rings[ring] = cortex ? frame.cortex->volume[cell] / frame.model->cortex->volume
+                                 : frame.hydrodissection->cleaved[cell];
+        }
+        program.set(("bag_cells[" + std::to_string(sector) + "]").c_str(), rings);
+    }
+}
+
 void set_bag(const Program& program, const Frame& frame) {
     program.set("has_bag", frame.bags.empty() ? 0 : 1);
+    set_bag_cells(program, frame);
     if (!frame.bags.empty()) {
         const BagModel& bag = frame.model->bags[0];
         program.set("bag_from_world", Mat4(matrix_of(frame.bags[0].pose).inverse()));

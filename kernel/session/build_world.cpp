@@ -174,6 +174,37 @@ GlobeModel make_globe(const EyeAnatomy& eye) {
     return globe;
 }
 
+/// For what lies in the bag; the grids are cut as wide as it is.
+HydrodissectionModel make_hydrodissection(const std::map<std::string, double>& settings, const SolidModel& lens,
+                                          const BagModel& bag) {
+    HydrodissectionModel model;
+    model.cells.radius = bag.shape.radius;
+    model.opening_radius = bag.opening_radius;
+    model.seal *= bag.opening_radius / 2.625;
+    model.start_fill = settings.at("hydrodissection.viscoelastic_fill");
+    model.start_cleaved = settings.at("hydrodissection.freed");
+    for (const Vec3& node : lens.coarse.nodes) {
+        model.cell_of_node.push_back(cell_at(model.cells, node.head<2>()));
+    }
+    return model;
+}
+
+CortexModel make_cortex(const std::map<std::string, double>& settings, const BagShape& bag) {
+    CortexModel model;
+    model.cells.radius = bag.radius;
+    model.adhesion *= settings.at("cortex.adhesion");
+    model.start_left = settings.at("cortex.left");
+    return model;
+}
+
+RetainedViscoelasticModel make_retained(const std::map<std::string, double>& settings) {
+    RetainedViscoelasticModel model;
+    model.start_front = settings.at("viscoelastic.front_mm3");
+    model.start_behind = settings.at("viscoelastic.behind_mm3");
+    model.start_angle = settings.at("viscoelastic.angle_mm3");
+    return model;
+}
+
 constexpr double side_port_width = 1.0;  // [mm]
 constexpr double side_port_inset = 1.5;  // [mm]
 
@@ -217,7 +248,8 @@ bool has_instrument(const SceneDescription& scene, const std::string& name) {
 }
 
 bool needs_side_port(const SceneDescription& scene) {
-    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_instrument(scene, "capsule_hook") || has_tissue(scene, "vitreous");
+    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_instrument(scene, "capsule_hook") ||
+           has_tissue(scene, "vitreous");
 }
 
 /// Of viscoelastic that an implant shears some ten times a second [Pa s]: a hundredth and less of that at rest.
@@ -325,6 +357,16 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     }
     if (has_tissue(scene, "wounds")) {
         world->wounds = make_wounds(all_settings(scene), eye.value().anatomy, scene.patient);
+    }
+    if (has_tissue(scene, "hydrodissection")) {
+        world->hydrodissection = make_hydrodissection(all_settings(scene), world->solids[0], world->bags[0]);
+        world->bags[0].adherent.resize(world->solids[0].coarse.nodes.size(), 0);
+    }
+    if (has_tissue(scene, "cortex")) {
+        world->cortex = make_cortex(all_settings(scene), eye.value().bag.shape);
+    }
+    if (has_tissue(scene, "retained_viscoelastic")) {
+        world->retained = make_retained(all_settings(scene));
     }
     if (has_tissue(scene, "anterior_capsule")) {
         world->membranes.push_back(make_anterior_capsule(lens_shape(scene.patient), eye.value().bag, scene.patient.age,

@@ -176,6 +176,41 @@ void wounds_fields(auto& io, auto& world) {
     });
 }
 
+void bag_contents_fields(auto& io, auto& world) {
+    io.maybe(world.hydrodissection, [](auto& inner, auto& hydro) {
+        inner(hydro.cleaved);
+        inner(hydro.entry);
+        inner(hydro.entered);
+        inner(hydro.under_rim);
+        inner(hydro.trapped);
+        inner(hydro.injected);
+        inner(hydro.filled);
+        inner(hydro.lifted);
+        inner(hydro.pressure);
+        inner(hydro.peak_pressure);
+        inner(hydro.strain);
+        inner(hydro.burst_s);
+    });
+    io.maybe(world.cortex, [](auto& inner, auto& cortex) {
+        inner(cortex.volume);
+        inner(cortex.attached);
+        inner(cortex.tool);
+        inner(cortex.cell);
+        inner(cortex.held);
+        inner(cortex.place);
+        inner(cortex.pull);
+        inner(cortex.taken);
+    });
+    io.maybe(world.retained, [](auto& inner, auto& retained) {
+        inner(retained.front);
+        inner(retained.behind);
+        inner(retained.angle);
+        inner(retained.taken);
+        inner(retained.rocked);
+        inner(retained.under);
+    });
+}
+
 void fluid_fields(auto& io, auto& world) {
     io.maybe(world.chamber, [](auto& inner, auto& chamber) {
         inner(chamber.eye_volume);
@@ -239,6 +274,7 @@ void fluid_fields(auto& io, auto& world) {
         inner(prolapse.stroke_s);
         inner(prolapse.pull);
     });
+    bag_contents_fields(io, world);
     io.maybe(world.microscope, [](auto& inner, auto& microscope) { inner(microscope.position); });
     io.maybe(world.capsule, [](auto& inner, auto& capsule) {
         inner(capsule.tool);

@@ -16,9 +16,9 @@
 namespace rhexis {
 namespace {
 
-const auto known_tissues =
-    std::to_array<std::string>({"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber",
-                                "viscoelastic", "implant", "vitreous", "globe", "wounds", "zonules"});
+const auto known_tissues = std::to_array<std::string>(
+    {"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber", "viscoelastic", "implant", "vitreous",
+     "globe", "wounds", "zonules", "hydrodissection", "cortex", "retained_viscoelastic"});
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -92,6 +92,37 @@ Status check_microscope(const SceneDescription& scene) {
     return success();
 }
 
+/// What fills the bag between the steps that are simulated in full.
+Status check_bag_contents(const SceneDescription& scene) {
+    if (has_tissue(scene, "hydrodissection") &&
+        !(has_tissue(scene, "lens") && has_tissue(scene, "capsule") && has_tissue(scene, "chamber"))) {
+        return Error{"tissues names hydrodissection without lens, capsule and chamber", "",
+                     "all four: saline parts the lens from the capsule and comes out into the chamber"};
+    }
+    for (const char* name : {"cortex", "retained_viscoelastic"}) {
+        if (!has_tissue(scene, name)) {
+            continue;
+        }
+        if (!has_tissue(scene, "capsule") || !has_tissue(scene, "chamber")) {
+            return Error{std::string("tissues names ") + name + " without capsule and chamber", "",
+                         "all three: it is aspirated out of the bag"};
+        }
+        if (has_tissue(scene, "lens")) {
+            return Error{std::string("tissues names ") + name + " with lens", "",
+                         "the one or the other: the lens has left the bag"};
+        }
+    }
+    for (const auto& [tissue, instrument] :
+         {std::pair{"hydrodissection", "saline_cannula"}, std::pair{"cortex", "ia_tip"},
+          std::pair{"retained_viscoelastic", "ia_tip"}}) {
+        if (has_tissue(scene, tissue) &&
+            std::find(scene.instruments.begin(), scene.instruments.end(), instrument) == scene.instruments.end()) {
+            return Error{std::string("tissues names ") + tissue + ", but instruments no " + instrument, "", "both"};
+        }
+    }
+    return success();
+}
+
 /// What parts need of each other, and of the way of stepping.
 Status check_combination(const SceneDescription& scene) {
     const auto named = [&](const char* name) {
@@ -111,6 +142,9 @@ Status check_combination(const SceneDescription& scene) {
     if (const double angle = std::abs(all_settings(scene).at("side_port.angle_deg")); named("wounds") && angle < 30.0) {
         return Error{"settings.side_port.angle_deg is " + short_number(angle) + " from the main wound", "",
                      "30 to 150, or -150 to -30: the wounds must not run into each other"};
+    }
+    if (Status status = check_bag_contents(scene); !status) {
+        return status;
     }
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};

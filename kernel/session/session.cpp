@@ -135,6 +135,8 @@ ToolSettings tool_settings(const std::map<std::string, double>& settings) {
     limits.cut_rate = settings.at("cutter.cuts_per_min") / fastest_cutter;
     limits.cutter_flow = mm3_s_per_ml_min * settings.at("cutter.flow_ml_min");
     limits.cutter_vacuum = pascal_per_mmhg * settings.at("cutter.vacuum_mmhg");
+    limits.ia_flow = mm3_s_per_ml_min * settings.at("ia.flow_ml_min");
+    limits.ia_vacuum = pascal_per_mmhg * settings.at("ia.vacuum_mmhg");
     limits.cut_first = settings.at("cutter.cut_first") >= 0.5;
     return limits;
 }
@@ -489,7 +491,10 @@ Frame Session::frame() const {
             p.state.vitreous,
             p.state.wounds,
             p.state.globe,
-            p.state.prolapse};
+            p.state.prolapse,
+            p.state.hydrodissection,
+            p.state.cortex,
+            p.state.retained};
 }
 
 Snapshot Session::snapshot() const {

@@ -2,7 +2,9 @@
 #include "session/snapshot_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "physics/chamber_flow.hpp"
 #include "session/settings.hpp"
@@ -222,6 +224,45 @@ bool zonules_fit(const BagModel& model, const BagState& state) {
            });
 }
 
+bool all_finite(std::span<const double> values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+Status bag_contents_fit(const WorldState& state, const WorldModel& world) {
+    if (state.hydrodissection.has_value() != world.hydrodissection.has_value() ||
+        state.cortex.has_value() != world.cortex.has_value() ||
+        state.retained.has_value() != world.retained.has_value()) {
+        return misfit("hydrodissection, cortex or retained_viscoelastic");
+    }
+    if (state.hydrodissection) {
+        const HydrodissectionState& hydro = *state.hydrodissection;
+        const std::array<double, 8> values{hydro.trapped,  hydro.injected,      hydro.filled, hydro.lifted,
+                                           hydro.pressure, hydro.peak_pressure, hydro.strain, hydro.burst_s};
+        if (static_cast<int>(hydro.cleaved.size()) != cell_count(world.hydrodissection->cells) ||
+            !all_finite(hydro.cleaved) || !hydro.entry.allFinite() || !all_finite(values)) {
+            return misfit("hydrodissection");
+        }
+    }
+    if (state.cortex) {
+        const CortexState& cortex = *state.cortex;
+        const int cells = cell_count(world.cortex->cells);
+        if (static_cast<int>(cortex.volume.size()) != cells || static_cast<int>(cortex.attached.size()) != cells ||
+            !tool_fits(cortex.tool, world) || cortex.cell < -1 || cortex.cell >= cells || !all_finite(cortex.volume) ||
+            (cortex.tool >= 0) != (cortex.cell >= 0) || !all_finite(cortex.attached) || !cortex.place.allFinite() ||
+            !cortex.pull.allFinite() || !std::isfinite(cortex.taken)) {
+            return misfit("the cortex");
+        }
+    }
+    if (state.retained) {
+        const RetainedViscoelasticState& left = *state.retained;
+        const std::array<double, 6> values{left.front, left.behind, left.angle, left.taken, left.rocked, left.under};
+        if (!all_finite(values)) {
+            return misfit("the retained viscoelastic");
+        }
+    }
+    return success();
+}
+
 Status fluid_fits(const WorldState& state, const WorldModel& world) {
     if (state.chamber.has_value() != world.chamber.has_value() ||
         state.capsule.has_value() != world.capsule.has_value() || state.iris.has_value() != world.iris.has_value() ||
@@ -292,6 +333,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
         return status;
     }
     if (Status status = wounds_fit(snapshot.world, world); !status) {
+        return status;
+    }
+    if (Status status = bag_contents_fit(snapshot.world, world); !status) {
         return status;
     }
     if (Status status = microscope_fits(snapshot.world, world); !status) {

@@ -245,6 +245,33 @@ void add(StateHash& hash, const WoundsState& state) {
     }
 }
 
+void add(StateHash& hash, const HydrodissectionState& hydro) {
+    hash.add(std::span<const double>(hydro.cleaved));
+    hash.add(static_cast<std::uint64_t>(hydro.entered ? 1 : 0) + (hydro.under_rim ? 2 : 0));
+    add(hash, hydro.entry);
+    for (const double value : {hydro.trapped, hydro.injected, hydro.filled, hydro.lifted, hydro.pressure,
+                               hydro.peak_pressure, hydro.strain, hydro.burst_s}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const CortexState& cortex) {
+    hash.add(std::span<const double>(cortex.volume));
+    hash.add(std::span<const double>(cortex.attached));
+    hash.add(static_cast<std::uint64_t>(cortex.tool + 1) * 2 + (cortex.held ? 1 : 0));
+    hash.add(static_cast<std::uint64_t>(cortex.cell + 1));
+    add(hash, cortex.place);
+    add(hash, cortex.pull);
+    hash.add(cortex.taken);
+}
+
+void add(StateHash& hash, const RetainedViscoelasticState& retained) {
+    for (const double value :
+         {retained.front, retained.behind, retained.angle, retained.taken, retained.rocked, retained.under}) {
+        hash.add(value);
+    }
+}
+
 void add(StateHash& hash, const IrisState& iris) {
     hash.add(static_cast<std::uint64_t>(iris.tool + 1));
     add(hash, iris.place);
@@ -321,6 +348,15 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     }
     if (world.wounds) {
         add(hash, *world.wounds);
+    }
+    if (world.hydrodissection) {
+        add(hash, *world.hydrodissection);
+    }
+    if (world.cortex) {
+        add(hash, *world.cortex);
+    }
+    if (world.retained) {
+        add(hash, *world.retained);
     }
     if (world.microscope) {
         add(hash, world.microscope->position);

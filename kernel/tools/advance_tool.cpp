@@ -64,10 +64,23 @@ void apply_pedal_to_cutter(const ToolSettings& settings, ToolState& state) {
     state.vacuum_limit = state.aspiration * settings.cutter_vacuum;
 }
 
+/// Pedal 2 is travelled from 1 to 2; beyond that there is nothing more.
+void apply_pedal_to_aspirator(const ToolSettings& settings, ToolState& state) {
+    state.irrigation = state.pedal >= 1.0 && settings.infusion;
+    state.bottle_height = settings.bottle_height;
+    state.aspiration = std::clamp(state.pedal - 1.0, 0.0, 1.0);
+    state.pump_flow = state.aspiration * settings.ia_flow;
+    state.vacuum_limit = state.aspiration * settings.ia_vacuum;
+}
+
 void apply_pedal(const ToolModel& model, double pedal, double dt, const ToolSettings& settings, ToolState& state) {
     state.pedal = std::clamp(pedal, 0.0, 3.0);
     if (model.kind == ToolKind::cutter) {
         apply_pedal_to_cutter(settings, state);
+        return;
+    }
+    if (model.kind == ToolKind::aspirator) {
+        apply_pedal_to_aspirator(settings, state);
         return;
     }
     if (model.kind != ToolKind::phaco) {

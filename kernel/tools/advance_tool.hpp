@@ -20,6 +20,8 @@ struct ToolSettings {
     double cut_rate = 0.5;        ///< of a cutter, share of fastest_cutter
     double cutter_flow = 0.0;     ///< of its pump at full aspiration [mm^3/s]
     double cutter_vacuum = 0.0;   ///< at full aspiration [Pa]
+    double ia_flow = 0.0;         ///< of an aspirator's pump at full aspiration [mm^3/s]
+    double ia_vacuum = 0.0;       ///< at full aspiration [Pa]
     bool cut_first = true;        ///< pedal 2 cuts and 3 sucks as well; false: 2 sucks and 3 cuts as well
     double max_speed = 2000.0;    ///< a sample that asks for more is a tracking error [mm/s]
     double max_distance = 200.0;  ///< of the tip from the centre of the eye [mm]

@@ -5,6 +5,7 @@
 #include "flow/microscope.hpp"
 #include "tools/cutter.hpp"
 #include "tools/hook.hpp"
+#include "tools/ia_tip.hpp"
 #include "tools/injector.hpp"
 #include "tools/lens_forceps.hpp"
 #include "tools/phaco_tip.hpp"
@@ -17,9 +18,10 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",         "capsule_hook", "cutter",       "cystotome",     "forceps", "hook",  "hydration_cannula",
-            "injector",        "keratome",     "lens_forceps", "needle_holder", "phaco",   "probe", "ring",
-            "side_port_blade", "spatula",      "sponge",       "triamcinolone"};
+    return {"cannula",        "capsule_hook",      "cutter",  "cystotome", "forceps",
+            "hook",           "hydration_cannula", "ia_tip",  "injector",  "keratome",
+            "lens_forceps",   "needle_holder",     "phaco",   "probe",     "ring",
+            "saline_cannula", "side_port_blade",   "spatula", "sponge",    "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -82,6 +84,12 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "sponge") {
         return sponge();
+    }
+    if (name == "saline_cannula") {
+        return saline_cannula();
+    }
+    if (name == "ia_tip") {
+        return ia_tip();
     }
     return Error{"there is no instrument '" + std::string(name) + "'", "instruments", suggestion(name, tool_names())};
 }

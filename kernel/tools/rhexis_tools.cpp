@@ -38,4 +38,11 @@ ToolModel triamcinolone_cannula() {
     return tool;
 }
 
+ToolModel saline_cannula() {
+    ToolModel tool = viscoelastic_cannula();
+    tool.name = "saline_cannula";
+    tool.saline = true;
+    return tool;
+}
+
 }  // namespace rhexis

@@ -18,4 +18,7 @@ ToolModel viscoelastic_cannula();
 /// The same with triamcinolone, which makes vitreous white.
 ToolModel triamcinolone_cannula();
 
+/// The same for hydrodissection; what comes out of it is balanced salt solution.
+ToolModel saline_cannula();
+
 }  // namespace rhexis

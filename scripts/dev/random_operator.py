@@ -36,6 +36,9 @@ RUNS = [
     ("iris_prolapse", None),
     ("incision", None),
     ("wound_closure", None),
+    ("hydrodissection", None),
+    ("cortex", None),
+    ("viscoelastic_removal", None),
 ]
 
 

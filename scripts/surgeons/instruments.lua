@@ -18,6 +18,7 @@ local held = {
     forceps = bent(1.0),
     lens_forceps = bent(1.0),
     cannula = bent(0.6),
+    saline_cannula = bent(0.6),
     triamcinolone = bent(0.6, "side_port"),
     hook = bent(0.5, "side_port"),
     -- They work from outside: about where a wound is, or is to be.

@@ -25,14 +25,16 @@ local eye = {}
 ---
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". With capsule and
----chamber "vitreous": it comes forward through a hole in the capsule, and where zonules are lost. With a bag "zonules":
----they can break. With cornea "globe": it rolls under the shafts in its wounds, and with chamber "wounds": how they are
----cut, leak and are closed. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with
----an injector, which pushes it out, free.
+---chamber "vitreous": it comes forward through a hole in the capsule, and where zonules are lost; with the lens too
+---"hydrodissection": its cortex adheres, and saline parts it; without the lens "cortex" and "retained_viscoelastic",
+---which are aspirated. With a bag "zonules": they can break. With cornea "globe": it rolls under the shafts in its
+---wounds, and with chamber "wounds": how they are cut, leak and are closed. In place of the lens "implant": a foldable
+---lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "capsule_hook", "cutter", "cystotome", "forceps", "hook", "hydration_cannula", "injector",
----"keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "side_port_blade", "spatula", "sponge",
----"triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
+---Instruments: "cannula", "capsule_hook", "cutter", "cystotome", "forceps", "hook", "hydration_cannula", "ia_tip",
+---"injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "saline_cannula",
+---"side_port_blade", "spatula", "sponge", "triamcinolone", and as the last one "microscope", which makes the picture
+---what it shows and stands
 ---where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }

@@ -1,0 +1,77 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- What a virtual surgeon does with cortex: holds each tag in the fornix with the mouth up, draws it to the middle, and
+-- aspirates it there. Folds that run to the tip are let go. It sees the picture only. [mm]
+
+local instruments = require "surgeons.instruments"
+
+local speed, careful, strips = 7.0, 4.0, 4.0
+local sectors = 16
+local fornix = 3.85         -- how far out the tip goes
+local below = 0.55          -- under the tag, so that the mouth, which looks up, meets it
+local middle = 1.3          -- how far out a tag is aspirated
+local middle_z = -0.6
+local holds_longest = 1.5   -- [s]
+local takes_longest = 2.0
+local most_passes = 3
+
+local function folds(seen) return seen.landmarks.capsule_folds and "folds" or nil end
+
+local function let_go(me)
+    me.pedal(1)
+    me.wait_until(function(seen) return not seen.landmarks.capsule_folds end, 2)
+end
+
+local function at(place, out, z)
+    local across = math.max(0.1, math.sqrt(place[1] ^ 2 + place[2] ^ 2))
+    return { place[1] / across * out, place[2] / across * out, z }
+end
+
+local function watched_wait(me, done, longest)
+    me.wait_until(function(seen) return done(seen) or (me.notices(folds) and true) end, longest)
+    if me.notices(folds) then
+        let_go(me)
+        return false
+    end
+    return true
+end
+
+local function take(me, name)
+    local mark = me.see().landmarks[name]
+    if not mark then return end
+    local place = mark.position
+    local out = math.min(fornix, math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2)))
+    me.go(at(place, middle, middle_z), speed)
+    me.go(at(place, out, math.max(-1.2, place[3] - below)), careful)
+    me.pedal(2)
+    if not watched_wait(me, function(seen) return seen.landmarks.cortex_at_tip end, holds_longest) then return end
+    if me.go(at(place, middle, middle_z), strips, folds) then return let_go(me) end
+    if not watched_wait(me, function(seen) return not seen.landmarks.cortex_at_tip end, takes_longest) then return end
+    me.pedal(1)
+end
+
+local function some_left(seen)
+    for i = 1, sectors do
+        if seen.landmarks["cortex_" .. i] then return true end
+    end
+    return false
+end
+
+return function(me)
+    me.wait_until(function(seen) return seen ~= nil end, 10)
+    local wound = me.see().landmarks.incision.position
+    me.take_up(instruments.outside(wound))
+    me.wait(0.5)
+    me.pedal(1)
+    me.go(wound, speed)
+    me.go({ 0, -middle, middle_z }, speed)
+    for _ = 1, most_passes do
+        for i = 1, sectors do take(me, "cortex_" .. i) end
+        if not some_left(me.see()) then break end
+    end
+    me.pedal(1)
+    me.go({ 0, -1, 0.5 }, speed)
+    me.go(wound, speed)
+    me.go(instruments.outside(wound), speed)
+    me.put_down()
+    me.pedal(0)
+end

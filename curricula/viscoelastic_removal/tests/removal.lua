@@ -1,0 +1,86 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Viscoelastic before and behind the implant.
+
+local function enter(t)
+    t.ia_tip:enter()
+    t.ia_tip:pedal(1)
+    t.ia_tip:move_to({ 0, 0.3, 0.9 }, { speed = 10 })
+end
+
+local function front(t)
+    t.ia_tip:pedal(2)
+    t:wait_until("viscoelastic.front_mm3 < 15", 6)
+end
+
+local function behind(t)
+    t.ia_tip:pedal(1)
+    t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.6, 0.3, -1.9 } }, { speed = 10 })
+    t.ia_tip:pedal(2)
+    t:wait_until("viscoelastic.behind_mm3 < 2", 4)
+    t.ia_tip:pedal(1)
+    t.ia_tip:path({ { 3.4, 0.3, -1.2 }, { 3.75, 0.3, -0.4 }, { 0, 0.3, 0.9 } }, { speed = 10 })
+end
+
+return scenarios {
+    scenario "in front, then behind the optic" {
+        function(t)
+            enter(t)
+            front(t)
+            t:expect("viscoelastic.behind_percent > 15")
+            behind(t)
+            t.ia_tip:withdraw { speed = 12 }
+            t:wait(0.1)
+            t:expect("viscoelastic.behind_percent <= 5 and not capsule.captured")
+            t:expect_no_event("Viscoelastic left behind the implant")
+        end },
+
+    scenario "only in front, and again behind" {
+        set = { viscoelastic = { front_mm3 = 60 } },
+        function(t)
+            enter(t)
+            front(t)
+            t.ia_tip:withdraw { speed = 12 }
+            t:wait(0.1)
+            t:expect_event("Viscoelastic left behind the implant")
+            enter(t)
+            behind(t)
+            t:wait(0.2)
+            t.ia_tip:pedal(2)
+            t:expect_event("Viscoelastic left behind the implant", { recovered = true, within = 6 })
+        end },
+
+    scenario "only in front" {
+        set = { viscoelastic = { front_mm3 = 60 } },
+        function(t)
+            enter(t)
+            front(t)
+            t.ia_tip:withdraw { speed = 12 }
+            t:expect_event("Viscoelastic left behind the implant", { recovered = false, within = 61 })
+        end },
+
+    scenario "the optic is rocked" {
+        set = { viscoelastic = { front_mm3 = 20 } },
+        silent_twin_of = "Viscoelastic left behind the implant",
+        function(t)
+            enter(t)
+            t.ia_tip:move_to({ 0, 2.4, -0.5 }, { speed = 5 })
+            t.ia_tip:pedal(2)
+            t:wait_until("viscoelastic.behind_percent < 4", 8)
+            t:expect("viscoelastic.rocked > 0.5 and not viscoelastic.under_optic")
+            t.ia_tip:withdraw { speed = 12 }
+            t:wait(0.1)
+        end },
+
+    scenario "the mouth turned down behind the optic draws the capsule in" {
+        function(t)
+            enter(t)
+            t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.0, 0, -2.0 } }, { speed = 8 })
+            t.ia_tip:turn(180)
+            t.ia_tip:move_to({ 0.5, -0.5, -2.5 }, { speed = 3 })
+            t.ia_tip:pedal(2)
+            t:wait_until("capsule.captured", 2)
+            t:expect_event("Posterior capsule drawn in")
+            t.ia_tip:pedal(0)
+            t:expect_event("Posterior capsule drawn in", { recovered = true, within = 1 })
+        end },
+}
