@@ -66,8 +66,6 @@ struct WorldModel {
     std::optional<WoundsModel> wounds;                    ///< in place of the constant leak of the chamber
     std::optional<GlobeModel> globe;                      ///< rolls under shafts; else it stands still
     std::optional<ProlapseModel> prolapse;                ///< of an iris into the main one of simulated wounds
-    std::optional<ViscoelasticModel> viscoelastic;        ///< in place of a chamber through which fluid flows
-    std::optional<VitreousModel> vitreous;                ///< behind bags[0], whose wall has a capsule, and a chamber
     std::optional<HydrodissectionModel> hydrodissection;  ///< of solids[0] in bags[0]; with capsule and chamber
     std::optional<CortexModel> cortex;                    ///< on the wall of bags[0]; with capsule and chamber
     std::optional<RetainedViscoelasticModel> retained;    ///< with bags[0] and chamber

@@ -35,7 +35,7 @@ bool lies_under_rim(const HydrodissectionModel& own, const BagShape& bag, const 
 /// With which instruments press the lens back, spread over it [Pa].
 double press_of(const WorldModel& model, const WorldState& state) {
     const BagState& bag = state.bags[0];
-    const double lift = suspension_wrench(model.bags[0], bag.pose, bag.cushion_z).z();
+    const double lift = suspension_wrench(model.bags[0], bag, bag.pose).z();
     return std::max(0.0, lift) / model.hydrodissection->lens_area;
 }
 

@@ -218,7 +218,8 @@ TEST_SUITE("zonules") {
             Pose moved;
             moved.position[axis] = 1e-6;
             const double change = (suspension_wrench(bag.model, bag.state, Pose{}) -
-                                   suspension_wrench(bag.model, bag.state, moved))[axis] / 1e-6;
+                                   suspension_wrench(bag.model, bag.state, moved))[axis] /
+                                  1e-6;
             // the turning of a hook's line adds to its change of force, and is left out
             CHECK(term.stiffness(axis, axis) - drag == doctest::Approx(change).epsilon(0.05));
         }
