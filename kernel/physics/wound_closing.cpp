@@ -161,7 +161,9 @@ std::array<double, wound_count> instruments_in(const WorldModel& model, std::spa
     std::array<double, wound_count> leak{};
     for (std::size_t i = 0; i < tools.size(); ++i) {
         const Vec3& tip = tools[i].pose.position;
-        if (!tools[i].present || !(beyond_back(*model.wounds, tip) > 0.0)) {
+        const ToolKind kind = model.tools[i].kind;
+        if (!tools[i].present || kind == ToolKind::sponge || kind == ToolKind::needle ||
+            !(beyond_back(*model.wounds, tip) > 0.0)) {
             continue;
         }
         const Vec3 axis = tools[i].pose.orientation * Vec3::UnitZ();
@@ -175,7 +177,7 @@ std::array<double, wound_count> instruments_in(const WorldModel& model, std::spa
                 least = distance;
             }
         }
-        const double share = model.tools[i].kind == ToolKind::blade ? blade_leak : 1.0;
+        const double share = kind == ToolKind::blade ? blade_leak : 1.0;
         leak[nearest] += least < 1e9 ? share * model.chamber->leak_conductance : 0.0;
     }
     return leak;
