@@ -5,7 +5,7 @@
 local wounding = require "surgeons.wounding"
 
 local soft, hard = 15.5, 24.5  -- as the eye feels [mmHg]
-local fill_s = 0.35
+local fill_s = 2.5
 local most_tests = 5
 
 return function(me)

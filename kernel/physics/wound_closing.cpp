@@ -20,7 +20,7 @@ constexpr double lip_reach = 1.6;     ///< of an outer lip: a sponge there press
 constexpr double test_press = 1.0e5;  ///< with which it must be pressed for a test [uN]. Proposal
 constexpr double test_s = 0.3;        ///< and for so long [s]. Proposal
 constexpr double test_pressure = 10.0 * pascal_per_mmhg;  ///< of an eye that can be tested [Pa]. Proposal
-constexpr double runs_off_s = 2.0;                        ///< what lies on a wound [s]. Proposal
+constexpr double runs_off_s = 1.0;                        ///< what lies on a wound [s]. Proposal
 constexpr double soaks = 5.0;                             ///< a sponge takes it up [1/s]. Proposal
 
 double pressure_of(const WorldModel& model, const WorldState& state) {
