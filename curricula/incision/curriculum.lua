@@ -6,9 +6,9 @@ local wound_events = require "wound_events"
 return exercise {
     title = "Incision and side port",
     version = 1,
-    summary = "Nothing is cut yet. Cut the side port for the other hand, then the main incision: in two planes, about as "
-        .. "long as it is wide, so that the pressure of the eye shuts it. What is wrong now goes wrong for the whole "
-        .. "operation.",
+    summary = "Nothing is cut yet. Cut the side port for the other hand, then the main incision: in two planes, about "
+        .. "as long as it is wide, so that the pressure of the eye shuts it. What is wrong now goes wrong for the "
+        .. "whole operation.",
     objectives = {
         "Cut a side port 60 to 100 degrees from the main incision",
         "Cut a tunnel of 2 mm in two planes, as wide as the blade",
@@ -29,14 +29,15 @@ return exercise {
     steps = {
         step "side port" {
             title = "Side port",
-            hint = "Small blade, to the side of the hand that it is for. Straight through the cornea, level with the iris.",
+            hint = "Small blade, to the side of the hand that it is for. Straight through the cornea, level with "
+                .. "the iris.",
             done = "wounds.side_cut and wounds.side_width_mm > 0.8 and not side_port_blade.present",
             time_limit_s = 60,
         },
         step "main incision" {
             title = "Main incision",
-            hint = "Keratome at the limbus: first within the cornea along its slope, then level, until the shoulders of the "
-                .. "blade are through. Straight back, without moving sideways.",
+            hint = "Keratome at the limbus: first within the cornea along its slope, then level, until the shoulders "
+                .. "of the blade are through. Straight back, without moving sideways.",
             done = "wounds.main_cut and wounds.main_width_mm > 2.2 and wounds.main_tunnel_mm > goal.tunnel_mm "
                 .. "and not keratome.present",
             time_limit_s = 90,

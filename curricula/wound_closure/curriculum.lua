@@ -6,8 +6,9 @@ local wound_events = require "wound_events"
 return exercise {
     title = "Closing the wounds",
     version = 1,
-    summary = "The implant is in. Swell the lips of the wound with saline, bring the eye to 15 to 25 mmHg, then press on "
-        .. "the lip with a sponge and look whether anything comes. If it does: hydrate, then suture, then test again.",
+    summary = "The implant is in. Swell the lips of the wound with saline, bring the eye to 15 to 25 mmHg, then press "
+        .. "on the lip with a sponge and look whether anything comes. If it does: hydrate, then suture, then test "
+        .. "again.",
     objectives = {
         "Hydrate the stroma until it is white",
         "Leave an eye of 15 to 25 mmHg",
@@ -23,7 +24,8 @@ return exercise {
         short = { meaning = "a short tunnel, which leaks",
             settings = { ["wounds.main_tunnel_mm"] = 1.1, ["wounds.main_width_mm"] = 2.6 } },
         burnt = { meaning = "a burnt wound, which only stitches close", settings = { ["wounds.main_burn"] = 0.8 } },
-        flap = { meaning = "Descemet's membrane hangs off at the inner lip", settings = { ["wounds.main_peel_mm"] = 0.9 } },
+        flap = { meaning = "Descemet's membrane hangs off at the inner lip",
+            settings = { ["wounds.main_peel_mm"] = 0.9 } },
     },
 
     goals = {
