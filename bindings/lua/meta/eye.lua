@@ -25,12 +25,13 @@ local eye = {}
 ---
 ---Tissues: "lens", "bag", "capsule" (the posterior one), "iris", "cornea", "chamber"; or, in place of lens and bag,
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". With capsule and
----chamber "vitreous": it comes forward through a hole in the capsule. With cornea and chamber "wounds": how they are cut,
----leak and are closed. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
+---chamber "vitreous": it comes forward through a hole in the capsule. With cornea and chamber "wounds": how they are
+---cut, leak and are closed. In place of the lens "implant": a foldable lens that is held by the ends of its haptics;
+---with an injector, which pushes it out, free.
 ---
 ---Instruments: "cannula", "cutter", "cystotome", "forceps", "hook", "hydration_cannula", "injector", "keratome",
----"lens_forceps", "needle_holder", "phaco", "probe", "side_port_blade", "spatula", "sponge", "triamcinolone", and as the
----last one "microscope", which makes the picture what it shows and stands
+---"lens_forceps", "needle_holder", "phaco", "probe", "side_port_blade", "spatula", "sponge", "triamcinolone", and as
+---the last one "microscope", which makes the picture what it shows and stands
 ---where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
