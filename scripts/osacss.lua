@@ -43,8 +43,8 @@ return scoring.rubric {
             { id = "T2.tunnel", name = "Length of the main incision's tunnel", unit = "mm", digits = 2,
                 of = "wounds.main_tunnel_mm", take = "last", during = "wounds.main_cut", five = { 1.75, 2.25 },
                 three = { 1.25, 2.75 }, one = { 1.0, 3.0 }, weight = 2,
-                source = "Mackool & Russell 1996: strong from 2.0 mm at 3.0 to 3.5 mm width; Ernest 1994: square wounds "
-                    .. "hold far better",
+                source = "Mackool & Russell 1996: strong from 2.0 mm at 3.0 to 3.5 mm width; Ernest 1994: square "
+                    .. "wounds hold far better",
                 better = "About as long as it is wide: 2 mm." },
             { id = "T2.width", name = "Difference of its width from that of the blade", unit = "mm", digits = 2,
                 of = "abs(wounds.main_width_mm - 2.4)", take = "last", during = "wounds.main_cut", five = 0.1,
@@ -58,8 +58,8 @@ return scoring.rubric {
                 one = 5, weight = 1, source = "nothing, ooze, stream; figures are a proposal",
                 better = "A tunnel as long as it is wide shuts itself." },
             { id = "T2.touches", name = "Touches of iris or lens by a blade", unit = "1", digits = 0,
-                of = "wounds.touches", take = "last", during = "wounds.main_cut or wounds.side_cut", five = 0, three = 1,
-                one = 2, weight = 1, source = "proposal",
+                of = "wounds.touches", take = "last", during = "wounds.main_cut or wounds.side_cut", five = 0,
+                three = 1, one = 2, weight = 1, source = "proposal",
                 better = "Level with the iris as soon as the point is in the chamber." },
             { id = "T2.angle", name = "Angle of the side port from the main incision", unit = "degrees", digits = 0,
                 of = "wounds.side_angle_deg", take = "last", during = "wounds.main_cut and wounds.side_cut",

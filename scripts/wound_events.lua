@@ -20,8 +20,8 @@ function wound_events.short(own)
         harm = "wounds.main_leak_ul_s > 0.5",
         severity = "critical",
         cue = "The lip gapes, fluid comes at the wound, the chamber gets shallow.",
-        advice = "The tunnel is too short. Hydrate it, then suture it, until it is tight; or close it and cut a new one "
-            .. "two clock hours away.",
+        advice = "The tunnel is too short. Hydrate it, then suture it, until it is tight; or close it and cut a new "
+            .. "one two clock hours away.",
         evidence = { "wounds.main_tunnel_mm", "wounds.main_width_mm", "wounds.main_leak_at_20_ul_s" },
     }, own)
 end
@@ -69,8 +69,8 @@ function wound_events.descemet(own)
         harm = "wounds.main_most_peel_mm > 1",
         severity = "critical",
         cue = "A clear curled flap at the inner lip.",
-        advice = "You push Descemet's membrane off. Draw back, come in again with the tip turned down, and lay the flap "
-            .. "flat with viscoelastic under it.",
+        advice = "You push Descemet's membrane off. Draw back, come in again with the tip turned down, and lay the "
+            .. "flap flat with viscoelastic under it.",
         evidence = { "wounds.main_peel_mm", "wounds.side_peel_mm", "wounds.main_most_peel_mm" },
     }, own)
 end
@@ -87,8 +87,8 @@ function wound_events.leak(own)
         harm = "chamber.pressure_mmhg < 6",
         severity = "critical",
         cue = "Fluid comes at the lip, the eye gets soft and the chamber shallow.",
-        advice = "The wound leaks. Hydrate its stroma on both sides; if it leaks still, suture it. Then press on the lip "
-            .. "and look again.",
+        advice = "The wound leaks. Hydrate its stroma on both sides; if it leaks still, suture it. Then press on the "
+            .. "lip and look again.",
         evidence = { "wounds.leak_at_20_ul_s", "wounds.tested_leak_ul_s", "wounds.main_swelling", "wounds.main_sutures",
             "chamber.pressure_mmhg" },
     }, own)
@@ -106,8 +106,8 @@ function wound_events.bleeding(own)
         harm = "chamber.depth_share < 0.6",
         severity = "critical",
         cue = "The eye hardens, the chamber gets shallow, the reflex darkens.",
-        advice = "Bleeding behind the choroid: everything out, and close the wounds at once. The pressure of a closed eye "
-            .. "stops it.",
+        advice = "Bleeding behind the choroid: everything out, and close the wounds at once. The pressure of a closed "
+            .. "eye stops it.",
         evidence = { "suprachoroidal.pressure_mmhg", "suprachoroidal.blood_mm3", "wounds.leak_ul_s",
             "chamber.pressure_mmhg", "chamber.depth_share" },
     }, own)

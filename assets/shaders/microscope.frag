@@ -171,8 +171,9 @@ vec2 film_on_lip(vec3 at, vec3 inner_lip, float reach, float grain) {
     float along = off.y * outward.x - off.x * outward.y;
     float far = length(vec2(0.55 * along, dot(off, outward))) + 0.25 * reach * (grain - 0.5);
     float inside = 1.0 - smoothstep(reach - 0.10, reach, far);
-    float edge = exp(-pow((far - reach + 0.06) / 0.045, 2.0));
-    return vec2(0.30 * edge * (0.4 + grain) + 0.10 * inside, 0.28 * inside + 0.25 * edge);
+    float edge = exp(-pow((far - reach + 0.08) / 0.09, 2.0));
+    float glint = edge * smoothstep(0.55, 0.85, grain);
+    return vec2(0.06 * edge + 0.22 * glint + 0.05 * inside, 0.16 * inside + 0.14 * edge);
 }
 
 // A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.

@@ -62,7 +62,9 @@ private:
     static double least_gap(const ObserveInput& input) {
         double gap = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < input.tools.size(); ++i) {
-            if (input.tools[i].present) {
+            const ToolKind kind = input.world.tools[i].kind;
+            const bool outside = kind == ToolKind::sponge || kind == ToolKind::needle;  // of the cornea
+            if (input.tools[i].present && !outside) {
                 gap = std::min(gap, tool_gap(input.world.tools[i], input.tools[i].pose, [&](const Vec3& point) {
                                    return iris_distance(input.eye.anatomy, point);
                                }));

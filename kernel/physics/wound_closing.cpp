@@ -20,7 +20,7 @@ constexpr double lip_reach = 1.6;     ///< of an outer lip: a sponge there press
 constexpr double test_press = 1.0e5;  ///< with which it must be pressed for a test [uN]. Proposal
 constexpr double test_s = 0.3;        ///< and for so long [s]. Proposal
 constexpr double test_pressure = 10.0 * pascal_per_mmhg;  ///< of an eye that can be tested [Pa]. Proposal
-constexpr double runs_off_s = 2.0;                        ///< what lies on a wound [s]. Proposal
+constexpr double runs_off_s = 1.0;                        ///< what lies on a wound [s]. Proposal
 constexpr double soaks = 5.0;                             ///< a sponge takes it up [1/s]. Proposal
 
 double pressure_of(const WorldModel& model, const WorldState& state) {
@@ -161,7 +161,9 @@ std::array<double, wound_count> instruments_in(const WorldModel& model, std::spa
     std::array<double, wound_count> leak{};
     for (std::size_t i = 0; i < tools.size(); ++i) {
         const Vec3& tip = tools[i].pose.position;
-        if (!tools[i].present || !(beyond_back(*model.wounds, tip) > 0.0)) {
+        const ToolKind kind = model.tools[i].kind;
+        if (!tools[i].present || kind == ToolKind::sponge || kind == ToolKind::needle ||
+            !(beyond_back(*model.wounds, tip) > 0.0)) {
             continue;
         }
         const Vec3 axis = tools[i].pose.orientation * Vec3::UnitZ();
@@ -175,7 +177,7 @@ std::array<double, wound_count> instruments_in(const WorldModel& model, std::spa
                 least = distance;
             }
         }
-        const double share = model.tools[i].kind == ToolKind::blade ? blade_leak : 1.0;
+        const double share = kind == ToolKind::blade ? blade_leak : 1.0;
         leak[nearest] += least < 1e9 ? share * model.chamber->leak_conductance : 0.0;
     }
     return leak;

@@ -97,7 +97,7 @@ function wounding.test(me)
     local site = site_of(me, "incision_site")
     me.go(from(site, -0.4, 0.4), quick)
     me.go(from(site, 0.77 * press_depth, -0.64 * press_depth), careful)
-    me.wait(1.0)
+    me.wait(2.0)  -- what lay there is soaked up first
     local seen = me.see()
     local hard, wet = size(seen, "hardness"), seen.landmarks.wound_fluid ~= nil
     me.go(from(site, -0.4, 0.4), careful)
