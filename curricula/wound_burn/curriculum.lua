@@ -43,7 +43,7 @@ return exercise {
             title = "Enter the eye and come to the lens",
             hint = "In through the main incision with irrigation on (pedal 1). Then pedal 2: look whether the panel "
                 .. "shows flow.",
-            done = "phaco.tip_depth_mm > -0.6",
+            done = "phaco.tip_depth_mm > -1.2 or phaco.present and phaco.pedal > 1.9",
             time_limit_s = 60,
         },
         step "recognise" {
