@@ -7,8 +7,8 @@ local globe_events = require "globe_events"
 return exercise {
     title = "Ultrasound without flow",
     version = 1,
-    summary = "Viscoelastic has set in the tip, and the wound lies tight around the sleeve: nothing flows, and what does "
-        .. "not flow does not cool. Find it out before ultrasound burns the wound, come out, have the tip cleared, and "
+    summary = "Viscoelastic has set in the tip, and the wound lies tight around the sleeve: nothing flows, and what "
+        .. "does not flow does not cool. Find it out before ultrasound burns the wound, come out, have the tip cleared, and "
         .. "go on.",
     objectives = {
         "Try the flow in pedal position 2 before every first ultrasound",

@@ -39,7 +39,9 @@ end
 local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$", "^fragment_%d", "^bridge$",
     "^capsule_folds$", "^capsule_hole$", "^iris_caught$", "^viscoelastic$", "^tear_tip$", "^flap$",
     "^wound_gape$", "^wound_fluid$", "_site$", "^stroma_white$", "^side_port_white$", "^side_port_fluid$",
-    "^descemet_flap$", "^stitches$", "^hardness$", "^held$", "^rim$", "^pupil_peak$", "^iris_prolapse$", "^limbus$", "^vitreous", "^cutter$", "^triamcinolone$", "^haptic_%a+_middle$", "^haptic_%a+_elbow$" }
+    "^descemet_flap$", "^stitches$", "^hardness$", "^held$", "^rim$", "^pupil_peak$",
+    "^iris_prolapse$", "^limbus$", "^vitreous", "^cutter$", "^triamcinolone$", "^haptic_%a+_middle$",
+    "^haptic_%a+_elbow$" }
 
 -- What lies so near to another thing that one look takes in both is misjudged as that is.
 local one_look = { margin = "tear_tip" }
