@@ -105,15 +105,15 @@ vec3 iris_colour(vec3 at, float radius) {
 vec4 prolapsed(vec3 at) {
     float along = at.y * prolapse.x - at.x * prolapse.y;
     float out_to = dot(prolapse.xy, at.xy) - prolapse.z;
-    float half_length = 0.25 + 0.35 * prolapse.w;
-    float half_width = 0.42 * incision_width;
+    float half_length = 0.25 + 0.22 * prolapse.w;
+    float half_width = 0.48 * incision_width;
     vec4 grain = texture(detail_map, at.xy * 0.30);
     vec2 off = vec2(along / half_width, (out_to - half_length + 0.15) / half_length);
     float round = dot(off, off) + 0.35 * (grain.r - 0.5);
     float hides = 1.0 - smoothstep(0.80, 1.05, round);
     vec3 fold = iris_colour(vec3(prolapse.xy * (limbus_radius - 1.6) + vec2(-prolapse.y, prolapse.x) * along, 0.0),
                             limbus_radius - 1.6 + 0.25 * off.y);
-    float ridge = 0.55 + 0.35 * max(0.0, 1.0 - round) + 0.25 * (grain.g - 0.5);
+    float ridge = 0.35 + 0.35 * max(0.0, 1.0 - round) + 0.25 * (grain.g - 0.5);
     float wet = 0.5 * smoothstep(0.25, 0.0, length(off - vec2(-0.25, 0.30)));
     return vec4(fold * ridge + wet * lamp, hides);
 }
@@ -145,6 +145,13 @@ vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
         light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
     }
     return light * step(0.0, way.z);
+}
+
+// Radius of the pupil's edge in the direction of a place.
+float edge_at(vec3 at, float rho) {
+    float aside = caught_edge.z != 0.0 ? dot(at.xy, caught_edge.xy) / max(rho, 0.01) : -1.0;
+    return caught_edge.z < 0.0 ? pupil_radius + caught_edge.z * (1.0 - exp(-(1.0 - aside) / 0.06))
+                               : pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);
 }
 
 // Where a burnt main wound is white: its roof and lips, more the nearer to its middle.
@@ -546,7 +553,13 @@ void main() {
     float before_iris = tool.a * step(tool_depth / dot(inside, view_axis), to_iris);
     vec3 iris = nothing;
     if (has_iris == 1 && iris_rho < limbus_radius + 0.25) {
-        iris = iris_colour(on_iris, iris_rho) * (1.0 - 0.55 * shade.r);
+        // An edge that has come in takes the tissue behind it along.
+        float span = limbus_radius + 0.25;
+        float edge_here = edge_at(on_iris, iris_rho);
+        float from = caught_edge.z < 0.0
+                         ? pupil_radius + (iris_rho - edge_here) * (span - pupil_radius) / (span - edge_here)
+                         : iris_rho;
+        iris = iris_colour(on_iris, from) * (1.0 - 0.55 * shade.r);
     }
     vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
 #endif
@@ -554,9 +567,7 @@ void main() {
     vec3 lens = past_bag(pupil_colour(entry, inside, tool, iris_rho), entry, inside, tool.a);
     vec3 deep = under_sheets(lens) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
-    float aside = caught_edge.z != 0.0 ? dot(on_iris.xy, caught_edge.xy) / max(iris_rho, 0.01) : -1.0;
-    float edge = caught_edge.z < 0.0 ? pupil_radius + caught_edge.z * (1.0 - exp(-(1.0 - aside) / 0.06))
-                                     : pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);
+    float edge = edge_at(on_iris, iris_rho);
     deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, iris_rho);
 #if PART == 3
     vec3 inner = deep;

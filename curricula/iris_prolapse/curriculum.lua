@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Iris in a wound that is short and lies far back: let the pressure out through the side port, and stroke it home.
 
-local phaco_events = require "phaco_events"
 local globe_events = require "globe_events"
 
 return exercise {
@@ -35,7 +34,7 @@ return exercise {
     steps = {
         step "let down" {
             title = "Let the pressure out",
-            hint = "Spatula into the side port, just through it. Press its lip down until fluid runs out and the eye is "
+            hint = "Spatula into the side port, just through it. Press its lip aside until fluid runs out and the eye is "
                 .. "soft. Leave the iris alone.",
             done = "chamber.pressure_mmhg < goal.pressure_mmhg",
             time_limit_s = 60,
@@ -48,8 +47,11 @@ return exercise {
         },
         step "leave it" {
             title = "See that it stays",
+            script = function(_, act)
+                act.wait_until("iris.prolapse_mm < 0.2 and not phaco.present and not spatula.present")
+                act.wait(1.5)
+            end,
             hint = "Instruments away. The pupil is round again.",
-            done = "iris.prolapse_mm < 0.2 and not phaco.present and not spatula.present",
             time_limit_s = 30,
         },
     },
@@ -57,7 +59,6 @@ return exercise {
     errors = {
         error_event "Iris prolapse" (globe_events.iris_prolapse { items = { "G5", "T2", "T14" } }),
         error_event "Eye rolled" (globe_events.eye_rolled { items = { "G1" } }),
-        error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
     },
 
     time_limit_s = 200,

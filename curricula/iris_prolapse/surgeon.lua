@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What a virtual surgeon does who sees iris in the wound: presses the lip of the side port down with a spatula until the
+-- What a virtual surgeon does who sees iris in the wound: presses the lip of the side port aside with a spatula until the
 -- eye must be soft, then strokes over the outer lip of the main wound until the iris is gone. It sees the picture only:
 -- no measure, no event, no score. [mm]
 
@@ -7,7 +7,8 @@ local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"
 
 local speed, careful = 6.0, 2.5
-local through, down = 0.35, 0.9   -- of the side port's lip: how far in, and pressed down
+local through, down = 0.2, 0.4   -- of the side port's lip: how far in, and how deep
+local aside = 1.0                -- pressed, along the limbus
 local press_s = 2.5
 local over = 0.12                 -- height over the outer lip
 local half = 1.2                  -- of a stroke
@@ -23,6 +24,7 @@ local function let_down(me)
     me.wait(0.5)
     me.left.go(place, speed)
     me.left.go(vector.add(place, { 0, 0, -down }), careful)
+    me.left.go(vector.add(place, { 0, aside, -down }), careful)
     me.wait(me.about(press_s))
     me.left.go(place, careful)
     me.left.go(instruments.outside(port), speed)

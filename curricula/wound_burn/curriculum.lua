@@ -7,8 +7,8 @@ local globe_events = require "globe_events"
 return exercise {
     title = "Ultrasound without flow",
     version = 1,
-    summary = "Viscoelastic has set in the tip, and the wound lies tight around the sleeve: nothing flows, and what does "
-        .. "not flow does not cool. Find it out before ultrasound burns the wound, come out, have the tip cleared, and "
+    summary = "Viscoelastic has set in the tip, and the wound lies tight around the sleeve: nothing flows, and what "
+        .. "does not flow does not cool. Find it out before ultrasound burns the wound, come out, have the tip cleared, and "
         .. "go on.",
     objectives = {
         "Try the flow in pedal position 2 before every first ultrasound",
@@ -43,7 +43,7 @@ return exercise {
             title = "Enter the eye and come to the lens",
             hint = "In through the main incision with irrigation on (pedal 1). Then pedal 2: look whether the panel "
                 .. "shows flow.",
-            done = "phaco.tip_depth_mm > -0.6",
+            done = "phaco.tip_depth_mm > -1.2 or phaco.present and phaco.pedal > 1.9",
             time_limit_s = 60,
         },
         step "recognise" {

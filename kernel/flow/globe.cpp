@@ -29,10 +29,8 @@ Pose to_eye(const GlobeModel& model, const GlobeState& state, const Pose& pose) 
     return {to_eye(model, state, pose.position), (rotation_of(state).conjugate() * pose.orientation).normalized()};
 }
 
-double pressed_conductance(const GlobeModel& model, const Lip& lip, const Vec3& place, double width, double tunnel) {
-    const Vec3 outward = (place - model.front_centre).normalized();
-    const double across = std::abs(lip.deflection.dot(outward));
-    const double slit = std::clamp(model.opening * (across - model.opens), 0.0, model.widest);
+double pressed_conductance(const GlobeModel& model, const Lip& lip, double width, double tunnel) {
+    const double slit = std::clamp(model.opening * (lip.deflection.norm() - model.opens), 0.0, model.widest);
     return width * slit * slit * slit / (12.0 * model.viscosity * std::max(tunnel, 0.3));
 }
 

@@ -23,14 +23,14 @@ struct GlobeModel {
     double bears = 0.25;           ///< deflection of a lip that leaves nothing [mm]. Proposal
     double stays = 0.5;            ///< share of what is beyond that stays as width of the wound. Proposal
     double most = 0.5;             ///< roll at which the orbit lets it go no further [rad]. Proposal
-    Vec3 front_centre = Vec3::Zero();    ///< of the ball of the cornea's front [mm]
-    double front_radius = 7.63;          ///< [mm]
-    double opens = 0.05;                 ///< deflection of a lip, down or up, from which its wound opens [mm]. Proposal
-    double opening = 1.0;                ///< share of the deflection beyond, as height of the slit. Proposal
-    double widest = 0.12;                ///< height of that slit at most [mm]. Proposal
-    double viscosity = 0.72e-3;          ///< of the fluid [Pa s]: water at 34 degrees
-    double tunnel = 1.5;                 ///< of a wound that is not simulated itself [mm]. Proposal
-    std::array<Vec3, lip_count> lips{};  ///< inner lips of main wound and side port [mm]
+    Vec3 front_centre = Vec3::Zero();        ///< of the ball of the cornea's front [mm]
+    double front_radius = 7.63;              ///< [mm]
+    double opens = 0.1;                      ///< deflection of a lip from which its wound gapes [mm]. Proposal
+    double opening = 1.0;                    ///< share of the deflection beyond, as height of the slit. Proposal
+    double widest = 0.12;                    ///< height of that slit at most [mm]. Proposal
+    double viscosity = 0.72e-3;              ///< of the fluid [Pa s]: water at 34 degrees
+    double tunnel = 1.5;                     ///< of a wound that is not simulated itself [mm]. Proposal
+    std::array<Vec3, lip_count> lips{};      ///< inner lips of main wound and side port [mm]
     std::array<double, lip_count> widths{};  ///< [mm]; 0: there is no such wound
 };
 
@@ -59,8 +59,8 @@ Pose to_room(const GlobeModel& model, const GlobeState& state, const Pose& pose)
 Vec3 to_eye(const GlobeModel& model, const GlobeState& state, const Vec3& place);
 Pose to_eye(const GlobeModel& model, const GlobeState& state, const Pose& pose);
 
-/// What a wound lets through because a shaft presses on its lip: down into the eye or up out of it [mm^3/(s Pa)].
-/// place: of its inner lip [mm]; tunnel: its length [mm].
-double pressed_conductance(const GlobeModel& model, const Lip& lip, const Vec3& place, double width, double tunnel);
+/// What a wound lets through because a shaft presses on its lip, which then fits no more [mm^3/(s Pa)]. tunnel: length
+/// of the wound [mm].
+double pressed_conductance(const GlobeModel& model, const Lip& lip, double width, double tunnel);
 
 }  // namespace rhexis

@@ -157,8 +157,8 @@ double pressed_open(const WorldModel& model, std::span<const ToolState> tools, c
         }
         const std::size_t lip = shaft->lip;
         counted[lip] = true;
-        sum += pressed_conductance(*model.globe, state.globe->lips[lip], lip_place(model, state, lip),
-                                   wound_width(model, state, lip), tunnel_length(model, state, lip));
+        sum += pressed_conductance(*model.globe, state.globe->lips[lip], wound_width(model, state, lip),
+                                   tunnel_length(model, state, lip));
     }
     return sum;
 }

@@ -8,8 +8,9 @@ namespace rhexis {
 
 namespace {
 
-constexpr double in_wound = 0.2;  ///< so long a prolapse lies in the wound and takes all of its pressure [mm]
-constexpr double least = 0.1;     ///< a shorter one has slipped back [mm]
+constexpr double in_wound = 0.2;     ///< so long a prolapse lies in the wound and takes all of its pressure [mm]
+constexpr double full_tunnel = 0.5;  ///< length from which on all of the tunnel rubs on it [mm]. Proposal
+constexpr double least = 0.1;        ///< a shorter one has slipped back [mm]
 constexpr double usual_pressure = 20.0 * pascal_per_mmhg;
 
 double distance_to_line(const Vec3& a, const Vec3& unit, const Vec3& place) {
@@ -90,7 +91,8 @@ void push_back(const ProlapseModel& model, double room, double pressure, Prolaps
 double pushed_length(const ProlapseModel& model, const ProlapseState& state, double pull, double width, double dt) {
     const double stiffness = model.stiffness * (1.0 - model.softer * state.damage);
     const double out = std::max(0.0, pull - model.holds) * model.patch * width;
-    const double friction = state.length > 0.0 ? model.friction * (state.stroke_s > 0.0 ? model.stroked : 1.0) : 0.0;
+    const double lies_in = std::min(1.0, state.length / full_tunnel);
+    const double friction = lies_in * model.friction * (state.stroke_s > 0.0 ? model.stroked : 1.0);
     const double net = out - stiffness * state.length;
     if (std::abs(net) <= friction) {
         return state.length;

@@ -68,7 +68,7 @@ return scenarios {
             t:expect("wound.temperature_c > 60 and wound.burn_share > 0.5")
         end },
 
-    scenario "half a second of ultrasound without flow" {
+    scenario "ultrasound without flow, let go before it burns" {
         silent_twin_of = "Wound burn",
         function(t)
             run_dry(t)
