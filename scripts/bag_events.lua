@@ -9,8 +9,8 @@ local bag_events = {}
 --- quadrant, until the lens turns freely.
 function bag_events.no_wave(own)
     return with({
-        when = "hydro.injected_ml > 1 and hydro.wave_share < 0.3 or bag.turn_deg * bag.turn_deg > 25 "
-            .. "and bag.slip_deg * bag.slip_deg < 0.25 * bag.turn_deg * bag.turn_deg",
+        when = "hydro.wave_share < 0.3 and (hydro.injected_ml > 1 or bag.turn_deg * bag.turn_deg > 30 "
+            .. "and bag.slip_deg * bag.slip_deg < 0.25 * bag.turn_deg * bag.turn_deg)",
         hold_s = 0.2,
         recovered = "hydro.wave_share > 0.6 and bag.slip_deg * bag.slip_deg >= 8100 and zonules.strain < 0.15",
         deadline_s = 20,
