@@ -30,7 +30,7 @@ function bag_events.block(own)
         when = "hydro.forward_mm > 0.5 and not hydro.burst",
         recovered = "hydro.forward_mm < 0.25 and not hydro.burst",
         recovered_hold_s = 0.2,
-        deadline_s = 10,
+        deadline_s = 6,
         near_miss_s = 0,
         harm = "hydro.burst or hydro.strain_share > 0.8",
         severity = "critical",

@@ -29,7 +29,7 @@ return scenarios {
     scenario "the nucleus bulges, and is left so" {
         function(t)
             inject(t, "hydro.forward_mm > 0.55")
-            t:expect_event("Capsular block", { recovered = false, within = 11 })
+            t:expect_event("Capsular block", { recovered = false, within = 7 })
         end },
 
     scenario "the capsule bursts, and the nucleus is held up" {
