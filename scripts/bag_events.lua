@@ -9,8 +9,8 @@ local bag_events = {}
 --- quadrant, until the lens turns freely.
 function bag_events.no_wave(own)
     return with({
-        when = "hydro.injected_ml > 1 and hydro.wave_share < 0.3 or bag.turn_deg * bag.turn_deg > 25 "
-            .. "and bag.slip_deg * bag.slip_deg < 0.25 * bag.turn_deg * bag.turn_deg",
+        when = "hydro.wave_share < 0.3 and (hydro.injected_ml > 1 or bag.turn_deg * bag.turn_deg > 30 "
+            .. "and bag.slip_deg * bag.slip_deg < 0.25 * bag.turn_deg * bag.turn_deg)",
         hold_s = 0.2,
         recovered = "hydro.wave_share > 0.6 and bag.slip_deg * bag.slip_deg >= 8100 and zonules.strain < 0.15",
         deadline_s = 20,
@@ -30,7 +30,7 @@ function bag_events.block(own)
         when = "hydro.forward_mm > 0.5 and not hydro.burst",
         recovered = "hydro.forward_mm < 0.25 and not hydro.burst",
         recovered_hold_s = 0.2,
-        deadline_s = 10,
+        deadline_s = 6,
         near_miss_s = 0,
         harm = "hydro.burst or hydro.strain_share > 0.8",
         severity = "critical",

@@ -15,7 +15,7 @@ return exercise {
         "Let go of a posterior capsule that was drawn in, before it tears",
     },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 8.5 },
     tissues = { "bag", "capsule", "iris", "cornea", "chamber", "cortex" },
     instruments = { "ia_tip" },
     settings = {

@@ -8,6 +8,7 @@ local speed, careful, strips = 7.0, 4.0, 4.0
 local sectors = 16
 local fornix = 3.85         -- how far out the tip goes
 local below = 0.55          -- under the tag, so that the mouth, which looks up, meets it
+local farther, lower = 0.4, 0.35
 local middle = 1.3          -- how far out a tag is aspirated
 local middle_z = -0.6
 local holds_longest = 1.5   -- [s]
@@ -35,13 +36,19 @@ local function watched_wait(me, done, longest)
     return true
 end
 
+-- Under the incision the tip stands steeply: it goes farther out, and lower.
+local function beside(place)
+    local near = math.max(0, math.min(1, -place[2] / 3))
+    local out = math.min(fornix + near * farther, math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2)))
+    return at(place, out, math.max(-1.2, place[3] - below - near * lower))
+end
+
 local function take(me, name)
     local mark = me.see().landmarks[name]
     if not mark then return end
     local place = mark.position
-    local out = math.min(fornix, math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2)))
     me.go(at(place, middle, middle_z), speed)
-    me.go(at(place, out, math.max(-1.2, place[3] - below)), careful)
+    me.go(beside(place), careful)
     me.pedal(2)
     if not watched_wait(me, function(seen) return seen.landmarks.cortex_at_tip end, holds_longest) then return end
     if me.go(at(place, middle, middle_z), strips, folds) then return let_go(me) end

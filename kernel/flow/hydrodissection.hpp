@@ -28,7 +28,7 @@ struct HydrodissectionModel {
     double lens_area = 60.0;                   ///< by which trapped fluid moves the lens [mm^2]
     double egress = 67.0 / pascal_per_mmhg;    ///< past the nucleus, per pressure [mm^3/(s Pa)]. Proposal
     double seal = 0.35;                        ///< forward, the nucleus shuts the opening [mm]. Proposal
-    double sealed = 0.01;                      ///< share of the egress that stays when it does. Proposal
+    double sealed = 0.001;                     ///< share of the egress that stays when it does. Proposal
     double wall_share = 0.1;                   ///< of the pressure that the capsule bears; rest: vitreous. Proposal
     double first_tear = 1.0;                   ///< radius of the hole when the capsule bursts [mm]. Proposal
     double sink = 2.0e4;                       ///< with which the lens then falls back there [uN]. Proposal

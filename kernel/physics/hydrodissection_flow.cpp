@@ -18,7 +18,10 @@ constexpr double all_free = 1.15;      ///< fill less than this by 1 leaves the 
 constexpr double taken_along = 0.5;    ///< of viscoelastic, beside its share, by what leaks. Proposal
 constexpr double drains_s = 0.1;       ///< trapped fluid, through a burst capsule [s]. Proposal
 constexpr double under_lens = 0.3;     ///< viscoelastic so far behind the rim's plane lifts the lens [mm]. Proposal
-constexpr double away = 0.3;           ///< of the bag's radius, across from where saline comes in, it bursts. Proposal
+constexpr double beside_rim =
+    0.3;  ///< nearer to the edge than this a cannula does not press the lens back [mm]. Proposal
+constexpr double gives_way = 0.5;  ///< of the nucleus, share of the depth to which an end stands in it. Proposal
+constexpr double away = 0.3;       ///< of the bag's radius, across from where saline comes in, it bursts. Proposal
 
 /// What an instrument's syringe gives in a step [mm^3].
 double pressed_out(const HydrodissectionModel& own, const ToolState& tool, double pressure, double dt) {
@@ -39,11 +42,27 @@ double press_of(const WorldModel& model, const WorldState& state) {
     return std::max(0.0, lift) / model.hydrodissection->lens_area;
 }
 
+/// How far an instrument that stands in the front of the lens has pressed it back from the opening [mm].
+double pressed_in(const HydrodissectionModel& own, const WorldModel& model, std::span<const ToolState> tools,
+                  const Pose& bag) {
+    double deepest = 0.0;
+    for (const ToolState& tool : tools) {
+        const Vec3 local = bag.to_body(tool.pose.position);
+        if (tool.present && local.z() > 0.0 && local.head<2>().norm() < own.opening_radius - beside_rim) {
+            deepest = std::max(deepest, -bag_distance(model.bags[0].shape, local).distance);
+        }
+    }
+    return gives_way * deepest;
+}
+
 /// Share of the way past the nucleus that is open: shut as the lens comes forward, or viscoelastic lies before it.
-double open_way(const HydrodissectionModel& own, const WorldModel& model, const WorldState& state) {
+double open_way(const WorldModel& model, std::span<const ToolState> tools, const WorldState& state) {
+    const HydrodissectionModel& own = *model.hydrodissection;
     const double still = state.chamber->eye_volume - state.hydrodissection->trapped;
-    const double forward = state.bags[0].pose.position.z() - diaphragm_shift(*model.chamber, still, 0.0);
-    const double gap = std::clamp(1.0 - forward / own.seal, own.sealed, 1.0);
+    const Pose& bag = state.bags[0].pose;
+    const double forward = bag.position.z() - diaphragm_shift(*model.chamber, still, 0.0);
+    const double shut = std::max(0.0, forward - pressed_in(own, model, tools, bag)) / own.seal;
+    const double gap = std::clamp(1.0 - shut, own.sealed, 1.0);
     return gap * std::clamp(all_free - viscoelastic_fill(own, *state.hydrodissection), no_way, 1.0);
 }
 
@@ -95,7 +114,8 @@ void let_out(const HydrodissectionModel& own, double open, double press, double 
 void give_saline(const WorldModel& model, const ToolModel& tool, const ToolState& now, double dt, WorldState& state) {
     const HydrodissectionModel& own = *model.hydrodissection;
     HydrodissectionState& hydro = *state.hydrodissection;
-    const Vec3 local = state.bags[0].pose.to_body(now.pose.position);
+    Vec3 local = state.bags[0].pose.to_body(now.pose.position);
+    local.z() += forward_shift(own, hydro);  // what is trapped lifts the lens past the cannula, not the rim over it
     const bool under = lies_under_rim(own, model.bags[0].shape, local);
     hydro.under_rim = hydro.under_rim || (tool.saline && under);
     const double outside = eye_pressure(*model.chamber, state.chamber->eye_volume);
@@ -163,7 +183,7 @@ void hydrodissect(const WorldModel& model, std::span<const ToolState> tools, dou
     const double press = press_of(model, state);
     const double pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
     advance_wave(own, pressure, dt, hydro);
-    let_out(own, open_way(own, model, state), press, dt, hydro);
+    let_out(own, open_way(model, tools, state), press, dt, hydro);
     hydro.pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
     hydro.peak_pressure = std::max(hydro.peak_pressure, hydro.pressure);
     free_cortex(own, hydro, state.bags[0]);

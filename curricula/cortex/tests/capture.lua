@@ -6,7 +6,8 @@ local function low(t, turned)
     t.ia_tip:pedal(1)
     t.ia_tip:move_to({ 0, -0.5, -0.5 }, { speed = 10 })
     t.ia_tip:turn(turned)
-    t.ia_tip:move_to({ 0, -0.5, -2.55 }, { speed = 3 })
+    t.ia_tip:move_to({ 0, -1.0, -1.5 }, { speed = 8 })
+    t.ia_tip:move_to({ 0, -1.4, -3.05 }, { speed = 3 })
 end
 
 return scenarios {

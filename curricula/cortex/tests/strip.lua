@@ -28,7 +28,7 @@ return scenarios {
             enter(t)
             take(t, 11)
             t:expect("cortex.left_percent <= 2 and not capsule.captured and not capsule.open")
-            t:expect("zonules.peak_strain < 0.15")
+            t:expect("zonules.peak_strain < 0.2")
             t.ia_tip:withdraw()
             t:wait(0.2)
             t:expect_no_event("Cortex left")

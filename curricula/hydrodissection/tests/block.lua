@@ -20,7 +20,7 @@ return scenarios {
             inject(t, "hydro.forward_mm > 0.55")
             t:expect_event("Capsular block")
             t.saline_cannula:path({ { 0, 2.0, 2.9 }, { 0, 0, 2.9 } }, { speed = 8 })
-            t.saline_cannula:move_to({ 0, 0, 1.2 }, { speed = 3 })
+            t.saline_cannula:move_to({ 0, 0, 0.9 }, { speed = 3 })
             t:wait(1)
             t:expect_event("Capsular block", { recovered = true, within = 3 })
             t:expect("not hydro.burst")
@@ -29,7 +29,7 @@ return scenarios {
     scenario "the nucleus bulges, and is left so" {
         function(t)
             inject(t, "hydro.forward_mm > 0.55")
-            t:expect_event("Capsular block", { recovered = false, within = 11 })
+            t:expect_event("Capsular block", { recovered = false, within = 7 })
         end },
 
     scenario "the capsule bursts, and the nucleus is held up" {

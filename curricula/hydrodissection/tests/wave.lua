@@ -11,11 +11,11 @@ local function under_rim(t, angle)
 end
 
 -- Sunk into the front and led round.
-local function turn(t, from, to, duration)
+local function turn(t, from, to, seconds)
     local points = {}
     for i = 1, 8 do points[i] = at(2.0, from + (to - from) * i / 8, 1.0) end
     t.saline_cannula:path({ at(2.0, from, 2.7), at(2.0, from, 1.0) }, { speed = 6 })
-    t.saline_cannula:path(points, { duration = duration })
+    t.saline_cannula:path(points, { seconds = seconds })
 end
 
 return scenarios {
@@ -40,12 +40,13 @@ return scenarios {
             t.saline_cannula:jaw(1)
             t:wait_until("hydro.injected_ml > 1", 6)
             t.saline_cannula:jaw(0)
+            t:wait(0.25)
             t:expect_event("No wave or no rotation")
             under_rim(t, 270)
-            t.saline_cannula:jaw(0.35)
-            t:wait_until("hydro.wave_share > 0.95", 5)
+            t.saline_cannula:jaw(0.7)
+            t:wait_until("hydro.wave_share > 0.999", 4)
             t.saline_cannula:jaw(0)
-            turn(t, 0, 130, 3)
+            turn(t, 0, 130, 4)
             t:expect_event("No wave or no rotation", { recovered = true, within = 1 })
         end },
 

@@ -63,7 +63,7 @@ return scenarios {
         silent_twin_of = "Viscoelastic left behind the implant",
         function(t)
             enter(t)
-            t.ia_tip:move_to({ 0, 2.4, -0.5 }, { speed = 5 })
+            t.ia_tip:move_to({ 0, 2.4, -0.75 }, { speed = 5 })
             t.ia_tip:pedal(2)
             t:wait_until("viscoelastic.behind_percent < 4", 8)
             t:expect("viscoelastic.rocked > 0.5 and not viscoelastic.under_optic")
@@ -76,11 +76,36 @@ return scenarios {
             enter(t)
             t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.0, 0, -2.0 } }, { speed = 8 })
             t.ia_tip:turn(180)
-            t.ia_tip:move_to({ 0.5, -0.5, -2.5 }, { speed = 3 })
+            t.ia_tip:move_to({ 0.1, -1.4, -3.05 }, { speed = 3 })
             t.ia_tip:pedal(2)
             t:wait_until("capsule.captured", 2)
             t:expect_event("Posterior capsule drawn in")
             t.ia_tip:pedal(0)
             t:expect_event("Posterior capsule drawn in", { recovered = true, within = 1 })
+        end },
+
+    scenario "drawn in behind the optic, and pulled away" {
+        set = { ia = { vacuum_mmhg = 600 } },
+        function(t)
+            enter(t)
+            t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.0, 0, -2.0 } }, { speed = 8 })
+            t.ia_tip:turn(180)
+            t.ia_tip:move_to({ 0.1, -1.4, -3.05 }, { speed = 3 })
+            t.ia_tip:pedal(2)
+            t:wait_until("capsule.captured", 2)
+            t:wait(0.5)
+            t.ia_tip:move_by({ 0, 0.3, 2 }, { speed = 3 })
+            t:expect_event("Posterior capsule drawn in", { recovered = false, within = 3 })
+        end },
+
+    scenario "as low behind the optic, with the mouth up" {
+        silent_twin_of = "Posterior capsule drawn in",
+        function(t)
+            enter(t)
+            t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.0, 0, -2.0 } }, { speed = 8 })
+            t.ia_tip:move_to({ 0.1, -1.4, -3.05 }, { speed = 3 })
+            t.ia_tip:pedal(2)
+            t:wait(1)
+            t:expect("not capsule.open and not ia_tip.port_down")
         end },
 }
