@@ -14,7 +14,7 @@ function zonule_events.dialysis(own)
             "chamber.pressure_mmhg < 40 and tamponade.gap_cover > 0.9",
             "zonules.unsupported_deg <= 45 and tamponade.gap_cover > 0.9 and not phaco.aspirating",
         },
-        deadline_s = 60,
+        deadline_s = 12,
         near_miss_s = 0,
         harm = "zonules.torn_deg > 90 or vitreous.front_mm3 > 1",
         severity = "critical",
@@ -31,7 +31,7 @@ function zonule_events.unsupported(own)
     return with({
         when = "phaco.ultrasound and zonules.unsupported_deg > 45",
         recovered = "not phaco.ultrasound and zonules.unsupported_deg <= 45",
-        deadline_s = 60,
+        deadline_s = 8,
         near_miss_s = 0,
         severity = "minor",
         cue = "The lens lies aside, and moves as a whole when the tip works on it.",

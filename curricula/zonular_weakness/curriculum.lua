@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- A lens on weak zonules, of which an arc is lost: hold the bag, then sculpt without tearing more.
 
-local phaco_events = require "phaco_events"
 local zonule_events = require "zonule_events"
 
 return exercise {
@@ -68,7 +67,6 @@ return exercise {
     errors = {
         error_event "Zonular dialysis" (zonule_events.dialysis { items = { "T10", "T11", "G4" } }),
         error_event "Bag not supported" (zonule_events.unsupported { items = { "T9", "T10" } }),
-        error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
     },
 
     over = { "phaco.tip_depth_mm > -0.5", "not phaco.present", "instruments.out_s > 12" },
