@@ -9,7 +9,7 @@ local zonule_events = {}
 --- the gap is narrow enough for one, until no wide arc is without hold.
 function zonule_events.dialysis(own)
     return with({
-        when = "zonules.torn_deg >= 30",
+        when = "zonules.torn_deg >= 30 and zonules.gap_deg >= 30",
         recovered = {
             "chamber.pressure_mmhg < 40 and tamponade.gap_cover > 0.9",
             "zonules.unsupported_deg <= 45 and tamponade.gap_cover > 0.9 and not phaco.aspirating",

@@ -36,9 +36,9 @@ end
 --- Viscoelastic over the gap.
 function zonule_hand.cover(t)
     t.cannula:enter({ speed = 25 })
-    t.cannula:move_to(zonule_hand.by_rim(t, -0.6, 1.0), { speed = 15 })
+    t.cannula:move_to(zonule_hand.by_rim(t, -0.9, -0.2), { speed = 15 })
     t.cannula:jaw(1)
-    t:wait_until("tamponade.gap_cover > 0.95", 5)
+    t:wait_until("tamponade.gap_cover > 0.95", 4)
     t.cannula:jaw(0)
     t.cannula:withdraw({ speed = 25 })
 end

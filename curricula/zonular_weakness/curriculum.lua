@@ -20,7 +20,8 @@ return exercise {
     instruments = { "phaco", "cannula", "capsule_hook", "ring" },
     settings = {
         ["zonules.strength"] = 0.4,
-        ["zonules.toughness"] = 0.25,
+        ["zonules.toughness"] = 0.3,
+        ["zonules.tension"] = 0.4,
         ["zonules.lost_from_deg"] = 30,
         ["zonules.lost_deg"] = 75,
         ["machine.bottle_cm"] = 45,
