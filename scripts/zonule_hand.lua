@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What an exact hand does for a bag that lacks zonules, for starts and scenarios of the exercises that share it. It knows
--- the measures, which no surgeon does.
+-- What an exact hand does for a bag that lacks zonules, for starts and scenarios of the exercises that share it. It
+-- knows the measures, which no surgeon does.
 
 local zonule_hand = {}
 

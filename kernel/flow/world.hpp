@@ -96,8 +96,8 @@ struct WorldState {
 /// The state at rest of everything in the model.
 WorldState rest_state(const WorldModel& model);
 
-/// From where most of the vitreous in front has come: the middle of the hole in the capsule, or the edge of the bag where
-/// zonules are lost [mm]. The scene has a capsule and vitreous.
+/// From where most of the vitreous in front has come: the middle of the hole in the capsule, or the edge of the bag
+/// where zonules are lost [mm]. The scene has a capsule and vitreous.
 Vec3 vitreous_place(const WorldModel& model, const std::vector<BagState>& bags, const CapsuleState& capsule,
                     const VitreousState& vitreous);
 

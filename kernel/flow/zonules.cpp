@@ -111,7 +111,8 @@ double unsupported_deg(const BagModel& model, const ZonuleState& state) {
 }
 
 double lost_deg(const BagModel& model, const ZonuleState& state) {
-    const auto broken = std::count_if(state.broken.begin(), state.broken.end(), [](std::uint8_t one) { return one != 0; });
+    const auto broken =
+        std::count_if(state.broken.begin(), state.broken.end(), [](std::uint8_t one) { return one != 0; });
     return full_turn * static_cast<double>(broken) / static_cast<double>(model.zonules.size());
 }
 

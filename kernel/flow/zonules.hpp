@@ -16,18 +16,18 @@ struct BagState;
 
 /// Constant while a scene runs.
 struct ZonuleModel {
-    double breaks_at = 3.82;             ///< stretch beyond rest at which one breaks [mm] [Assia1991]
-    double rest_stretch = 1.2;           ///< of the anterior ones at rest [mm], as eye/anterior_capsule.cpp has it
-    std::vector<std::uint8_t> lost;      ///< per zonule: 1 where it is lost at the start
-    double hook_pull = 4000.0;           ///< of a hook when it is set [uN]. Proposal
-    double hook_stiffness = 6000.0;      ///< [uN/mm]. Proposal
-    double hook_reach = 0.6;             ///< from the edge of the opening, at which a hook takes hold [mm]. Proposal
-    std::size_t most_hooks = 5;          ///< that an eye has room for
-    double ring_s = 2.0;                 ///< the shortest time in which a hand feeds a ring in [s]. Proposal
-    double ring_holds_deg = 120.0;       ///< widest gap that a ring bridges wholly
-    double ring_fails_deg = 180.0;       ///< and from which on it bridges nothing. Proposal
-    double limbus_radius = 5.82;         ///< ring of places from which hooks pull [mm]
-    double limbus_z = 0.0;               ///< [mm]
+    double breaks_at = 3.82;         ///< stretch beyond rest at which one breaks [mm] [Assia1991]
+    double rest_stretch = 1.2;       ///< of the anterior ones at rest [mm], as eye/anterior_capsule.cpp has it
+    std::vector<std::uint8_t> lost;  ///< per zonule: 1 where it is lost at the start
+    double hook_pull = 4000.0;       ///< of a hook when it is set [uN]. Proposal
+    double hook_stiffness = 6000.0;  ///< [uN/mm]. Proposal
+    double hook_reach = 0.6;         ///< from the edge of the opening, at which a hook takes hold [mm]. Proposal
+    std::size_t most_hooks = 5;      ///< that an eye has room for
+    double ring_s = 2.0;             ///< the shortest time in which a hand feeds a ring in [s]. Proposal
+    double ring_holds_deg = 120.0;   ///< widest gap that a ring bridges wholly
+    double ring_fails_deg = 180.0;   ///< and from which on it bridges nothing. Proposal
+    double limbus_radius = 5.82;     ///< ring of places from which hooks pull [mm]
+    double limbus_z = 0.0;           ///< [mm]
 };
 
 /// A hook that was set: a spring from the edge of the opening to the limbus, which only pulls.

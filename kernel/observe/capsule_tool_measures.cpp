@@ -99,8 +99,9 @@ public:
             values[4] = holds(state) ? 1.0 : 0.0;
         }
         if (model_.kind == ToolKind::cystotome) {
-            values[3] = force.isZero() ? std::numeric_limits<double>::quiet_NaN()
-                                       : wrinkled_share(input.world.membranes[at(membrane_)], state, tool.pose.position);
+            values[3] = force.isZero()
+                            ? std::numeric_limits<double>::quiet_NaN()
+                            : wrinkled_share(input.world.membranes[at(membrane_)], state, tool.pose.position);
         }
         if (model_.kind == ToolKind::cannula) {
             values[3] = tool.present ? tool.jaw : 0.0;

@@ -132,15 +132,15 @@ void add_zonule_landmarks(const ObserveInput& input, std::vector<Landmark>& mark
     const BagEdge edge = bag_edge(input);
     marks.push_back({"bag_edge", edge.inside > 0.0, edge.place, edge.inside});
     // Towards a gap the edge of the opening stands nearest to the middle: there it lacks its hold.
-    marks.push_back({"zonule_gap", gap.width_deg >= seen_gap_deg,
-                     bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
-                                       input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) *
-                                           Vec3::UnitZ()),
-                     0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
+    marks.push_back(
+        {"zonule_gap", gap.width_deg >= seen_gap_deg,
+         bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
+                           input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) * Vec3::UnitZ()),
+         0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
     marks.push_back({"ring", bag.zonules->ring >= 1.0, bag.pose.position, input.world.bags[0].shape.radius});
     for (std::size_t i = 0; i < bag.zonules->hooks.size(); ++i) {
-        marks.push_back({"capsule_hook_" + std::to_string(i + 1), true,
-                         bag.pose.to_world(bag.zonules->hooks[i].on_bag), 0.0});
+        marks.push_back(
+            {"capsule_hook_" + std::to_string(i + 1), true, bag.pose.to_world(bag.zonules->hooks[i].on_bag), 0.0});
     }
 }
 

@@ -50,12 +50,13 @@ public:
         schema.push_back({"zonules.ring", "bool", "A capsular tension ring lies in the bag."});
         schema.push_back({"zonules.ring_fed", "1", "Share of it that has been fed in."});
         schema.push_back({"bag.offset_mm", "mm", "How far the bag lies beside its place, across the axis of the eye."});
-        schema.push_back(
-            {"bag.edge_seen_mm", "mm", "How far the edge of the bag stands inside the pupil; negative: behind the iris."});
+        schema.push_back({"bag.edge_seen_mm", "mm",
+                          "How far the edge of the bag stands inside the pupil; negative: behind the iris."});
         schema.push_back({"tamponade.gap_cover", "1", "Share of the widest gap that viscoelastic lies over."});
     }
 
-    void measure(const ObserveInput& input, const LensView&, std::span<double>, std::span<double> values) const override {
+    void measure(const ObserveInput& input, const LensView&, std::span<double>,
+                 std::span<double> values) const override {
         const BagModel& model = input.world.bags[0];
         const BagState& bag = input.state.bags[0];
         const ZonuleState& zonules = *bag.zonules;
@@ -64,9 +65,10 @@ public:
         std::size_t next = 0;
         for (const double value :
              {lost_deg(model, zonules), broken_since_start(model, zonules), gap.width_deg,
-              std::atan2(gap.middle.y(), gap.middle.x()) * 180.0 / std::numbers::pi, rim.x(), rim.y(), rim.z(), unsupported_deg(model, zonules),
-              static_cast<double>(zonules.hooks.size()), zonules.ring >= 1.0 ? 1.0 : 0.0, zonules.ring,
-              bag.pose.position.head<2>().norm(), bag_edge(input).inside, gap_cover(input, gap)}) {
+              std::atan2(gap.middle.y(), gap.middle.x()) * 180.0 / std::numbers::pi, rim.x(), rim.y(), rim.z(),
+              unsupported_deg(model, zonules), static_cast<double>(zonules.hooks.size()),
+              zonules.ring >= 1.0 ? 1.0 : 0.0, zonules.ring, bag.pose.position.head<2>().norm(), bag_edge(input).inside,
+              gap_cover(input, gap)}) {
             values[next++] = value;
         }
     }

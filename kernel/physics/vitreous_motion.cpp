@@ -10,11 +10,11 @@ namespace rhexis {
 namespace {
 
 constexpr double narrow_gap = 45.0;  ///< between zonules, through which no vitreous comes [degrees]. Proposal
-constexpr double reach = 0.4;      ///< of a mouth beyond what hangs in front [mm]. Proposal
-constexpr double wholly = 2.0;     ///< volume that fills a mouth [mm^3]. Proposal
-constexpr double shuts = 0.7;      ///< share of a mouth that uncut vitreous shuts. Proposal
-constexpr double shuts_cut = 0.2;  ///< and what is cut in it. Proposal
-constexpr double full_rate = 0.2;  ///< cut rate, share of the fastest, from which all that flows in is cut. Proposal
+constexpr double reach = 0.4;        ///< of a mouth beyond what hangs in front [mm]. Proposal
+constexpr double wholly = 2.0;       ///< volume that fills a mouth [mm^3]. Proposal
+constexpr double shuts = 0.7;        ///< share of a mouth that uncut vitreous shuts. Proposal
+constexpr double shuts_cut = 0.2;    ///< and what is cut in it. Proposal
+constexpr double full_rate = 0.2;    ///< cut rate, share of the fastest, from which all that flows in is cut. Proposal
 constexpr double rate_for_half = 1.0 / 16.0;  ///< cut rate, share of the fastest, that halves the pull. Proposal
 constexpr double uncut_draw =
     0.5;  ///< share of the flow into a mouth full of uncut vitreous that is vitreous. Proposal

@@ -170,7 +170,8 @@ bool has_instrument(const SceneDescription& scene, const std::string& name) {
 }
 
 bool needs_side_port(const SceneDescription& scene) {
-    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_instrument(scene, "capsule_hook") || has_tissue(scene, "vitreous");
+    return has_instrument(scene, "spatula") || has_instrument(scene, "hook") || has_instrument(scene, "capsule_hook") ||
+           has_tissue(scene, "vitreous");
 }
 
 /// Of viscoelastic that an implant shears some ten times a second [Pa s]: a hundredth and less of that at rest.

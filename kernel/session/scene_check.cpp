@@ -16,9 +16,8 @@
 namespace rhexis {
 namespace {
 
-const auto known_tissues = std::to_array<std::string>(
-    {"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber", "viscoelastic", "implant", "vitreous",
-     "zonules"});
+const auto known_tissues = std::to_array<std::string>({"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea",
+                                                       "chamber", "viscoelastic", "implant", "vitreous", "zonules"});
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What holds a bag of which an arc has no zonules: hooks, a ring, and viscoelastic over the gap; and ultrasound without.
+-- What holds a bag of which an arc has no zonules: hooks, a ring, viscoelastic over the gap; and ultrasound without.
 
 local hand = require "zonule_hand"
 
