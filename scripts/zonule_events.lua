@@ -5,22 +5,22 @@ local with = require "with_fields"
 
 local zonule_events = {}
 
---- Zonules tear over a clock hour or more. Put right: bottle down, viscoelastic over the gap, and hooks, or a ring where
---- the gap is narrow enough for one, until no wide arc is without hold.
+--- Zonules tear over a clock hour or more. Put right: bottle down, viscoelastic over the gap, and hooks, or a ring
+--- where the gap is narrow enough for one, until no wide arc is without hold.
 function zonule_events.dialysis(own)
     return with({
-        when = "zonules.torn_deg >= 30",
+        when = "zonules.torn_deg >= 30 and zonules.gap_deg >= 30",
         recovered = {
             "chamber.pressure_mmhg < 40 and tamponade.gap_cover > 0.9",
             "zonules.unsupported_deg <= 45 and tamponade.gap_cover > 0.9 and not phaco.aspirating",
         },
-        deadline_s = 60,
+        deadline_s = 12,
         near_miss_s = 0,
         harm = "zonules.torn_deg > 90 or vitreous.front_mm3 > 1",
         severity = "critical",
         cue = "The edge of the bag shows, the lens tilts and wobbles, a bright crescent stands beside it.",
-        advice = "Zonules tear: stop, pedal to 1, bottle and flow down. Lay viscoelastic over the gap, and hold the edge "
-            .. "of the opening there with hooks. A ring does for a gap of up to four clock hours, not for more.",
+        advice = "Zonules tear: stop, pedal to 1, bottle and flow down. Lay viscoelastic over the gap, and hold the "
+            .. "edge of the opening there with hooks. A ring does for a gap of up to four clock hours, not for more.",
         evidence = { "zonules.torn_deg", "zonules.gap_deg", "zonules.unsupported_deg", "bag.tilt_deg", "bag.offset_mm",
             "tamponade.gap_cover", "chamber.pressure_mmhg" },
     }, own)
@@ -31,7 +31,7 @@ function zonule_events.unsupported(own)
     return with({
         when = "phaco.ultrasound and zonules.unsupported_deg > 45",
         recovered = "not phaco.ultrasound and zonules.unsupported_deg <= 45",
-        deadline_s = 60,
+        deadline_s = 8,
         near_miss_s = 0,
         severity = "minor",
         cue = "The lens lies aside, and moves as a whole when the tip works on it.",

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- A lens on weak zonules, of which an arc is lost: hold the bag, then sculpt without tearing more.
 
-local phaco_events = require "phaco_events"
 local zonule_events = require "zonule_events"
 
 return exercise {
@@ -21,7 +20,8 @@ return exercise {
     instruments = { "phaco", "cannula", "capsule_hook", "ring" },
     settings = {
         ["zonules.strength"] = 0.4,
-        ["zonules.toughness"] = 0.25,
+        ["zonules.toughness"] = 0.3,
+        ["zonules.tension"] = 0.4,
         ["zonules.lost_from_deg"] = 30,
         ["zonules.lost_deg"] = 75,
         ["machine.bottle_cm"] = 45,
@@ -68,7 +68,6 @@ return exercise {
     errors = {
         error_event "Zonular dialysis" (zonule_events.dialysis { items = { "T10", "T11", "G4" } }),
         error_event "Bag not supported" (zonule_events.unsupported { items = { "T9", "T10" } }),
-        error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
     },
 
     over = { "phaco.tip_depth_mm > -0.5", "not phaco.present", "instruments.out_s > 12" },

@@ -48,8 +48,9 @@ end
 
 -- With the cannula as near to the gap as the pupil lets one see.
 local function cover(me, gap)
-    bring(me, "cannula", "incision", { 1.25 * gap[1], 1.25 * gap[2], gap[3] + 0.6 })
-    me.go({ 1.25 * gap[1], 1.25 * gap[2], gap[3] + 0.6 }, careful)
+    local place = { 1.35 * gap[1], 1.35 * gap[2], gap[3] - 0.1 }
+    bring(me, "cannula", "incision", place)
+    me.go(place, careful)
     me.jaw(press)
     me.wait_until(function(seen)
         local mark = seen.landmarks.viscoelastic

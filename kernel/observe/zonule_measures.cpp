@@ -21,6 +21,12 @@ double gap_cover(const ObserveInput& input, const ZonuleGap& gap) {
                          arc * (shape.radius + 0.5 * zonule_length) * zonule_length);
 }
 
+Vec3 rim_at(const BagModel& model, const Pose& pose, const Vec3& direction) {
+    const double share = model.opening_radius / model.shape.radius;
+    return pose.to_world(model.opening_radius * direction +
+                         model.shape.anterior * std::sqrt(std::max(0.0, 1.0 - share * share)) * Vec3::UnitZ());
+}
+
 double broken_since_start(const BagModel& model, const ZonuleState& state) {
     ZonuleState start;
     start.broken = model.breakable->lost;
@@ -35,6 +41,9 @@ public:
         schema.push_back({"zonules.gap_deg", "deg", "The widest arc without zonules."});
         schema.push_back(
             {"zonules.gap_at_deg", "deg", "Where its middle lies, against the clock from the surgeon's right."});
+        schema.push_back({"zonules.rim_x_mm", "mm", "Edge of the opening before that middle, to the surgeon's right."});
+        schema.push_back({"zonules.rim_y_mm", "mm", "The same, away from the surgeon."});
+        schema.push_back({"zonules.rim_z_mm", "mm", "The same, towards the microscope."});
         schema.push_back({"zonules.unsupported_deg", "deg",
                           "The widest arc with neither zonule nor hook, as far as no ring bridges it."});
         schema.push_back({"zonules.hooks", "1", "Hooks that hold the edge of the opening."});
@@ -52,12 +61,14 @@ public:
         const BagState& bag = input.state.bags[0];
         const ZonuleState& zonules = *bag.zonules;
         const ZonuleGap gap = widest_gap(model, zonules);
+        const Vec3 rim = rim_at(model, bag.pose, gap.middle);
         std::size_t next = 0;
         for (const double value :
              {lost_deg(model, zonules), broken_since_start(model, zonules), gap.width_deg,
-              std::atan2(gap.middle.y(), gap.middle.x()) * 180.0 / std::numbers::pi, unsupported_deg(model, zonules),
-              static_cast<double>(zonules.hooks.size()), zonules.ring >= 1.0 ? 1.0 : 0.0, zonules.ring,
-              bag.pose.position.head<2>().norm(), bag_edge(input).inside, gap_cover(input, gap)}) {
+              std::atan2(gap.middle.y(), gap.middle.x()) * 180.0 / std::numbers::pi, rim.x(), rim.y(), rim.z(),
+              unsupported_deg(model, zonules), static_cast<double>(zonules.hooks.size()),
+              zonules.ring >= 1.0 ? 1.0 : 0.0, zonules.ring, bag.pose.position.head<2>().norm(), bag_edge(input).inside,
+              gap_cover(input, gap)}) {
             values[next++] = value;
         }
     }
