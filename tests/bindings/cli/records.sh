@@ -26,8 +26,12 @@ expect 2 "there is no record store" "$rhexis" records list
 expect 2 "e-mail" "${attempt[@]}" --out "$work/a" --trainee jo@clinic.org
 expect 2 "is no pseudonym" "${attempt[@]}" --out "$work/a" --trainee "Jo Smith"
 expect 2 "--trainee PSEUDONYM" "${attempt[@]}" --out "$work/a" --cohort 2026
-expect 2 "no virtual surgeon" "${attempt[@]}" --out "$work/a" --trainee P07 --surgeon nobody
+expect 2 "there is no surgeon" "${attempt[@]}" --out "$work/a" --trainee P07 --surgeon nobody
 [ ! -e "$work/a" ] && [ ! -e "$work/store" ] || fail "something is left of attempts that never began"
+
+expect 2 "records: there is no command lst (did you mean list?)" "$rhexis" records lst
+expect 2 "there is no option --trainer (did you mean --trainee?)" "$rhexis" records list --trainer P07
+expect 2 "records show" "$rhexis" records show --json
 
 # Stored attempts, and what the report then compares with.
 for seed in 1 2 3; do
@@ -103,6 +107,13 @@ expect 0 "" "$rhexis" records list --trainee P07
 says "interrupted"
 says "$work/killed"
 expect 0 "cut short" "$rhexis" replay "$work/killed"
+
+# In a folder with the report of an earlier run it stays interrupted.
+cp "$work/p1/report.json" "$work/killed/report.json"
+expect 0 "" "$rhexis" records list --trainee P07
+says "interrupted"
+expect 2 "of another attempt" "$rhexis" records add "$work/killed"
+rm "$work/killed/report.json"
 
 # Killed when the report stood and the store was not yet written: taken up by the next command.
 sql "UPDATE attempts SET finished = 0, process = '$(hostname) another-boot pid:[1] 1 1' WHERE attempt = '$id'"
