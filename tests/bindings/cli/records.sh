@@ -199,7 +199,7 @@ expect 0 "" "$rhexis" records add "$work/full" --records "$work/large.db"
 # A rater's folder tells nothing of whose the recordings are.
 expect 0 "" "$rhexis" rate "$work"/p1 "$work"/q1 "$work"/q2 --no-video --out "$work/rater" --seed 3
 [ "$(find "$work/rater" -type f | wc -l)" = 3 ] || fail "not a form for each recording"
-! grep -rqiE "P0[789]|2026|simulator|expert|groove|$(basename "$work")" "$work/rater" || fail "the forms are not blind"
+! grep -rqiE "P0[789]|2026|simulator|expert|sculpting a groove|records\.db|$(basename "$work")" "$work/rater" || fail "the forms are not blind"
 grep -q 'name="G6"' "$work/rater/case_03/form.html" || fail "the form lacks items"
 expect 2 "not empty" "$rhexis" rate "$work/p1" --no-video --out "$work/rater"
 order() { grep -rho 'data-case="[0-9a-f]*"' "$work/$1" --include form.html -r | tr '\n' ' '; }
