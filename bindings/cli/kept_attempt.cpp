@@ -121,12 +121,13 @@ Result<KeptAttempt> KeptAttempt::begin(const KeepOptions& options, const json& i
         return gates.error();
     }
     Status status = begin_in_store(parts->store, gates.value(), attempt, parts->comparison);
+    parts->comparison["attempt"] = attempt.id;  // a report that an earlier run left in the folder has another
     if (!status && !is_locked(status.error())) {
         return status.error();
     }
     status = prepare_folder(folder);
     if (status) {
-        status = write_note(folder, attempt);
+        status = write_note(folder, attempt, false);
     }
     if (!status) {
         return status.error();

@@ -30,7 +30,7 @@ public:
     ~KeptAttempt();
     KeptAttempt(KeptAttempt&&) noexcept;
 
-    /// "history" and "cohort" for the report, as far as the store has them.
+    /// For the report: "attempt", its id, and "history" and "cohort" as far as the store has them.
     [[nodiscard]] const nlohmann::json& comparison() const;
 
     /// Stores the attempt. An error names the command that stores it later.

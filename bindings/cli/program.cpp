@@ -48,34 +48,45 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// The first word that is no option: the command that was meant.
-std::string first_word(int argc, const char* const* argv) {
+/// The words that are no options; the first is the command that was meant.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+    std::vector<std::string> words;
     for (int i = 1; i < argc; ++i) {
         if (argv[i][0] != '-') {
-            return argv[i];
+            words.emplace_back(argv[i]);
         }
     }
-    return {};
+    return words;
 }
 
 /// A misspelt option of a command, with its near names; CLI11 alone only says that it does not know it.
 Error usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
-    const std::string word = first_word(argc, argv);
-    const std::vector<std::string> commands = command_names(app);
-    if (word.empty()) {
+    const CLI::App* command = &app;
+    std::string name;
+    std::vector<std::string> options;
+    for (const std::string& word : words_of(argc, argv)) {  // rhexis records list
+        const std::vector<std::string> commands = command_names(*command);
+        if (commands.empty()) {
+            break;
+        }
+        if (std::find(commands.begin(), commands.end(), word) == commands.end()) {
+            return {"there is no command " + word, name, suggestion(word, commands)};
+        }
+        command = command->get_subcommand(word);
+        const std::vector<std::string> own = option_names(*command);
+        options.insert(options.end(), own.begin(), own.end());
+        name.append(name.empty() ? "" : " ").append(word);
+    }
+    if (name.empty()) {
         return {error.what(), "", "rhexis --help shows what there is"};
     }
-    if (std::find(commands.begin(), commands.end(), word) == commands.end()) {
-        return {"there is no command " + word, "", suggestion(word, commands)};
-    }
-    const std::vector<std::string> options = option_names(*app.get_subcommand(word));
     for (int i = 1; i < argc; ++i) {
         const std::string given = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
         if (given.starts_with("--") && std::find(options.begin(), options.end(), given) == options.end()) {
-            return {"there is no option " + given, word, suggestion(given, options)};
+            return {"there is no option " + given, name, suggestion(given, options)};
         }
     }
-    return {error.what(), word, "rhexis " + word + " --help shows how"};
+    return {error.what(), name, "rhexis " + name + " --help shows how"};
 }
 
 int parse_and_run(CLI::App& app, Context& context, int argc, const char* const* argv) {

@@ -51,16 +51,8 @@ Status take_items(const json& items, const std::string& where, records::Rating& 
 }  // namespace
 
 const std::vector<std::string>& rated_item_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (int i = 1; i <= 14; ++i) {
-            all.push_back("T" + std::to_string(i));
-        }
-        for (int i = 1; i <= 6; ++i) {
-            all.push_back("G" + std::to_string(i));
-        }
-        return all;
-    }();
+    static const std::vector<std::string> names = {"T1",  "T2",  "T3",  "T4",  "T5", "T6", "T7", "T8", "T9", "T10",
+                                                   "T11", "T12", "T13", "T14", "G1", "G2", "G3", "G4", "G5", "G6"};
     return names;
 }
 

@@ -60,7 +60,9 @@ int add(const RecordsOptions& given) {
             return complain(attempt.error());
         }
         Status status = store.value().finish(attempt.value());
-        status = status ? write_note(folder, attempt.value()) : status;
+        if (status && !read_note(folder)) {
+            status = write_note(folder, attempt.value(), true);
+        }
         if (!status) {
             return complain(status.error());
         }

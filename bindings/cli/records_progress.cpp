@@ -113,7 +113,7 @@ void print_course(const NamedCourse& named) {
         std::printf("gate closed\n");
     }
     print_chart(named);
-    std::printf("  |: pass mark, %.0f %% of the scale, %d in a row open the gate\n", 100.0 * named.gate.pass,
+    std::printf("  |: pass mark, %.3g %% of the scale, %d in a row open the gate\n", 100.0 * named.gate.pass,
                 named.gate.in_a_row);
 }
 
@@ -149,7 +149,7 @@ int gates(const RecordsOptions& given, const Context& context) {
     std::printf("%-16s  %-22s  %-6s  %-8s  %s\n", "trainee", "exercise", "pass", "attempts", "gate");
     for (const NamedCourse& named : courses.value()) {
         const Course& course = named.course;
-        std::printf("%-16s  %-22s  %3.0f %%   %-8zu  ", named.trainee.c_str(), named.exercise.c_str(),
+        std::printf("%-16s  %-22s  %4.3g %%  %-8zu  ", named.trainee.c_str(), named.exercise.c_str(),
                     100.0 * named.gate.pass, course.attempts.size());
         if (course.open_after > 0) {
             std::printf("open since attempt %d\n", course.open_after);

@@ -26,8 +26,12 @@ Result<json> read_json_file(const std::string& path) {
 
 }  // namespace
 
-Status write_note(const std::string& folder, const Attempt& attempt) {
-    return write_whole_file(folder + "/" + note_file, records::note_of(attempt).dump(2) + "\n");
+Status write_note(const std::string& folder, const Attempt& attempt, bool added) {
+    json note = records::note_of(attempt);
+    if (added) {
+        note["added"] = true;
+    }
+    return write_whole_file(folder + "/" + note_file, note.dump(2) + "\n");
 }
 
 Result<Attempt> read_note(const std::string& folder) {
@@ -65,6 +69,10 @@ Status complete_from_folder(Attempt& attempt, const std::string& folder) {
     const Result<json> report = read_json_file(folder + "/report.json");
     if (!report) {
         return report.error();
+    }
+    const Result<json> note = read_json_file(folder + "/" + note_file);
+    if (note && !note.value().value("added", false) && report.value().value("attempt", json()) != attempt.id) {
+        return Error{"the report in this folder is of another attempt", folder, ""};
     }
     std::error_code ignored;
     const std::string recording = folder + "/recording.rhx";

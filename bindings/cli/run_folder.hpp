@@ -12,13 +12,15 @@ namespace rhexis::cli {
 
 inline constexpr const char* note_file = "attempt.json";
 
-Status write_note(const std::string& folder, const records::Attempt& attempt);
+/// added: the run was made without a trainee, and is given one later; its report does not name the attempt.
+Status write_note(const std::string& folder, const records::Attempt& attempt, bool added);
 Result<records::Attempt> read_note(const std::string& folder);
 
 /// Fills in the end of an attempt; recording: its file, or "" when it has none (an operation, whose parts have).
 Status complete(records::Attempt& attempt, const nlohmann::json& report, const std::string& recording);
 
-/// The same from the files of its folder; fails where the run did not come to its report.
+/// The same from the files of its folder; fails where the run did not come to its report, and where the report is one
+/// that an earlier run left there.
 Status complete_from_folder(records::Attempt& attempt, const std::string& folder);
 
 /// Deletes what rhexis wrote into the folder of this attempt, and the folder if that was all. Does nothing where the

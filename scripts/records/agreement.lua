@@ -9,7 +9,7 @@ local page = require "records.page"
 local agreement = {}
 
 local e, number = markup.escape, markup.number
-local wide, tall, left, right, top, bottom = 460, 250, 44, 78, 12, 36
+local wide, tall, left, right, top, bottom = 500, 250, 44, 116, 12, 36
 
 local function dashed(w, y, colour, text, dash)
     w(('<line x1="%d" x2="%d" y1="%.1f" y2="%.1f" stroke="%s" stroke-dasharray="%s"/>'):format(left, wide - right, y, y,
@@ -27,8 +27,8 @@ local function dots(w, points, x_of, y_of)
     end
     for _, one in ipairs(order) do
         local key, point = one[1], one[2]
-        w(('<circle cx="%.1f" cy="%.1f" r="%.1f" fill="#c2570c" opacity="0.7"><title>%d of mean %s, difference %s</title>'
-            .. "</circle>"):format(x_of(point[1]), y_of(point[2]), 3.5 * math.sqrt(count[key]), count[key],
+        w(('<circle cx="%.1f" cy="%.1f" r="%.1f" fill="#c2570c" opacity="0.7"><title>%d of mean %s, difference %s'
+            .. "</title></circle>"):format(x_of(point[1]), y_of(point[2]), 3.5 * math.sqrt(count[key]), count[key],
             number(point[1], 2), number(point[2], 2)))
     end
 end
@@ -72,8 +72,8 @@ local function table_row(w, row)
     if own.limits.why then
         w('</td><td></td><td><span class="soft small">', e(own.limits.why), "</span>")
     else
-        w(number(own.limits.bias, 2), "</td><td>", number(own.limits.low, 2), " to ", number(own.limits.high, 2),
-            "</td><td>", own.limits.n)
+        w(number(own.limits.bias, 2), "</td><td class=\"limits\">", number(own.limits.low, 2), " to ",
+            number(own.limits.high, 2), "</td><td>", own.limits.n)
     end
     w("</td></tr>")
 end
@@ -96,9 +96,9 @@ function agreement.html(data)
     return page.html("Agreement of simulator and raters", function(w)
         w("<header><h1>Agreement of simulator and raters</h1><p>", data.attempts, " rated attempts, ", #data.raters,
             " raters: ", e(table.concat(data.raters, ", ")), '.</p><p class="soft small">ICC(2,1), ICC(2,k): two-way ',
-            "random effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with ",
-            "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the ",
-            "simulator are not clinically validated.</p></header>")
+            "random effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, ",
+            "with limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of ",
+            "the simulator are not clinically validated.</p></header>")
         w("<section><h2>By item</h2><table><thead><tr><th>Item</th><th></th><th>Raters: ICC(2,1)</th><th>ICC(2,k)</th>",
             "<th>n</th><th>Simulator and raters: ICC(2,1)</th><th>Bias</th><th>95 % limits</th><th>n</th></tr></thead>",
             "<tbody>")
@@ -106,8 +106,8 @@ function agreement.html(data)
         w("</tbody></table></section>")
         pairs_section(w, data.rows[#data.rows])
         w('<section><h2>Simulator minus raters</h2><div class="charts">')
-        for i = #data.rows, 1, -1 do
-            local row = data.rows[i]
+        for i = 0, #data.rows - 1 do
+            local row = data.rows[i > 0 and i or #data.rows]  -- the total first
             if not row.simulator.limits.why then
                 w("<figure><figcaption><b>", e(row.item), "</b> ", e(row.name), "</figcaption>")
                 chart(w, row)
@@ -115,7 +115,7 @@ function agreement.html(data)
             end
         end
         w("</div></section>")
-    end)
+    end, "td.limits { white-space:nowrap; }")
 end
 
 return agreement

@@ -35,9 +35,9 @@ local function chart(w, course)
     local every = math.max(1, math.ceil(n / 20))
     for i, attempt in ipairs(course.attempts) do
         local colour = attempt.passed and "#1e7d4f" or "#6d7a86"
-        w(('<circle cx="%.1f" cy="%.1f" r="5" fill="%s" stroke="%s" stroke-width="2"><title>%s: %s %%%s</title></circle>')
-            :format(x_of(i), y_of(attempt.scaled), attempt.passed and colour or "#fff", colour, e(attempt.date),
-            number(100 * attempt.scaled, 0), attempt.passed and ", passed" or ""))
+        w(('<circle cx="%.1f" cy="%.1f" r="5" fill="%s" stroke="%s" stroke-width="2"><title>%s: %s %%%s</title>'
+            .. "</circle>"):format(x_of(i), y_of(attempt.scaled), attempt.passed and colour or "#fff", colour,
+            e(attempt.date), number(100 * attempt.scaled, 0), attempt.passed and ", passed" or ""))
         if (i - 1) % every == 0 then
             w(('<text class="soft" x="%.1f" y="%d" text-anchor="middle">%d</text>'):format(x_of(i), tall - 22, i))
         end
@@ -57,12 +57,12 @@ local function section(w, course)
             " of operating.")
     else
         w("The gate is closed: it opens after ", course.in_a_row, " passes in a row, of at least ",
-            number(100 * course.pass, 0), " % each.")
+            number(100 * course.pass, 1), " % each.")
     end
     w('</p><div class="curve">')
     chart(w, course)
-    w('</div><p class="soft small">Shares of the scale: 0 % if every item has its least points, 100 % if every one has ',
-        "its most. Filled: passed. Not clinically validated.</p></section>")
+    w('</div><p class="soft small">Shares of the scale: 0 % if every item has its least points, 100 % if every one ',
+        "has its most. Filled: passed. Not clinically validated.</p></section>")
 end
 
 --- The whole page.

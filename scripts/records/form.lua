@@ -17,11 +17,12 @@ body { max-width:76rem; }
 .item { border-top:1px solid var(--line); padding:.7rem 0; display:grid; grid-template-columns:3rem 1fr; }
 .item.open { background:#fff6ec; }
 .choices { display:grid; grid-template-columns:repeat(5,1fr) 4.5rem; gap:.4rem; margin:.4rem 0; }
-.choices label { border:1px solid var(--line); border-radius:8px; padding:.35rem .5rem; font-size:.84rem; cursor:pointer; }
+.choices label { border:1px solid var(--line); border-radius:8px; padding:.35rem .5rem; font-size:.84rem;
+  cursor:pointer; }
 .choices label:has(input:checked) { border-color:var(--accent); background:#e7f0f7; }
 .choices b { font-size:1rem; margin-right:.3rem; }
-input[type=text],textarea { width:100%; font:inherit; font-size:.9rem; padding:.3rem .5rem; border:1px solid var(--line);
-  border-radius:6px; }
+input[type=text],textarea { width:100%; font:inherit; font-size:.9rem; padding:.3rem .5rem;
+  border:1px solid var(--line);  border-radius:6px; }
 button { font:inherit; font-weight:600; padding:.5rem 1.2rem; border:0; border-radius:8px; background:var(--accent);
   color:#fff; cursor:pointer; } button.quiet { background:#e4e9ee; color:var(--ink); }
 video { max-width:48rem; }
@@ -31,14 +32,14 @@ video { max-width:48rem; }
 -- Reads the choices and saves them as a file; nothing leaves the computer.
 local script = [[
 const form = document.forms[0];
-const items = [...document.querySelectorAll('.item')];
+const items = [...document.querySelectorAll('.item[id]')];
 const chosen = id => form.elements[id].value;
 function tell() {
   const open = items.filter(item => !chosen(item.id));
   document.getElementById('left').textContent = open.length ? open.length + ' items left' : 'All items answered';
   return open;
 }
-form.addEventListener('change', event => { const item = event.target.closest('.item');
+form.addEventListener('change', event => { const item = event.target.closest('.item[id]');
   if (item) item.classList.remove('open'); tell(); });
 document.getElementById('rest').addEventListener('click', () => { for (const item of tell())
   { form.elements[item.id].value = 'na'; item.classList.remove('open'); } tell(); });

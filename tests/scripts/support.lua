@@ -89,4 +89,28 @@ return exercise {
 }]]):format(given.steps or 'step "only" { done = "tip.depth_mm > 1" }', given.errors or "", given.rest or ""))
 end
 
+local empty_elements = { meta = true, br = true, img = true, rect = true, circle = true, line = true, path = true,
+    input = true }
+
+--- Every element of a page that opens is closed in order.
+function support.check_balance(html)
+    local open = {}
+    html = html:gsub("<style>.-</style>", ""):gsub("<script>.-</script>", "")
+    for slash, name, rest in html:gmatch("<(/?)([%a%d]+)([^>]*)>") do
+        if slash == "/" then
+            local last = table.remove(open)
+            if last ~= name then error(("</%s> closes <%s>"):format(name, tostring(last)), 2) end
+        elseif rest:sub(-1) ~= "/" and not (empty_elements[name] and name ~= "line" and name ~= "rect"
+                and name ~= "circle") then
+            open[#open + 1] = name
+        end
+    end
+    if #open > 0 then error("not closed: " .. table.concat(open, ", "), 2) end
+end
+
+--- The page has this text.
+function support.holds(html, text)
+    if not html:find(text, 1, true) then error("the page lacks \"" .. text .. "\"", 2) end
+end
+
 return support

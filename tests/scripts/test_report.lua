@@ -5,28 +5,7 @@ local pictures = require "report.pictures"
 local report = require "report"
 local support = require "support"
 
-local case, equal = support.case, support.equal
-
-local empty_elements = { meta = true, br = true, img = true, rect = true, circle = true, line = true, path = true }
-
--- Every element that opens is closed in order.
-local function check_balance(html)
-    local open = {}
-    for slash, name, rest in html:gsub("<style>.-</style>", ""):gmatch("<(/?)([%a%d]+)([^>]*)>") do
-        if slash == "/" then
-            local last = table.remove(open)
-            if last ~= name then error(("</%s> closes <%s>"):format(name, tostring(last)), 2) end
-        elseif rest:sub(-1) ~= "/" and not (empty_elements[name] and name ~= "line" and name ~= "rect"
-                and name ~= "circle") then
-            open[#open + 1] = name
-        end
-    end
-    if #open > 0 then error("not closed: " .. table.concat(open, ", "), 2) end
-end
-
-local function holds(html, text)
-    if not html:find(text, 1, true) then error("the page lacks \"" .. text .. "\"", 2) end
-end
+local case, equal, check_balance, holds = support.case, support.equal, support.check_balance, support.holds
 
 local function full()
     return {

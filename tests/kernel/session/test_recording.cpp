@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include "base/rng.hpp"
 #include "kernel/session/folder.hpp"
@@ -150,6 +152,24 @@ TEST_SUITE("recording") {
         CHECK_FALSE(read.value().whole);
         CHECK(read.value().steps.size() == 12);
         CHECK(read.value().fault.find("after step 12") != std::string::npos);
+    }
+
+    TEST_CASE("few bytes too are in the file within a second, where a killed process leaves them") {
+        const Folder folder;
+        const std::string path = folder / "recording.rhx";
+        Session session = make_session();
+        RecordingHeader header = header_of(session);
+        Result<RecordingWriter> writer = RecordingWriter::create(path, header);
+        REQUIRE(writer.ok());
+        REQUIRE(writer.value().add(RecordedStart{session.observation(), session.state_hash()}).ok());
+        for (int i = 0; i < 3; ++i) {
+            session.step({}, {});
+            REQUIRE(writer.value()
+                        .add(RecordedStep{session.step_count(), {}, {}, session.observation(), session.state_hash()})
+                        .ok());
+            std::this_thread::sleep_for(std::chrono::milliseconds(950));
+        }
+        CHECK(read_recording(path + ".part").value().steps.size() >= 2);
     }
 
     TEST_CASE("a folder that is not there is an error before anything is simulated") {
