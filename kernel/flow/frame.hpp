@@ -25,6 +25,7 @@ struct Frame {
     std::optional<MicroscopeState> microscope;
     double time_s = 0.0;
     std::optional<VitreousState> vitreous{};
+    std::optional<LidsState> lids{};
 };
 
 /// Where the picture is taken from. Orthogonal views are not needed: a microscope is far away.

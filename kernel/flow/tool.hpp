@@ -13,8 +13,9 @@ namespace rhexis {
 
 /// probe: a blunt rod or ball that only pushes; cystotome: a needle that pierces a membrane; forceps: jaws that hold
 /// one, or an implant; cannula: what the hand presses out of its syringe comes out of its end; injector: its plunger
-/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it.
-enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter };
+/// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it; drape: covers
+/// lashes; speculum: opens lids.
+enum class ToolKind { probe, phaco, cystotome, forceps, cannula, injector, cutter, drape, speculum };
 
 /// Cuts per minute of a cutter at its fastest.
 inline constexpr double fastest_cutter = 5000.0;

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "flow/bag.hpp"
+#include "flow/beads.hpp"
 #include "flow/capsule.hpp"
 #include "flow/chamber.hpp"
 #include "flow/contact.hpp"
 #include "flow/debris.hpp"
 #include "flow/implant_parts.hpp"
 #include "flow/iris.hpp"
+#include "flow/lids.hpp"
 #include "flow/membrane.hpp"
 #include "flow/microscope.hpp"
 #include "flow/shell.hpp"
@@ -58,6 +60,8 @@ struct WorldModel {
     std::optional<ViscoelasticModel> viscoelastic;  ///< in place of a chamber through which fluid flows
     std::optional<VitreousModel> vitreous;          ///< behind bags[0], whose wall has a capsule, and a chamber
     std::optional<MicroscopeModel> microscope;
+    std::optional<LidsModel> lids;
+    std::optional<BeadsModel> beads;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
 
@@ -83,6 +87,8 @@ struct WorldState {
     std::optional<ViscoelasticState> viscoelastic;
     std::optional<VitreousState> vitreous;
     std::optional<MicroscopeState> microscope;
+    std::optional<LidsState> lids;
+    std::optional<BeadsState> beads;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool
     std::vector<Debris> debris;

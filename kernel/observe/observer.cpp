@@ -23,12 +23,15 @@ int membrane_named(const WorldModel& world, const char* name) {
 
 int anterior_capsule(const WorldModel& world) { return membrane_named(world, anterior_capsule_name); }
 
-/// Number of the instrument that holds the implant, or -1.
-int injector(const WorldModel& world) {
-    const auto found = std::find_if(world.tools.begin(), world.tools.end(),
-                                    [](const ToolModel& tool) { return tool.kind == ToolKind::injector; });
+/// Number of the first instrument of a kind, or -1.
+int first_of(const WorldModel& world, ToolKind kind) {
+    const auto found =
+        std::find_if(world.tools.begin(), world.tools.end(), [&](const ToolModel& tool) { return tool.kind == kind; });
     return found == world.tools.end() ? -1 : static_cast<int>(found - world.tools.begin());
 }
+
+/// Of the instrument that holds the implant.
+int injector(const WorldModel& world) { return first_of(world, ToolKind::injector); }
 
 std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, const ObservedTissues& tissues,
                                                        double dt) {
@@ -90,6 +93,12 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     }
     if (world.microscope) {
         groups.push_back(microscope_measures());
+    }
+    if (world.lids) {
+        groups.push_back(lids_measures());
+    }
+    if (world.beads) {
+        groups.push_back(bead_measures(first_of(world, ToolKind::forceps)));
     }
     return groups;
 }

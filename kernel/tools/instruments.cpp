@@ -10,13 +10,14 @@
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
+#include "tools/setup_tools.hpp"
 #include "tools/spatula.hpp"
 
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",      "cutter", "cystotome", "forceps", "hook",         "injector",
-            "lens_forceps", "phaco",  "probe",     "spatula", "triamcinolone"};
+    return {"cannula",      "cutter", "cystotome", "drape",   "forceps",  "hook",         "injector",
+            "lens_forceps", "phaco",  "probe",     "spatula", "speculum", "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -55,6 +56,12 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "cutter") {
         return cutter();
+    }
+    if (name == "drape") {
+        return drape();
+    }
+    if (name == "speculum") {
+        return speculum();
     }
     if (name == "triamcinolone") {
         return triamcinolone_cannula();

@@ -11,8 +11,8 @@
 
 namespace rhexis {
 
-/// "cannula", "cutter", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe" (a rod of 0.5 mm
-/// diameter and 30 mm length), "spatula" or "triamcinolone". The error suggests the nearest name.
+/// "cannula", "cutter", "cystotome", "drape", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe" (a rod of
+/// 0.5 mm diameter and 30 mm length), "spatula", "speculum" or "triamcinolone". The error suggests the nearest name.
 Result<ToolModel> make_tool(std::string_view name);
 
 /// All names, in alphabetical order.

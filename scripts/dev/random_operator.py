@@ -32,6 +32,8 @@ RUNS = [
     ("capsulorhexis", None),
     ("capsulorhexis_rescue", None),
     ("iol_injection", None),
+    ("set_up", None),
+    ("forceps_skill", None),
 ]
 
 

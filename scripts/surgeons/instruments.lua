@@ -20,6 +20,8 @@ local held = {
     cannula = bent(0.6),
     triamcinolone = bent(0.6, "side_port"),
     hook = bent(0.5, "side_port"),
+    drape = bent(1.0, "hand_rest"),
+    speculum = bent(1.0, "hand_rest"),
 }
 
 --- name: of an instrument of the scene.

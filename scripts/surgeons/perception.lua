@@ -38,7 +38,8 @@ end
 -- nothing for the rest.
 local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$", "^fragment_%d", "^bridge$",
     "^capsule_folds$", "^capsule_hole$", "^iris_caught$", "^viscoelastic$", "^tear_tip$", "^flap$",
-    "^held$", "^rim$", "^pupil_peak$", "^vitreous", "^cutter$", "^triamcinolone$", "^haptic_%a+_middle$", "^haptic_%a+_elbow$" }
+    "^held$", "^rim$", "^pupil_peak$", "^vitreous", "^cutter$", "^triamcinolone$", "^lash_%d", "^drip$",
+    "^hand_rest$", "^drape$", "^speculum$", "^bead_%d", "^tray$", "^haptic_%a+_middle$", "^haptic_%a+_elbow$" }
 
 -- What lies so near to another thing that one look takes in both is misjudged as that is.
 local one_look = { margin = "tear_tip" }

@@ -27,8 +27,10 @@ local eye = {}
 ---"anterior_capsule" (on a lens that is a smooth body), and in place of the chamber "viscoelastic". With capsule and
 ---chamber "vitreous": it comes forward through a hole in the capsule. In place of the lens "implant": a foldable lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "cutter", "cystotome", "forceps", "hook", "injector", "lens_forceps", "phaco", "probe",
----"spatula", "triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
+---On the cornea "lids" with lashes; where no fluid flows "beads", for practice with forceps.
+---
+---Instruments: "cannula", "cutter", "cystotome", "drape", "forceps", "hook", "injector", "lens_forceps", "phaco",
+---"probe", "spatula", "speculum", "triamcinolone", and as the last one "microscope", which makes the picture what it shows and stands
 ---where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
