@@ -19,7 +19,7 @@ return exercise {
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, incision_deg = 90, tetrahedra = 500 },
     tissues = { "iris", "cornea", "lids" },
     instruments = { "drape", "speculum", "phaco", "microscope" },
-    settings = { ["microscope.field_mm"] = 26 },
+    settings = { ["microscope.field_mm"] = 30 },
 
     requests = {
         request "Settings confirmed" { meaning = "power, vacuum, flow and bottle are read out" },

@@ -21,9 +21,9 @@ end
 
 local function to_tray(t)
     local tip = t.forceps:tip()
-    t.forceps:move_to({ 0, 0, tip[3] }, { speed = 8 })
+    t.forceps:move_to({ 0, 0, tip[3] - 0.4 }, { speed = 8 })
     t.forceps:jaw(0.6)
-    t:wait(0.05)
+    t.forceps:move_by({ 0, 0, 0.8 }, { speed = 8 })
 end
 
 return scenarios {
