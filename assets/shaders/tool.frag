@@ -56,7 +56,7 @@ void main() {
         vec3 skin = vec3(0.52, 0.33, 0.25) * (1.0 + 0.20 * grain + 0.14 * pores);
         vec3 foil = vec3(0.10, 0.27, 0.38) * (1.0 + 0.10 * grain);
         vec3 matte = finish == 4 ? skin : finish == 5 ? vec3(0.030, 0.022, 0.018) : foil;
-        vec3 shine = finish == 6 ? 0.10 * surroundings(reflect(-toward, normalize(n + 0.5 * vec3(grain, pores, 0.0))))
+        vec3 shine = finish == 6 ? 0.05 * surroundings(reflect(-toward, normalize(n + vec3(0.30, 0.10, 0.0) + 0.1 * vec3(grain, pores, 0.0))))
                                  : vec3(0.0);
         colour = vec4(shown(matte * lit + shine), 1.0);
         return;

@@ -75,7 +75,7 @@ local function test_pedal(me)
     for position = 1, 3 do
         me.pedal(position)
         me.wait_until(function(seen) return seen.landmarks.drip ~= nil end, 3)
-        me.wait(1)
+        me.wait(me.about(0.6))
     end
     me.pedal(0)
     me.wait(0.5)
