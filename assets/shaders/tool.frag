@@ -7,7 +7,7 @@ flat in vec3 along;  // of the shaft
 uniform vec3 camera;
 uniform vec3 lamp_way;  // towards the lamps
 uniform int encoded;    // 1: light as screens expect it, 0: linear
-uniform int finish;    // titanium, bore, sleeve, steel
+uniform int finish;    // titanium, bore, sleeve, steel, skin, lash, drape
 uniform int medium;    // 0: all of it, 1: only inside the eye, 2: only outside
 uniform vec4 cornea;   // centre and radius of the ball of the cornea
 uniform vec4 globe;    // and of the sclera
@@ -46,6 +46,19 @@ void main() {
         float ribs = 0.93 + 0.07 * sin(9.0 * body.z);
         vec3 shine = 0.055 * mirror + 0.25 * graze * mirror;
         colour = vec4(shown(silicone * ribs + shine / wall) * wall, wall);
+        return;
+    }
+    if (finish >= 4) {
+        // Skin that the eye's lamps light, hair, and wet blue foil.
+        float grain = texture(detail_map, 0.11 * world.xy).a - 0.5;
+        float pores = texture(detail_map, 0.47 * world.xy).a - 0.5;
+        float lit = 0.35 + 0.65 * clamp(dot(n, lamp_way), 0.0, 1.0);
+        vec3 skin = vec3(0.52, 0.33, 0.25) * (1.0 + 0.20 * grain + 0.14 * pores);
+        vec3 foil = vec3(0.10, 0.27, 0.38) * (1.0 + 0.10 * grain);
+        vec3 matte = finish == 4 ? skin : finish == 5 ? vec3(0.030, 0.022, 0.018) : foil;
+        vec3 shine = finish == 6 ? 0.05 * surroundings(reflect(-toward, normalize(n + vec3(0.30, 0.10, 0.0) + 0.1 * vec3(grain, pores, 0.0))))
+                                 : vec3(0.0);
+        colour = vec4(shown(matte * lit + shine), 1.0);
         return;
     }
     // Brushed around: a bright line along the side that faces the lamp.

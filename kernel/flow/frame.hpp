@@ -31,6 +31,7 @@ struct Frame {
     std::optional<HydrodissectionState> hydrodissection{};
     std::optional<CortexState> cortex{};
     std::optional<RetainedViscoelasticState> retained{};
+    std::optional<LidsState> lids{};
 };
 
 /// Where the picture is taken from. Orthogonal views are not needed: a microscope is far away.

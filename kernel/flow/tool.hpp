@@ -16,7 +16,8 @@ namespace rhexis {
 /// pushes an implant out of a cartridge; cutter: a mouth that sucks, and a blade that cuts what is in it; blade: it
 /// cuts its way into the eye; hydrator: a cannula with saline; needle: it carries a suture; sponge: it presses from
 /// outside; capsule_hook: stays on the edge of the capsule's opening when the hand lets go of it there; ring: is fed
-/// into the bag; aspirator: a mouth in its side that sucks.
+/// into the bag; aspirator: a mouth in its side that sucks; drape: covers lashes; speculum: opens
+/// lids.
 enum class ToolKind {
     probe,
     phaco,
@@ -31,7 +32,9 @@ enum class ToolKind {
     sponge,
     capsule_hook,
     ring,
-    aspirator
+    aspirator,
+    drape,
+    speculum
 };
 
 /// Cuts per minute of a cutter at its fastest.

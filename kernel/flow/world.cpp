@@ -67,6 +67,12 @@ WorldState rest_state(const WorldModel& model) {
     if (model.microscope) {
         state.microscope = MicroscopeState{model.microscope->start};
     }
+    if (model.lids) {
+        state.lids = rest_state(*model.lids);
+    }
+    if (model.beads) {
+        state.beads = rest_state(*model.beads);
+    }
     return state;
 }
 

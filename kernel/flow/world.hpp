@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flow/bag.hpp"
+#include "flow/beads.hpp"
 #include "flow/capsule.hpp"
 #include "flow/chamber.hpp"
 #include "flow/contact.hpp"
@@ -15,6 +16,7 @@
 #include "flow/hydrodissection.hpp"
 #include "flow/implant_parts.hpp"
 #include "flow/iris.hpp"
+#include "flow/lids.hpp"
 #include "flow/membrane.hpp"
 #include "flow/microscope.hpp"
 #include "flow/prolapse.hpp"
@@ -70,6 +72,8 @@ struct WorldModel {
     std::optional<CortexModel> cortex;                    ///< on the wall of bags[0]; with capsule and chamber
     std::optional<RetainedViscoelasticModel> retained;    ///< with bags[0] and chamber
     std::optional<MicroscopeModel> microscope;
+    std::optional<LidsModel> lids;
+    std::optional<BeadsModel> beads;
     Vec3 gravity = Vec3(0.0, 0.0, -9810.0);  ///< [mm/s^2]; the patient lies on the back, anterior is +z
 };
 
@@ -101,6 +105,8 @@ struct WorldState {
     std::optional<CortexState> cortex;
     std::optional<RetainedViscoelasticState> retained;
     std::optional<MicroscopeState> microscope;
+    std::optional<LidsState> lids;
+    std::optional<BeadsState> beads;
     std::vector<TipState> tips;          ///< per tool
     std::vector<PlungerState> plungers;  ///< per tool
     std::vector<Debris> debris;

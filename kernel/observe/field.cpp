@@ -11,9 +11,11 @@ namespace {
 
 bool is_felt(const Landmark& mark) { return mark.name == "incision" || mark.name == "side_port"; }
 
-/// The microscope is far away: what it shows lies straight under it.
+/// The microscope is far away: what it shows lies straight under it, larger where it is seen through the cornea.
 double offset_of(const MicroscopeState& state, const EyeAnatomy& eye, const Vec3& place) {
-    return (corneal_magnification(eye, place.z()) * place.head<2>() - state.position.head<2>()).norm();
+    const bool through_cornea = place.head<2>().norm() < eye.limbus_radius;
+    const double larger = through_cornea ? corneal_magnification(eye, place.z()) : 1.0;
+    return (larger * place.head<2>() - state.position.head<2>()).norm();
 }
 
 }  // namespace

@@ -99,6 +99,9 @@ std::unique_ptr<MeasureGroup> presence_measures();
 /// tools: how many instruments the scene has.
 std::unique_ptr<MeasureGroup> motion_measures(std::size_t tools);
 std::unique_ptr<MeasureGroup> microscope_measures();
+std::unique_ptr<MeasureGroup> lids_measures();
+/// forceps: index of the instrument; -1: there is none.
+std::unique_ptr<MeasureGroup> bead_measures(int forceps);
 /// injector: index of the instrument that holds shell 0.
 std::unique_ptr<MeasureGroup> injection_measures(int injector);
 /// Of shell 0. injector: as before; bag: number of the membrane; -1: there is none.

@@ -23,10 +23,10 @@ int membrane_named(const WorldModel& world, const char* name) {
 
 int anterior_capsule(const WorldModel& world) { return membrane_named(world, anterior_capsule_name); }
 
-/// Number of the instrument that holds the implant, or -1.
-int injector(const WorldModel& world) {
-    const auto found = std::find_if(world.tools.begin(), world.tools.end(),
-                                    [](const ToolModel& tool) { return tool.kind == ToolKind::injector; });
+/// Number of the first instrument of a kind, or -1.
+int first_of(const WorldModel& world, ToolKind kind) {
+    const auto found =
+        std::find_if(world.tools.begin(), world.tools.end(), [&](const ToolModel& tool) { return tool.kind == kind; });
     return found == world.tools.end() ? -1 : static_cast<int>(found - world.tools.begin());
 }
 
@@ -43,6 +43,9 @@ void add_bag_contents(const WorldModel& world, std::vector<std::unique_ptr<Measu
         groups.push_back(retained_viscoelastic_measures());
     }
 }
+
+/// Of the instrument that holds the implant.
+int injector(const WorldModel& world) { return first_of(world, ToolKind::injector); }
 
 std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, const ObservedTissues& tissues,
                                                        double dt) {
@@ -121,6 +124,12 @@ std::vector<std::unique_ptr<MeasureGroup>> make_groups(const WorldModel& world, 
     }
     if (world.microscope) {
         groups.push_back(microscope_measures());
+    }
+    if (world.lids) {
+        groups.push_back(lids_measures());
+    }
+    if (world.beads) {
+        groups.push_back(bead_measures(first_of(world, ToolKind::forceps)));
     }
     return groups;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "observe/seen.hpp"
 
+#include <string>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -251,6 +253,27 @@ void add_wound_landmarks(const ObserveInput& input, std::vector<Landmark>& marks
                      eye_pressure(*input.world.chamber, input.state.chamber->eye_volume) / pascal_per_mmhg});
 }
 
+/// Lashes that stick out, the infusion that runs from a tip in the air, and where hands and instruments come from.
+void add_lids_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    const LidsModel& model = *input.world.lids;
+    const LidsState& lids = *input.state.lids;
+    for (std::size_t place = 0; place < lids.covered.size(); ++place) {
+        marks.push_back({"lash_" + std::to_string(place + 1), lids.covered[place] == 0,
+                         lash_place(model, lids.opening, static_cast<int>(place)), 1.0});
+    }
+    marks.push_back({"drip", lids.drip > 0.0, Vec3(0.0, 0.0, model.air_z), lids.drip});
+    marks.push_back({"hand_rest", true, Vec3(0.0, -12.0, model.air_z + 3.0), 1.0});
+}
+
+void add_bead_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    const BeadsModel& model = *input.world.beads;
+    const std::vector<Bead>& beads = input.state.beads->beads;
+    for (std::size_t i = 0; i < beads.size(); ++i) {
+        marks.push_back({"bead_" + std::to_string(i + 1), true, beads[i].position, model.radius});
+    }
+    marks.push_back({"tray", true, model.target, model.target_radius});
+}
+
 }  // namespace
 
 Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
@@ -294,6 +317,12 @@ Percept seen(const ObserveInput& input, const LensView& lens, bool iris) {
             percept.tip_brightness = reflex_around(*lens.reflex, *lens.grid, *lens.fill, *lens.motion, eye.pupil_radius,
                                                    input.tools[0].pose.position, reflex_at_tip_mm);
         }
+    }
+    if (input.state.lids) {
+        add_lids_landmarks(input, percept.landmarks);
+    }
+    if (input.state.beads) {
+        add_bead_landmarks(input, percept.landmarks);
     }
     return percept;
 }

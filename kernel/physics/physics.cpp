@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/physics.hpp"
+#include "physics/lids_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "base/index.hpp"
 #include "physics/aspiration.hpp"
 #include "physics/bag_motion.hpp"
+#include "physics/bead_motion.hpp"
 #include "physics/capsule_wall.hpp"
 #include "physics/crack.hpp"
 #include "physics/debris_motion.hpp"
@@ -440,6 +442,12 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     if (!next.debris.empty()) {
         const ProfileScope scope(profile, "debris");
         move_debris(*s.model, tools, s.probes, dt, next);
+    }
+    if (next.lids) {
+        move_lids(*s.model, tools, dt, *next.lids);
+    }
+    if (next.beads) {
+        move_beads(*s.model, tools, dt, *next.beads);
     }
     const ProfileScope scope(profile, "sculpt");
     for (std::size_t i = 0; i < tools.size(); ++i) {

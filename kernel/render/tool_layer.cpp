@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/depth_pass.hpp"
+#include "render/lids_mesh.hpp"
 
 namespace rhexis {
 
@@ -94,6 +95,9 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
     program_.set("cornea", eye == nullptr ? Vec4(Vec4::Zero()) : cornea_ball(*eye));
     program_.set("globe", eye == nullptr ? Vec4(Vec4::Zero()) : globe_ball(*eye));
     program_.set("detail_map", detail, 0);
+    if (frame.lids && medium == Medium::outside) {
+        paint_tool(lids_mesh(*frame.model->lids, *frame.lids), Pose{});
+    }
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (frame.tools[i].present) {
             paint_tool(tools[i], frame.tools[i].pose);
@@ -122,7 +126,8 @@ ToolLayer::ToolLayer(int width, int height)
 
 void ToolLayer::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
                      Medium medium, const PixelRect& area, const EyeAnatomy& eye, const Texture& detail) {
-    const PixelRect now = intersected(rect_around_tools(frame, view, medium, eye), area);
+    const bool lids = frame.lids && medium == Medium::outside;  // they reach over all of the picture
+    const PixelRect now = lids ? area : intersected(rect_around_tools(frame, view, medium, eye), area);
     const Scissor scissor(united(drawn_, now));
     drawn_ = now;
     samples_.bind();

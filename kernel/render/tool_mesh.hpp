@@ -9,7 +9,7 @@
 namespace rhexis {
 
 /// What a part of an instrument looks like.
-enum class ToolFinish { titanium, bore, sleeve, steel };
+enum class ToolFinish { titanium, bore, sleeve, steel, skin, lash, drape };
 
 struct ToolMesh {
     struct Vertex {

@@ -2,6 +2,7 @@
 #include "session/build_world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -128,6 +129,29 @@ ViscoelasticModel make_viscoelastic(const std::map<std::string, double>& setting
     chamber.area = std::numbers::pi * lens.radius * lens.radius;
     chamber.inner_radius = eye.anatomy.limbus_radius;
     return chamber;
+}
+
+/// The margins lie on the eye a little under the limbus.
+LidsModel make_lids(const EyeAnatomy& eye) {
+    LidsModel lids;
+    lids.height = eye.limbus_z - 0.4;
+    lids.air_z = eye.cornea_apex_z + 1.0;
+    lids.infusion_resistance = ChamberModel{}.infusion_resistance;
+    return lids;
+}
+
+/// Around the tray in the middle, in the order in which a right hand takes them.
+BeadsModel make_beads(const std::map<std::string, double>& settings, const EyeAnatomy& eye) {
+    BeadsModel beads;
+    beads.floor = eye.iris_z + 0.6;
+    beads.target = Vec3(0.0, 0.0, beads.floor);
+    const std::array<Vec2, 6> places{Vec2(2.2, 0.0), Vec2(-2.2, 0.0), Vec2(0.0, 2.2),
+                                     Vec2(1.6, 1.6), Vec2(-1.6, 1.6), Vec2(0.0, -2.0)};
+    const auto count = static_cast<std::size_t>(settings.at("beads.count"));
+    for (std::size_t i = 0; i < count; ++i) {
+        beads.start.emplace_back(places[i].x(), places[i].y(), beads.floor);
+    }
+    return beads;
 }
 
 MicroscopeModel make_microscope(const std::map<std::string, double>& settings, const EyeAnatomy& eye) {
@@ -384,6 +408,12 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         if (world->wounds) {
             world->prolapse = ProlapseModel{};
         }
+    }
+    if (has_tissue(scene, "lids")) {
+        world->lids = make_lids(eye.value().anatomy);
+    }
+    if (has_tissue(scene, "beads")) {
+        world->beads = make_beads(all_settings(scene), eye.value().anatomy);
     }
     for (const std::string& name : scene.instruments) {
         if (name == microscope_name) {

@@ -276,6 +276,26 @@ void fluid_fields(auto& io, auto& world) {
     });
     bag_contents_fields(io, world);
     io.maybe(world.microscope, [](auto& inner, auto& microscope) { inner(microscope.position); });
+    io.maybe(world.lids, [](auto& inner, auto& lids) {
+        inner(lids.opening);
+        inner.list(lids.covered, 1, [](auto& lash_io, auto& covered) {
+            lash_io(covered);
+            lash_io.limit(covered <= 1);
+        });
+        inner(lids.drip);
+        for (auto& time : lids.tested) {
+            inner(time);
+        }
+    });
+    io.maybe(world.beads, [](auto& inner, auto& beads) {
+        inner.list(beads.beads, 52, [](auto& bead_io, auto& bead) {
+            bead_io(bead.position);
+            bead_io(bead.off);
+            bead_io(bead.tool);
+        });
+        inner(beads.grasps);
+        inner(beads.drops);
+    });
     io.maybe(world.capsule, [](auto& inner, auto& capsule) {
         inner(capsule.tool);
         inner(capsule.captured);

@@ -18,7 +18,7 @@ namespace {
 
 const auto known_tissues = std::to_array<std::string>(
     {"lens", "bag", "capsule", "anterior_capsule", "iris", "cornea", "chamber", "viscoelastic", "implant", "vitreous",
-     "globe", "wounds", "zonules", "hydrodissection", "cortex", "retained_viscoelastic"});
+     "globe", "wounds", "zonules", "hydrodissection", "cortex", "retained_viscoelastic", "lids", "beads"});
 const std::array<std::string, 3> known_instruction_sets{"baseline", "avx2", "avx512"};
 
 Status check_names(const char* field, const std::vector<std::string>& names, std::span<const std::string> known) {
@@ -145,6 +145,16 @@ Status check_combination(const SceneDescription& scene) {
     }
     if (Status status = check_bag_contents(scene); !status) {
         return status;
+    }
+    if (named("lids") && !named("cornea")) {
+        return Error{"tissues names lids without cornea", "", "both: lids lie on the eye"};
+    }
+    if (named("beads") && named("chamber")) {
+        return Error{"tissues names beads with chamber", "", "beads alone: they lie in viscoelastic that stays"};
+    }
+    if (const auto beads = scene.settings.find("beads.count");
+        beads != scene.settings.end() && std::fmod(beads->second, 1.0) != 0.0) {
+        return Error{"settings.beads.count is " + short_number(beads->second), "", "a whole number, 1 to 6"};
     }
     if (named("capsule") && !named("bag")) {
         return Error{"tissues names capsule without bag", "", "both: the posterior capsule is a part of the bag"};

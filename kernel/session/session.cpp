@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "input/sample_check.hpp"
@@ -476,6 +477,13 @@ Frame Session::frame() const {
         anatomy.iris_z = p.state.iris->z;
         anatomy.pupil_radius = p.state.iris->pupil_radius;
     }
+    std::vector<Debris> loose = p.state.debris;
+    if (p.state.beads) {
+        const double radius = p.world->beads->radius;
+        for (const Bead& bead : p.state.beads->beads) {
+            loose.push_back({bead.position, Vec3::Zero(), 4.0 / 3.0 * std::numbers::pi * radius * radius * radius});
+        }
+    }
     return {p.world,
             std::make_shared<const EyeAnatomy>(anatomy),
             p.state.solids,
@@ -485,7 +493,7 @@ Frame Session::frame() const {
             p.tools,
             p.state.capsule,
             p.state.iris,
-            p.state.debris,
+            loose,
             p.state.microscope,
             p.state.time_s,
             p.state.vitreous,
@@ -494,7 +502,8 @@ Frame Session::frame() const {
             p.state.prolapse,
             p.state.hydrodissection,
             p.state.cortex,
-            p.state.retained};
+            p.state.retained,
+            p.state.lids};
 }
 
 Snapshot Session::snapshot() const {

@@ -13,6 +13,7 @@ namespace {
 constexpr auto table = std::to_array<SettingInfo>({
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
+    {"beads.count", "1", 1.0, 6.0, 3.0, false, "Beads in the chamber, for practice with forceps."},
     {"capsule.fibres", "1", 0.0, 1.0, 0.0, false,
      "Fibres of the anterior capsule: 0: none, as anatomy has it; 1: in circles, as a model of them has it."},
     {"capsule.hole_mm", "mm", 0.0, 6.0, 0.0, false,

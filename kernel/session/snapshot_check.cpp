@@ -183,6 +183,28 @@ Status prolapse_fits(const WorldState& state, const WorldModel& world) {
 
 bool tool_fits(int tool, const WorldModel& world) { return tool >= -1 && tool < static_cast<int>(world.tools.size()); }
 
+/// Lids, and beads for practice.
+Status practice_fits(const WorldState& state, const WorldModel& world) {
+    if (state.lids.has_value() != world.lids.has_value() || state.beads.has_value() != world.beads.has_value()) {
+        return misfit("lids or beads");
+    }
+    if (state.lids) {
+        const LidsState& lids = *state.lids;
+        const double sum = lids.opening + lids.drip + lids.tested[0] + lids.tested[1] + lids.tested[2];
+        if (lids.covered.size() != rest_state(*world.lids).covered.size() || !std::isfinite(sum)) {
+            return misfit("the lids");
+        }
+    }
+    for (std::size_t i = 0; state.beads && i < state.beads->beads.size(); ++i) {
+        const Bead& bead = state.beads->beads[i];
+        if (!tool_fits(bead.tool, world) || !bead.position.allFinite() || !bead.off.allFinite()) {
+            return misfit("the beads");
+        }
+    }
+    const bool same = !state.beads || state.beads->beads.size() == world.beads->start.size();
+    return same ? success() : Status(misfit("the beads"));
+}
+
 bool sound(const VitreousState& vitreous) {
     const double sum = vitreous.behind + vitreous.drive + vitreous.wound + vitreous.marked + vitreous.cut +
                        vitreous.traction + vitreous.peak_traction + vitreous.checked + vitreous.filled +
@@ -345,6 +367,9 @@ Status check_fit(const Snapshot& snapshot, const WorldModel& world, std::size_t 
         if (!status) {
             return status;
         }
+    }
+    if (Status status = practice_fits(snapshot.world, world); !status) {
+        return status;
     }
     return settings_fit(snapshot);
 }

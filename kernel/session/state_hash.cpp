@@ -188,6 +188,25 @@ void add(StateHash& hash, const CapsuleState& capsule) {
     }
 }
 
+void add(StateHash& hash, const LidsState& lids) {
+    for (const std::uint8_t covered : lids.covered) {
+        hash.add(static_cast<std::uint64_t>(covered));
+    }
+    for (const double value : {lids.opening, lids.drip, lids.tested[0], lids.tested[1], lids.tested[2]}) {
+        hash.add(value);
+    }
+}
+
+void add(StateHash& hash, const BeadsState& beads) {
+    for (const Bead& bead : beads.beads) {
+        hash.add(static_cast<std::uint64_t>(bead.tool + 1));
+        add(hash, bead.position);
+        add(hash, bead.off);
+    }
+    hash.add(static_cast<std::uint64_t>(beads.grasps));
+    hash.add(static_cast<std::uint64_t>(beads.drops));
+}
+
 void add(StateHash& hash, const VitreousState& vitreous) {
     hash.add(static_cast<std::uint64_t>(vitreous.tool + 1) * 2 + (vitreous.broken ? 1 : 0));
     add(hash, vitreous.caught);
@@ -360,6 +379,12 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
     }
     if (world.microscope) {
         add(hash, world.microscope->position);
+    }
+    if (world.lids) {
+        add(hash, *world.lids);
+    }
+    if (world.beads) {
+        add(hash, *world.beads);
     }
     add_if(hash, world.iris);
     add(hash, world.flows);

@@ -11,6 +11,7 @@
 #include "tools/phaco_tip.hpp"
 #include "tools/probe.hpp"
 #include "tools/rhexis_tools.hpp"
+#include "tools/setup_tools.hpp"
 #include "tools/spatula.hpp"
 #include "tools/wound_tools.hpp"
 #include "tools/zonule_tools.hpp"
@@ -18,10 +19,12 @@
 namespace rhexis {
 
 std::vector<std::string> tool_names() {
-    return {"cannula",        "capsule_hook",      "cutter",  "cystotome", "forceps",
-            "hook",           "hydration_cannula", "ia_tip",  "injector",  "keratome",
-            "lens_forceps",   "needle_holder",     "phaco",   "probe",     "ring",
-            "saline_cannula", "side_port_blade",   "spatula", "sponge",    "triamcinolone"};
+    return {"cannula",        "capsule_hook",    "cutter",   "cystotome",
+            "drape",          "forceps",         "hook",     "hydration_cannula",
+            "ia_tip",         "injector",        "keratome", "lens_forceps",
+            "needle_holder",  "phaco",           "probe",    "ring",
+            "saline_cannula", "side_port_blade", "spatula",  "speculum",
+            "sponge",         "triamcinolone"};
 }
 
 std::vector<std::string> instrument_names() {
@@ -66,6 +69,12 @@ Result<ToolModel> make_tool(std::string_view name) {
     }
     if (name == "cutter") {
         return cutter();
+    }
+    if (name == "drape") {
+        return drape();
+    }
+    if (name == "speculum") {
+        return speculum();
     }
     if (name == "triamcinolone") {
         return triamcinolone_cannula();

@@ -11,9 +11,10 @@
 
 namespace rhexis {
 
-/// "cannula", "capsule_hook", "cutter", "cystotome", "forceps", "hook", "hydration_cannula", "ia_tip", "injector",
-/// "keratome", "lens_forceps", "needle_holder", "phaco", "probe" (a rod of 0.5 mm diameter and 30 mm length), "ring",
-/// "saline_cannula", "side_port_blade", "spatula", "sponge" or "triamcinolone". The error suggests the nearest name.
+/// "cannula", "capsule_hook", "cutter", "cystotome", "drape", "forceps", "hook", "hydration_cannula", "ia_tip",
+/// "injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe" (a rod of 0.5 mm diameter and 30 mm
+/// length), "ring", "saline_cannula", "side_port_blade", "spatula", "speculum", "sponge" or "triamcinolone". The error
+/// suggests the nearest name.
 Result<ToolModel> make_tool(std::string_view name);
 
 /// All names, in alphabetical order.

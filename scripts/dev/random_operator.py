@@ -39,6 +39,8 @@ RUNS = [
     ("hydrodissection", None),
     ("cortex", None),
     ("viscoelastic_removal", None),
+    ("set_up", None),
+    ("forceps_skill", None),
 ]
 
 

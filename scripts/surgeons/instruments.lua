@@ -29,6 +29,8 @@ local held = {
     sponge = { wound = "incision_site", orientation = vector.orientation, bend_mm = 0 },
     capsule_hook = bent(0.5, "side_port"),
     ring = bent(0.5),
+    drape = bent(1.0, "hand_rest"),
+    speculum = bent(1.0, "hand_rest"),
 }
 
 --- name: of an instrument of the scene.

@@ -42,7 +42,8 @@ local own_stream = { "^groove_%d", "^side_port$", "^capsulorhexis$", "^spatula$"
     "^descemet_flap$", "^stitches$", "^hardness$", "^held$", "^rim$", "^pupil_peak$", "^iris_prolapse$",
     "^limbus$", "^vitreous", "^cutter$", "^triamcinolone$", "^haptic_%a+_middle$", "^haptic_%a+_elbow$",
     "^bag_edge$", "^zonule_gap$", "^ring$", "^capsule_hook", "^fluid_wave$", "^cortical_spoke$", "^pupil_edge$",
-    "^cortex_", "^optic", "^saline_cannula$", "^ia_tip$" }
+    "^cortex_", "^optic", "^saline_cannula$", "^ia_tip$", "^lash_%d", "^drip$", "^hand_rest$",
+    "^drape$", "^speculum$", "^bead_%d", "^tray$" }
 
 -- What lies so near to another thing that one look takes in both is misjudged as that is.
 local one_look = { margin = "tear_tip" }

@@ -31,10 +31,12 @@ local eye = {}
 ---wounds, and with chamber "wounds": how they are cut, leak and are closed. In place of the lens "implant": a foldable
 ---lens that is held by the ends of its haptics; with an injector, which pushes it out, free.
 ---
----Instruments: "cannula", "capsule_hook", "cutter", "cystotome", "forceps", "hook", "hydration_cannula", "ia_tip",
----"injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "saline_cannula",
----"side_port_blade", "spatula", "sponge", "triamcinolone", and as the last one "microscope", which makes the picture
----what it shows and stands
+---On the cornea "lids" with lashes; where no fluid flows "beads", for practice with forceps.
+---
+---Instruments: "cannula", "capsule_hook", "cutter", "cystotome", "drape", "forceps", "hook", "hydration_cannula",
+---"ia_tip", "injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "saline_cannula",
+---"side_port_blade", "spatula", "speculum", "sponge", "triamcinolone", and as the last one "microscope", which makes the
+---picture what it shows and stands
 ---where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
