@@ -73,7 +73,8 @@ Result<Gates> gates_from(const json& given, const std::string& where) {
     }
     const json bands = given.value("bands", json::object());
     Status status = take_gate(given.value("usual", json::object()), bands, where + ": usual", gates.usual);
-    for (const auto& [exercise, gate] : given.value("exercises", json::object()).items()) {
+    const json exercises = given.value("exercises", json::object());
+    for (const auto& [exercise, gate] : exercises.items()) {
         if (status) {
             gates.exercises[exercise] = gates.usual;
             status = take_gate(gate, bands, where + ": " + exercise, gates.exercises[exercise]);

@@ -30,7 +30,12 @@ TEST_SUITE("agreement") {
         CHECK(milder->single < 0.95);
         CHECK(milder->single > 0.5);
         CHECK(milder->average > milder->single);
-        CHECK(intraclass({{1, 3}, {3, 1}, {1, 3}, {3, 1}}, why)->single < 0.0);
+        // against each other
+        const std::optional<Correlation> against = intraclass({{1, 3}, {3, 1}, {2, 3}, {3, 3}}, why);
+        REQUIRE(against.has_value());
+        CHECK(against->single == Approx(-0.8));
+        CHECK_FALSE(intraclass({{1, 3}, {3, 1}, {1, 3}, {3, 1}}, why).has_value());
+        CHECK(why == "the attempts do not differ");
     }
 
     TEST_CASE("where there is no ICC, it says why") {
