@@ -86,20 +86,28 @@ void push_back(const ProlapseModel& model, double room, double pressure, Prolaps
         std::min(1.0, prolapse.damage + model.damage * pushed * (1.0 + std::max(0.0, pressure) / usual_pressure));
 }
 
+/// Where friction, which grows with what lies in the tunnel, stops what comes out, however long the step.
+double farthest(double out, double stiffness, double rubs) {
+    const double balance = (out - rubs) / stiffness;
+    return balance > full_tunnel ? balance : out / (stiffness + rubs / full_tunnel);
+}
+
 }  // namespace
 
 double pushed_length(const ProlapseModel& model, const ProlapseState& state, double pull, double width, double dt) {
     const double stiffness = model.stiffness * (1.0 - model.softer * state.damage);
     const double out = std::max(0.0, pull - model.holds) * model.patch * width;
     const double lies_in = std::min(1.0, state.length / full_tunnel);
-    const double friction = lies_in * model.friction * (state.stroke_s > 0.0 ? model.stroked : 1.0);
+    const double rubs = model.friction * (state.stroke_s > 0.0 ? model.stroked : 1.0);
+    const double friction = lies_in * rubs;
     const double net = out - stiffness * state.length;
     if (std::abs(net) <= friction) {
         return state.length;
     }
     const double drive = out - std::copysign(friction, net);
     const double slow = model.drag / dt;
-    return std::clamp((slow * state.length + drive) / (slow + stiffness), 0.0, model.longest);
+    const double length = std::clamp((slow * state.length + drive) / (slow + stiffness), 0.0, model.longest);
+    return net > 0.0 ? std::min(length, std::max(state.length, farthest(out, stiffness, rubs))) : length;
 }
 
 void move_prolapse(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
