@@ -540,8 +540,8 @@ return scoring.rubric {
                 of = "iris.torn_mm", take = "last", five = 0, three = 0.5, one = 1.5, weight = 1, source = "proposal",
                 better = "Set the iris free by the pedal, never by pulling." },
             { id = "G5.prolapse", name = "Prolapse of the iris (0: none, 1: put back, 2: left in the wound)",
-                unit = "1", digits = 0, of = "iris.prolapse_state", take = "last", five = 0, three = 1, one = 2, weight = 1,
-                source = "proposal",
+                unit = "1", digits = 0, of = "iris.prolapse_state", take = "last", five = 0, three = 1, one = 2,
+                weight = 1, source = "proposal",
                 better = "Lower the pressure before an instrument leaves; lower it through the side port, and stroke "
                     .. "over the lip." },
             { id = "G5.damage", name = "Damage of the prolapsed iris by pushes", unit = "1", digits = 2,

@@ -7,8 +7,8 @@ return exercise {
     title = "Hydrodissection",
     version = 1,
     summary = "The capsule is open, and the cortex adheres to it all round. Saline that is injected under the "
-        .. "rim runs as a wave over the back of the bag and parts the two. What cannot come out past the nucleus pushes "
-        .. "it forward, and at last bursts the posterior capsule. A nucleus that turns is free.",
+        .. "rim runs as a wave over the back of the bag and parts the two. What cannot come out past the nucleus "
+        .. "pushes it forward, and at last bursts the posterior capsule. A nucleus that turns is free.",
     objectives = {
         "Bring the cannula under the rim, close to the capsule, and see the wave cross the red reflex",
         "Press the nucleus back between injections, so that no fluid stays trapped",

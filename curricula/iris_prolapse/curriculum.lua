@@ -6,9 +6,9 @@ local globe_events = require "globe_events"
 return exercise {
     title = "Iris prolapse",
     version = 1,
-    summary = "The main wound was cut too short and comes out too near to the iris. When the tip left under pressure, the "
-        .. "iris came after it. Pushed back, it comes again, and worse. Let the pressure out through the side port, and "
-        .. "stroke over the lip of the wound.",
+    summary = "The main wound was cut too short and comes out too near to the iris. When the tip left under pressure, "
+        .. "the iris came after it. Pushed back, it comes again, and worse. Let the pressure out through the side port, "
+        .. "and stroke over the lip of the wound.",
     objectives = {
         "Know a prolapse by the pupil that peaks towards the wound, and push nothing back",
         "Lower the pressure through the side port by pressing on its lip",
@@ -34,8 +34,8 @@ return exercise {
     steps = {
         step "let down" {
             title = "Let the pressure out",
-            hint = "Spatula into the side port, just through it. Press its lip aside until fluid runs out and the eye is "
-                .. "soft. Leave the iris alone.",
+            hint = "Spatula into the side port, just through it. Press its lip aside until fluid runs out and the eye "
+                .. "is soft. Leave the iris alone.",
             done = "chamber.pressure_mmhg < goal.pressure_mmhg",
             time_limit_s = 60,
         },

@@ -237,8 +237,8 @@ local function towards(value, target, most) return value + math.max(-most, math.
 --- The plan has run to its end.
 function Operator:done() return coroutine.status(self.thread) == "dead" end
 
--- The wound holds the shaft, wherever one believes it to be; but an eye that can roll gives way to the hand, so that the
--- shaft goes where one believes the wound to be.
+-- The wound holds the shaft, wherever one believes it to be; but an eye that can roll gives way to the hand, so that
+-- the shaft goes where one believes the wound to be.
 local function wound_of(self, name, landmarks)
     local believed = landmarks.limbus and self.seen and self.seen.landmarks[name]
     return believed or landmarks[name]

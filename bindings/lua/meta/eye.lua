@@ -35,9 +35,8 @@ local eye = {}
 ---
 ---Instruments: "cannula", "capsule_hook", "cutter", "cystotome", "drape", "forceps", "hook", "hydration_cannula",
 ---"ia_tip", "injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "saline_cannula",
----"side_port_blade", "spatula", "speculum", "sponge", "triamcinolone", and as the last one "microscope", which makes the
----picture what it shows and stands
----where its settings leave it.
+---"side_port_blade", "spatula", "speculum", "sponge", "triamcinolone", and as the last one "microscope", which makes
+---the picture what it shows and stands where its settings leave it.
 ---```lua
 ---local eye = rhexis.eye.create { age = 72, nuclear_grade = 4, tetrahedra = 500 }
 ---assert(eye:step(2))
