@@ -7,8 +7,8 @@ return exercise {
     title = "Iris prolapse",
     version = 1,
     summary = "The main wound was cut too short and comes out too near to the iris. When the tip left under pressure, "
-        .. "the iris came after it. Pushed back, it comes again, and worse. Let the pressure out through the side port, "
-        .. "and stroke over the lip of the wound.",
+        .. "the iris came after it. Pushed back, it comes again, and worse. Let the pressure out through the side "
+        .. "port, and stroke over the lip of the wound.",
     objectives = {
         "Know a prolapse by the pupil that peaks towards the wound, and push nothing back",
         "Lower the pressure through the side port by pressing on its lip",

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What a virtual surgeon does who sees iris in the wound: presses the lip of the side port aside with a spatula until
--- the eye must be soft, then strokes over the outer lip of the main wound until the iris is gone. It sees the picture only:
--- no measure, no event, no score. [mm]
+-- the eye must be soft, then strokes over the outer lip of the main wound until the iris is gone. It sees the picture
+-- only: no measure, no event, no score. [mm]
 
 local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"

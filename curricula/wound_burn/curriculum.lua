@@ -8,8 +8,8 @@ return exercise {
     title = "Ultrasound without flow",
     version = 1,
     summary = "Viscoelastic has set in the tip, and the wound lies tight around the sleeve: nothing flows, and what "
-        .. "does not flow does not cool. Find it out before ultrasound burns the wound, come out, have the tip cleared, "
-        .. "and go on.",
+        .. "does not flow does not cool. Find it out before ultrasound burns the wound, come out, have the tip "
+        .. "cleared, and go on.",
     objectives = {
         "Try the flow in pedal position 2 before every first ultrasound",
         "Know a blocked tip by the panel and by the milky cloud, and let go of ultrasound at once",
