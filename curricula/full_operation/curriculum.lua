@@ -1,20 +1,44 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The operation, made of the exercises that train its parts. One eye goes through all of them.
+-- The operation, made of the exercises that train its parts. One eye goes through all of them: what one part leaves for
+-- the next is named.
 
 return operation {
     title = "Cataract operation",
-    version = 1,
-    summary = "The whole operation on one eye: the capsule is opened, the nucleus, which a laser has cut into "
-        .. "quarters, taken out, and an implant laid into the bag.",
+    version = 2,
+    summary = "The whole operation on one eye, from the drape to the closed wound: incisions, viscoelastic and the "
+        .. "opening of the capsule, hydrodissection, the nucleus, which a laser has cut into quarters, cortex, an "
+        .. "implant in the bag, viscoelastic out, wounds tight.",
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 8 },
 
     parts = {
+        part "set_up" {},
+        part "incision" {},
         part "capsulorhexis" {},
-        part "phaco_quadrants" {},
+        part "hydrodissection" { begins_with = { ["capsulorhexis.diameter_mm"] = "rhexis.diameter_mm" } },
+        part "phaco_quadrants" {
+            begins_with = {
+                ["capsulorhexis.diameter_mm"] = "rhexis.diameter_mm",
+                ["hydrodissection.freed"] = "hydro.freed_share",
+                ["capsule.hole_mm"] = "2 * sqrt(capsule.hole_mm2 / 3.14159)",
+            },
+        },
+        part "cortex" {
+            begins_with = { ["capsule.hole_mm"] = "2 * sqrt(capsule.hole_mm2 / 3.14159)" },
+        },
         part "iol_injection" { opening = "capsulorhexis" },
+        part "viscoelastic_removal" {},
+        part "wound_closure" {
+            begins_with = {
+                ["wounds.main_tunnel_mm"] = "wounds.main_tunnel_mm",
+                ["wounds.main_width_mm"] = "wounds.main_width_mm",
+                ["wounds.main_inner_lip_mm"] = "wounds.main_inner_lip_mm",
+                ["wounds.main_peel_mm"] = "wounds.main_peel_mm",
+                ["wounds.main_burn"] = "wound.burn_share",
+            },
+        },
     },
 
-    scoring = osacss { "T3", "T4", "T5", "T7", "T8", "T11", "T13", "G2", "G3", "G4", "G5", "G6" },
-    reference = { time_s = 550 },
+    scoring = osacss.all,
+    reference = { time_s = 750 },
 }

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Conditions and quantities written as text: "phaco.tip_posterior_mm < 0.3 and phaco.aspirating".
 --
---   or, and, not     < <= > >= == ~= !=     + - * /     ( )     numbers, true, false     min, max, abs
+--   or, and, not     < <= > >= == ~= !=     + - * /     ( )     numbers, true, false     min, max, abs, sqrt
 --
 -- A measure that is not defined now (an instrument outside the eye has no depth) makes a sum undefined and a
 -- comparison false. parse() finds mistakes of form when a curriculum loads; bind() finds unknown names when the
@@ -58,7 +58,7 @@ function Parser:expect(text)
     if not self:accept(text) then self:fail("'" .. text .. "' is missing") end
 end
 
-local functions = { min = true, max = true, abs = true }
+local functions = { min = true, max = true, abs = true, sqrt = true }
 
 function Parser:primary()
     local token = self.tokens[self.at]
@@ -201,6 +201,15 @@ function make.abs(a)
     return function()
         local x = a()
         return x and math.abs(x)
+    end
+end
+
+-- Of less than nothing it is undefined.
+function make.sqrt(a)
+    return function()
+        local x = a()
+        if x == nil or not (x >= 0) then return nil end
+        return math.sqrt(x)
     end
 end
 
