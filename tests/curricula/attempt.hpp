@@ -41,9 +41,9 @@ public:
             return false;
         }
         if (host_->has_surgeon()) {
-            Result<std::vector<DeviceSample>> own = host_->operate(session_->percept());
+            Result<SurgeonStep> own = host_->operate(session_->percept());
             REQUIRE_MESSAGE(own.ok(), (own ? std::string() : own.error().text()));
-            samples = std::move(own).value();
+            samples = std::move(own.value().samples);
             for (DeviceSample& sample : samples) {
                 sample.pedal = std::min(sample.pedal, most_pedal_);
             }
