@@ -36,6 +36,13 @@ return {
     ["scores like surgeons with 250 operations or more"] = "note de chirurgiens ayant 250 opérations ou plus",
 
     -- rubric: items
+    ["Prolapse of the iris (0: none, 1: put back, 2: left in the wound)"] =
+        "Prolapsus de l'iris (0 : aucun, 1 : remis en place, 2 : laissé dans l'incision)",
+    ["Lower the pressure before an instrument leaves; lower it through the side port, and stroke over the lip."] =
+        "Baissez la pression avant de sortir un instrument ; baissez-la par la contre-incision, et massez la lèvre.",
+    ["Damage of the prolapsed iris by pushes"] = "Lésions de l'iris prolabé par les poussées",
+    ["Never push a prolapsed iris back through the wound."] =
+        "Ne repoussez jamais un iris prolabé par l'incision.",
     ["Times that the implant jammed in the nozzle"] = "Blocages de l'implant dans la buse",
     ["Stop when the plunger gets heavy; do not force an implant through."] =
         "Arrêtez quand le piston devient dur ; ne forcez pas le passage d'un implant.",

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What microscope.frag draws of the front of the eye: sclera, lids, iris, wounds; and the camera.
+in vec2 place;
+uniform sampler2D sclera_map;
+uniform sampler2D sclera_relief;
+uniform sampler2D detail_map;
+uniform sampler2D outer_tools;
+uniform sampler2D shadows;  // of the instruments: red inside the eye, green outside
+uniform vec4 cornea;        // centre, radius
+uniform vec4 globe;
+uniform float limbus_radius;
+uniform float limbus_z;
+uniform float sclera_extent;
+uniform float pixel_mm;  // at the iris
+uniform int has_iris;
+uniform int has_cornea;  // and sclera
+out vec4 colour;
+
+const vec3 lamp = vec3(1.0, 0.965, 0.90);
+const vec3 nothing = vec3(0.012, 0.008, 0.007);  // where a tissue is left out
+
+// Distance along a line to a ball's near side; negative: misses it.
+float to_ball(vec3 from, vec3 way, vec4 ball) {
+    vec3 offset = from - ball.xyz;
+    float middle = -dot(offset, way);
+    float square = middle * middle - dot(offset, offset) + ball.w * ball.w;
+    return square < 0.0 ? -1.0 : middle - sqrt(square);
+}
+
+vec3 sclera_colour(vec3 at, vec3 way) {
+    vec2 where = 0.5 + 0.5 * at.xy / sclera_extent;
+    vec3 reflectance = texture(sclera_map, where).rgb;
+    vec3 uneven = texture(sclera_relief, where).rgb;
+    vec3 n = normalize(at - globe.xyz);
+    vec3 wet = normalize(n + vec3(0.38 * (uneven.xy - 0.5), 0.0));
+    float facing = clamp(dot(n, vec3(0.05, 0.10, 0.994)), 0.0, 1.0);
+    float shade = clamp(dot(wet, vec3(-0.145, 0.242, 0.959)), 0.0, 1.0);
+    vec3 body = reflectance * lamp * (0.12 + 0.98 * facing * facing * shade);
+    vec3 mirror = reflect(way, wet);
+    float glint = pow(clamp(dot(mirror, vec3(0.06, 0.12, 0.991)), 0.0, 1.0), 420.0);
+    return body + 0.9 * glint * uneven.z * lamp;
+}
+
+// Lids that a wire speculum holds open, and the drape over the skin. `edge`: distance from the lid's margin, outward.
+vec3 around_eye(vec2 at, vec3 sclera) {
+    float across = abs(at.x) / 12.0;
+    float reach = (at.y > 0.0 ? 7.0 : 7.2) * (1.0 - pow(across, 3.0));
+    float slope = 3.0 * 7.0 / 12.0 * min(across * across, 1.5);
+    float edge = (abs(at.y) - reach) * inversesqrt(1.0 + slope * slope);
+    vec4 grain = texture(detail_map, at * 0.035);
+    edge += 0.10 * (grain.r - 0.5);
+    vec3 margin = mix(vec3(0.62, 0.33, 0.27), vec3(0.72, 0.50, 0.41), smoothstep(0.1, 1.0, edge));
+    margin *= 0.62 + 0.5 * grain.g;
+    margin += lamp * 0.35 * smoothstep(0.62, 0.72, grain.a) * exp(-edge * edge / 0.08);
+    vec4 folds = texture(detail_map, at * 0.021 + vec2(0.3, 0.1));
+    vec3 drape = vec3(0.10, 0.25, 0.34) * (0.55 + 0.7 * folds.r) + lamp * 0.10 * smoothstep(0.86, 1.0, folds.b);
+    vec3 cover = mix(margin, drape, smoothstep(1.5, 1.75, edge + 0.25 * (folds.g - 0.5)));
+    vec3 open = sclera * (1.0 - 0.50 * exp(-max(0.0, -edge) / 0.55));
+    open += lamp * 0.30 * exp(-pow((edge + 0.10) / 0.05, 2.0)) * grain.g;  // tears along the margin
+    vec3 picture = mix(open, cover, smoothstep(-0.03, 0.03, edge));
+    float bend = max(0.0, abs(at.x) - 5.2);
+    float wire = (edge - 0.15 - 0.22 * bend * bend) / 0.42;
+    float inside = sqrt(max(0.0, 1.0 - wire * wire));
+    vec3 steel = vec3(0.06, 0.07, 0.08) + vec3(0.42) * smoothstep(0.2, 1.0, inside) * (0.6 + 0.4 * wire);
+    steel += lamp * 1.2 * exp(-pow((wire - 0.18) / 0.16, 2.0)) + lamp * 0.35 * exp(-pow((wire + 0.55) / 0.12, 2.0));
+    float pixel = 1.5 * pixel_mm / 0.42;
+    picture *= 1.0 - 0.55 * exp(-pow((wire + 1.15) / 0.55, 2.0));
+    return mix(picture, steel, 1.0 - smoothstep(1.0 - pixel, 1.0 + pixel, abs(wire)));
+}
+
+// The camera on the microscope, its gain fixed: light of this level stays as it is, what is brighter grows by
+// `contrast` in the logarithm, colours grow by `saturation`, and what would be brighter than `knee` comes out ever closer to white.
+const float mid_grey = 0.20;
+const float contrast = 1.65;
+const float saturation = 1.04;
+const float knee = 0.80;
+
+vec3 photographed(vec3 light) {
+    float level = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    vec3 value = max(mix(vec3(level), light, saturation), 0.0) * pow(max(level, 1e-4) / mid_grey, contrast - 1.0);
+    vec3 over = max(value - knee, 0.0);
+    value = min(value, knee) + (1.0 - knee) * over / (1.0 - knee + over);
+    return pow(value, vec3(1.0 / 2.2));
+}
+
+uniform sampler2D iris_map;
+uniform float pupil_radius;
+uniform float incision_width;
+uniform vec4 prolapse;     // of the iris into the main wound: direction, from the axis, length; 0: there is none
+
+vec3 iris_colour(vec3 at, float radius) {
+    float outward = (radius - pupil_radius) / (limbus_radius + 0.25 - pupil_radius);
+    float around = atan(at.y, at.x) / 6.2831853;
+    // The level of detail by hand: the angle jumps where it wraps.
+    float texel_mm = 6.2831853 * radius / float(textureSize(iris_map, 0).x);
+    float level = max(0.0, log2(pixel_mm / texel_mm) - 0.5);
+    return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
+}
+
+// Iris that lies in the wound and before it: a dark moist fold. What it hides is in the last component.
+vec4 prolapsed(vec3 at) {
+    float along = at.y * prolapse.x - at.x * prolapse.y;
+    float out_to = dot(prolapse.xy, at.xy) - prolapse.z;
+    float half_length = 0.25 + 0.22 * prolapse.w;
+    float half_width = 0.48 * incision_width;
+    vec4 grain = texture(detail_map, at.xy * 0.30);
+    vec2 off = vec2(along / half_width, (out_to - half_length + 0.15) / half_length);
+    float round = dot(off, off) + 0.35 * (grain.r - 0.5);
+    float hides = 1.0 - smoothstep(0.80, 1.05, round);
+    vec3 fold = iris_colour(vec3(prolapse.xy * (limbus_radius - 1.6) + vec2(-prolapse.y, prolapse.x) * along, 0.0),
+                            limbus_radius - 1.6 + 0.25 * off.y);
+    float ridge = 0.35 + 0.35 * max(0.0, 1.0 - round) + 0.25 * (grain.g - 0.5);
+    float wet = 0.5 * smoothstep(0.25, 0.0, length(off - vec2(-0.25, 0.30)));
+    return vec4(fold * ridge + wet * lamp, hides);
+}
+
+#if PART >= 1
+uniform sampler2D inner_tools;
+uniform sampler2D stop;
+uniform vec3 reference;
+uniform float iris_z;
+uniform vec3 incision;
+uniform float wound_burn;
+uniform vec3 side_port;
+uniform float side_port_width;
+uniform vec2 wound_swelling;  // of the stroma beside the main wound and the side port: 0 none, 1 white
+uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
+uniform vec4 capsule_hooks[5];  // across the eye: where each holds the edge of the opening, and the limbus
+uniform int capsule_hook_count;
+uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
+
+// Mirror image of the microscope's lamps in the tear film, and the glow around it.
+vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
+    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
+    const float sizes[3] = float[3](0.050, 0.046, 0.018);
+    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
+    vec2 light = vec2(0.0);
+    for (int i = 0; i < 3; ++i) {
+        float apart = length(slant - ways[i].xy);
+        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
+        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
+    }
+    return light * step(0.0, way.z);
+}
+
+// Radius of the pupil's edge in the direction of a place.
+float edge_at(vec3 at, float rho) {
+    float aside = caught_edge.z != 0.0 ? dot(at.xy, caught_edge.xy) / max(rho, 0.01) : -1.0;
+    return caught_edge.z < 0.0 ? pupil_radius + caught_edge.z * (1.0 - exp(-(1.0 - aside) / 0.06))
+                               : pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);
+}
+
+// Where a burnt main wound is white: its roof and lips, more the nearer to its middle.
+float burnt(vec3 at, float grain) {
+    vec2 outward = incision.xy / max(length(incision.xy), 1e-3);
+    float along = at.y * outward.x - at.x * outward.y;
+    float off = dot(outward, at.xy) - 1.04 * length(incision.xy);
+    return min(0.95, 1.5 * exp(-pow(along / (0.65 * incision_width), 4.0) - pow(off / (0.34 + 0.2 * grain), 2.0)));
+}
+
+// Where the stroma beside a wound is white and tight with water: its tunnel and both of its sides.
+float swollen_stroma(vec3 at, vec3 inner_lip, float width, float grain) {
+    vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
+    float along = at.y * outward.x - at.x * outward.y;
+    float off = dot(outward, at.xy) - 0.5 * (length(inner_lip.xy) + limbus_radius);
+    float shape = exp(-pow(along / (0.62 * width + 0.35), 4.0) - pow(off / (0.75 + 0.5 * (grain - 0.5)), 4.0));
+    return 0.62 * shape * (0.75 + 0.5 * grain);
+}
+
+// Fluid on an outer lip: a film with a bright edge. Returns a brightness to add and the share it hides.
+vec2 film_on_lip(vec3 at, vec3 inner_lip, float reach, float grain) {
+    vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
+    vec2 off = at.xy - (limbus_radius - 0.05) * outward;
+    float along = off.y * outward.x - off.x * outward.y;
+    float far = length(vec2(0.55 * along, dot(off, outward))) + 0.25 * reach * (grain - 0.5);
+    float inside = 1.0 - smoothstep(reach - 0.10, reach, far);
+    float edge = exp(-pow((far - reach + 0.08) / 0.09, 2.0));
+    float glint = edge * smoothstep(0.55, 0.85, grain);
+    return vec2(0.06 * edge + 0.22 * glint + 0.05 * inside, 0.16 * inside + 0.14 * edge);
+}
+
+// A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
+vec2 wound(vec3 at, vec3 incision, float incision_width) {
+    float inner = length(incision.xy);
+    if (incision_width <= 0.0 || inner < 1.0) {
+        return vec2(0.0);
+    }
+    vec2 outward = incision.xy / inner;
+    float radius = length(at.xy);
+    float turn = atan(outward.x * at.y - outward.y * at.x, dot(outward, at.xy));
+    float along = radius * turn;
+    float outer = limbus_radius - 0.20;
+    float lip = inner * 1.075;
+    float into = clamp((outer - radius) / (outer - lip), 0.0, 1.0);
+    float half_width = 0.5 * incision_width * (1.0 - 0.10 * into);
+    vec4 grain = texture(detail_map, at.xy * 0.12);
+    float wavy = 0.07 * (grain.r - 0.5);
+    float wide = 1.0 - smoothstep(half_width - 0.05, half_width + 0.08, abs(along));
+    float thin = max(0.030, 0.9 * pixel_mm);
+    float outer_line = exp(-pow((radius - outer - wavy) / thin, 2.0)) * wide;
+    float inner_line = exp(-pow((radius - lip - 1.5 * wavy - 0.05 * along * along) / (1.5 * thin), 2.0)) * wide;
+    float sides = exp(-pow((abs(along) - half_width - wavy) / (1.2 * thin), 2.0)) * step(lip, radius) *
+                  step(radius, outer);
+    float roof = wide * smoothstep(lip - 0.02, lip + 0.15, radius) * (1.0 - smoothstep(outer - 0.04, outer, radius));
+    float shadow = exp(-pow((radius - outer - wavy + 0.08) / (2.0 * thin), 2.0)) * wide;
+    float swollen = wide * exp(-pow((radius - outer + 0.35) / 0.28, 2.0));
+    return vec2(0.55 * outer_line * (0.5 + grain.g) + 0.26 * inner_line + 0.20 * sides * grain.g +
+                    roof * (0.015 + 0.05 * grain.a) + 0.09 * swollen,
+                clamp(0.75 * shadow + 0.12 * roof + 0.25 * swollen, 0.0, 1.0));
+}
+#endif
