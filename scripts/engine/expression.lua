@@ -208,7 +208,7 @@ end
 function make.sqrt(a)
     return function()
         local x = a()
-        if x == nil or not (x >= 0) then return nil end
+        if x == nil or x ~= x or x < 0 then return nil end
         return math.sqrt(x)
     end
 end
