@@ -95,6 +95,35 @@ local function read_measure(given, item, levels)
     return measure
 end
 
+local function every_item(rubric)
+    local ids = {}
+    for i, item in ipairs(rubric.items) do ids[i] = item.id end
+    return { rubric = rubric, items = ids }
+end
+
+-- rubric { "T9", "G4" } are some of its items, rubric.all all of them.
+local selecting = {}
+
+function selecting.__call(rubric, wanted)
+    local known = words.keys(rubric.by_id)
+    for _, id in ipairs(wanted) do
+        if not rubric.by_id[id] then
+            words.fail(words.where("scoring", nil), ("unknown item '%s'%s"):format(tostring(id),
+                words.hint(tostring(id), known)))
+        end
+    end
+    return { rubric = rubric, items = wanted }
+end
+
+local may_lack = { caps = true, bands = true, source = true, name = true, rubric = true }
+
+function selecting.__index(rubric, key)
+    if key == "all" then return every_item(rubric) end
+    if may_lack[key] then return nil end
+    words.fail(words.where("scoring", nil), ("a rubric has no '%s'%s"):format(tostring(key),
+        words.hint(tostring(key), { "all" })))
+end
+
 --- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
 --- with a list of item ids gives what an exercise writes as `scoring`. levels: points of the thresholds that measures
 --- give, { five = 5, three = 3, one = 1 } if missing; the least of them is the least that an item can have.
@@ -109,16 +138,7 @@ function scoring.rubric(given)
         for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
         rubric.by_id[item.id] = item
     end
-    return setmetatable(rubric, { __call = function(_, wanted)
-        local known = words.keys(rubric.by_id)
-        for _, id in ipairs(wanted) do
-            if not rubric.by_id[id] then
-                words.fail(words.where("scoring", nil), ("unknown item '%s'%s"):format(tostring(id),
-                    words.hint(tostring(id), known)))
-            end
-        end
-        return { rubric = rubric, items = wanted }
-    end })
+    return setmetatable(rubric, selecting)
 end
 
 --- Score of a value on a curve: linear between its points, level beyond them.
