@@ -236,7 +236,8 @@ std::vector<float> triangles_of(const std::vector<PixelRect>& rects, const View&
 }
 
 Result<Program> build_part(const char* define) {
-    return Program::build({"part.vert"}, {define, "view.glsl", "eye_front.glsl", "microscope.frag"});
+    return Program::build({"part.vert"},
+                          {define, "view.glsl", "eye_front.glsl", "capsule_hooks.glsl", "microscope.frag"});
 }
 
 bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }
