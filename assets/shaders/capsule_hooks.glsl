@@ -84,9 +84,9 @@ vec3 with_hook_outside(vec3 picture, vec2 at, vec4 hook) {
     vec2 inside = vec2(0.5 * stopper_length, stopper_width) - abs(vec2(here.x - from, here.y));
     float rim = min(inside.x, inside.y);
     float soft = max(0.02, 0.8 * pixel_mm);
-    vec3 silicone = vec3(0.50, 0.53, 0.55) * lamp * (0.62 + 0.5 * smoothstep(0.0, 0.16, rim));
-    silicone += 0.45 * lamp * exp(-pow((here.y * frame.side.y + 0.35 * here.x * frame.along.y - 0.20) / 0.05, 2.0));
-    return mix(picture, silicone, 0.72 * smoothstep(-soft, soft, rim));
+    vec3 silicone = vec3(0.34, 0.37, 0.39) * lamp * (0.60 + 0.5 * smoothstep(0.0, 0.16, rim));
+    silicone += 0.30 * lamp * exp(-pow((dot(at - hook.zw - from * frame.along, vec2(-0.62, 0.78)) - 0.16) / 0.05, 2.0));
+    return mix(picture, silicone, 0.62 * smoothstep(-soft, soft, rim));
 }
 
 vec3 with_hooks_inside(vec3 picture, vec2 at, float shadowed) {
