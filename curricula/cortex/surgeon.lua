@@ -8,7 +8,7 @@ local speed, careful, strips = 7.0, 4.0, 4.0
 local sectors = 16
 local fornix = 3.85         -- how far out the tip goes
 local below = 0.55          -- under the tag, so that the mouth, which looks up, meets it
-local farther, lower = 0.4, 0.35
+local farther, past, lower = 0.85, 0.5, 0.5
 local middle = 1.3          -- how far out a tag is aspirated
 local middle_z = -0.6
 local holds_longest = 1.5   -- [s]
@@ -36,11 +36,13 @@ local function watched_wait(me, done, longest)
     return true
 end
 
--- Under the incision the tip stands steeply: it goes farther out, and lower.
+-- Under the incision the tip stands steeply, and its mouth looks to the middle: it goes out past the tag, and looks back
+-- at it. Between there and the sides it goes lower.
 local function beside(place)
     local near = math.max(0, math.min(1, -place[2] / 3))
-    local out = math.min(fornix + near * farther, math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2)))
-    return at(place, out, math.max(-1.2, place[3] - below - near * lower))
+    local tag = math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2))
+    local out = math.min(fornix + near * farther, tag + near * past)
+    return at(place, out, math.max(-1.2, place[3] - below - near * (1 - near) * lower))
 end
 
 local function take(me, name)
