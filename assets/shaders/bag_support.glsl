@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hooks that hold the edge of the capsule's opening: a blue thread of polypropylene that comes through the limbus, goes
-// round the edge and ends under the capsule; outside, a silicone stopper that has been pushed against the limbus.
+// What holds a bag without zonules. A hook: a blue thread of polypropylene that comes through the limbus, goes round the
+// edge of the capsule's opening and ends under the capsule; outside, a silicone stopper that has been pushed against the
+// limbus. A tension ring while it is fed in: from the end of its tube under the capsule into the fornix.
 // What eye_front.glsl has comes before it.
 uniform vec4 capsule_hooks[5];  // across the eye: where each holds the edge of the opening, and the limbus
 uniform int capsule_hook_count;
+uniform vec4 ring_feed;  // end of the tube, angle along which the ring lies in the fornix by now; 1 while it is fed in
+uniform vec4 fornix;     // middle of the bag, radius at which the ring lies
 
 const float thread_radius = 0.085;  // [mm]
 const float thread_reach = 3.6;     // beyond the limbus
@@ -13,6 +16,7 @@ const float stopper_from = 0.12;    // beyond the limbus
 const float stopper_length = 0.85;
 const float stopper_width = 0.30;   // half of it
 const vec3 polypropylene = vec3(0.030, 0.105, 0.430);
+const vec3 acrylic = vec3(0.20, 0.26, 0.42);  // of a ring
 
 // A round thread by how far a place lies from its middle (signed, towards `side`): its light, and what it hides.
 vec4 thread(float beside, vec2 side, vec3 body) {
@@ -87,6 +91,35 @@ vec3 with_hook_outside(vec3 picture, vec2 at, vec4 hook) {
     vec3 silicone = vec3(0.34, 0.37, 0.39) * lamp * (0.60 + 0.5 * smoothstep(0.0, 0.16, rim));
     silicone += 0.30 * lamp * exp(-pow((dot(at - hook.zw - from * frame.along, vec2(-0.62, 0.78)) - 0.16) / 0.05, 2.0));
     return mix(picture, silicone, 0.62 * smoothstep(-soft, soft, rim));
+}
+
+// Distance from a ring's way between its tube and the fornix, and to which side.
+vec3 off_ring(vec2 at) {
+    vec2 from = ring_feed.xy - fornix.xy;
+    float turn = ring_feed.z;
+    vec2 outward = from / max(length(from), 1e-3);
+    vec2 bend = ring_feed.xy + (fornix.z - length(from)) * 0.9 * outward;
+    vec2 end = fornix.xy + fornix.z * (cos(turn) * outward + sin(turn) * vec2(-outward.y, outward.x));
+    vec3 nearest = vec3(0.0, 1.0, 100.0);
+    vec2 last = ring_feed.xy;
+    for (int i = 1; i <= 10; ++i) {
+        float share = 0.1 * float(i);
+        vec2 next = mix(mix(ring_feed.xy, bend, share), mix(bend, end, share), share);
+        vec2 line = next - last;
+        vec2 off = at - last;
+        off -= clamp(dot(off, line) / max(dot(line, line), 1e-6), 0.0, 1.0) * line;
+        nearest = length(off) < nearest.z ? vec3(off / max(length(off), 1e-4), length(off)) : nearest;
+        last = next;
+    }
+    return nearest;
+}
+
+vec3 with_ring_fed(vec3 picture, vec2 at, float covered) {
+    if (ring_feed.w == 0.0) {
+        return picture;
+    }
+    vec3 off = off_ring(at);
+    return laid_over(picture, thread(off.z, off.xy, acrylic), 0.60 * (1.0 - covered));
 }
 
 vec3 with_hooks_inside(vec3 picture, vec2 at, float shadowed) {
