@@ -36,8 +36,8 @@ local function watched_wait(me, done, longest)
     return true
 end
 
--- Under the incision the tip stands steeply, and its mouth looks to the middle: it goes out past the tag, and looks back
--- at it. Between there and the sides it goes lower.
+-- Under the incision the tip stands steeply, and its mouth looks to the middle: it goes out past the tag, and looks
+-- back at it. Between there and the sides it goes lower.
 local function beside(place)
     local near = math.max(0, math.min(1, -place[2] / 3))
     local tag = math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2))
