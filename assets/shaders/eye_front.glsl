@@ -125,8 +125,6 @@ uniform vec3 side_port;
 uniform float side_port_width;
 uniform vec2 wound_swelling;  // of the stroma beside the main wound and the side port: 0 none, 1 white
 uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
-uniform vec4 capsule_hooks[5];  // across the eye: where each holds the edge of the opening, and the limbus
-uniform int capsule_hook_count;
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.

@@ -280,7 +280,11 @@ function Operator:operate(percept)
     for i in ipairs(self.names) do samples[i] = put_away() end
     local right, left = self.index[self.right.instrument], self.index[self.left.instrument]
     if right then samples[right] = move(self, self.right, percept.landmarks, self.pedal) end
-    if left then samples[left] = move(self, self.left, percept.landmarks, 0) end
+    if left then
+        local sample = move(self, self.left, percept.landmarks, 0)
+        -- What the leading hand has taken up is not in the other one, which would have held it.
+        if left ~= right or self.left.present then samples[left] = sample end
+    end
     if self.foot then samples[#samples + 1] = self.foot:sample(percept.field) end
     return samples, self.asked
 end

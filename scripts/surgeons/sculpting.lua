@@ -88,7 +88,7 @@ local function outside(eye) return { eye.wound[1], eye.wound[2] - 2.0, eye.wound
 
 --- Brings the tip through the wound to where the groove begins.
 function sculpting.enter(me, eye, groove)
-    me.take_up(outside(eye))
+    me.take_up(outside(eye), "phaco")  -- another instrument may have been in this hand before
     me.pedal(1)
     me.wait(0.5)
     me.go(eye.wound, sculpting.free_speed)
