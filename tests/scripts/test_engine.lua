@@ -133,7 +133,8 @@ case("values from the command line are checked like those of the curriculum", fu
 end)
 
 case("a step has a picture taken at its moment, once, and only while it runs", function()
-    local exercise = support.demo({ steps = [[step "in" { done = "tip.depth_mm > 2", picture_when = "tip.depth_mm > 1" },
+    local exercise = support.demo({ steps = [[
+        step "in" { done = "tip.depth_mm > 2", picture_when = "tip.depth_mm > 1" },
         step "out" { done = "tip.depth_mm > 4", picture_when = "tip.depth_mm < 1" }]] })
     local _, commands = support.attempt(exercise, 5, function(t) return { ["tip.depth_mm"] = t } end)
     local taken = {}
