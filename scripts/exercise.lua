@@ -34,6 +34,7 @@ local step_rules = {
     enter_when = { kind = "condition" },   -- the step begins once this holds
     enter_limit_s = { kind = "number", from = 0.1, to = 7200 },  -- it is left out when it has not begun by then
     done = { kind = "condition" },         -- the step is complete
+    picture_when = { kind = "condition" }, -- a picture for the report is taken when this holds for the first time
     script = { kind = "call" },            -- function(eye, act): act.say, .wait, .wait_until, .picture, .set
     time_limit_s = { kind = "number", from = 0.1, to = 7200 },  -- then the next step begins, this one undone
     next = { kind = "text" },              -- name of the later step that follows; the next in the list if missing

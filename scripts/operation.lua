@@ -20,6 +20,7 @@
 local expression = require "engine.expression"
 local fields = require "engine.fields"
 local language = require "exercise"
+local texts = require "engine.texts"
 local words = require "engine.words"
 
 local operation = {}
@@ -101,15 +102,33 @@ function operation.operation(given)
     return result
 end
 
---- What the program needs to know of an operation before its parts are loaded.
-function operation.listing(wanted)
+-- Its own texts that files beside it, such as curriculum.fr.lua, lack.
+local function untranslated(wanted)
+    local lines, own = {}, { texts = {} }
+    for _, name in ipairs(texts.own_languages(own)) do
+        local function look(text)
+            if text and not texts.has(name, own, text) then
+                lines[#lines + 1] = ("no text in %s: \"%s\""):format(name, text)
+            end
+        end
+        look(wanted.title)
+        look(wanted.summary)
+        for _, objective in ipairs(wanted.objectives) do look(objective) end
+    end
+    return lines
+end
+
+--- What the program needs to know of an operation before its parts are loaded. t: gives a text in its language.
+function operation.listing(wanted, t)
     local parts = {}
     for i, part in ipairs(wanted.parts) do
         parts[i] = { id = part.id, title = part.name, exercise = part.exercise, start = part.start, where = part.where,
             continues = part.continues, opening = part.opening }
     end
-    return { title = wanted.title, version = wanted.version, summary = wanted.summary,
-        objectives = wanted.objectives, parts = parts }
+    local objectives = {}
+    for i, objective in ipairs(wanted.objectives) do objectives[i] = t(objective) end
+    return { title = t(wanted.title), version = wanted.version, summary = t(wanted.summary), objectives = objectives,
+        parts = parts, untranslated = untranslated(wanted) }
 end
 
 local function overlay(under, over)

@@ -97,7 +97,8 @@ vec3 iris_colour(vec3 at, float radius) {
     return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
 }
 
-// Iris that lies in the wound and before it: a dark moist fold. What it hides is in the last component.
+// Iris that lies in the wound and before it: a moist fold, dark where its pigment shows at the rim, and its shadow on what
+// lies beside it. What it hides is in the last component.
 vec4 prolapsed(vec3 at) {
     float along = at.y * prolapse.x - at.x * prolapse.y;
     float out_to = dot(prolapse.xy, at.xy) - prolapse.z;
@@ -105,13 +106,19 @@ vec4 prolapsed(vec3 at) {
     float half_width = 0.48 * incision_width;
     vec4 grain = texture(detail_map, at.xy * 0.30);
     vec2 off = vec2(along / half_width, (out_to - half_length + 0.15) / half_length);
-    float round = dot(off, off) + 0.35 * (grain.r - 0.5);
-    float hides = 1.0 - smoothstep(0.80, 1.05, round);
+    float round = dot(off, off) + 0.30 * (grain.r - 0.5);
+    float hides = 1.0 - smoothstep(0.86, 1.02, round);
     vec3 fold = iris_colour(vec3(prolapse.xy * (limbus_radius - 1.6) + vec2(-prolapse.y, prolapse.x) * along, 0.0),
                             limbus_radius - 1.6 + 0.25 * off.y);
-    float ridge = 0.35 + 0.35 * max(0.0, 1.0 - round) + 0.25 * (grain.g - 0.5);
-    float wet = 0.5 * smoothstep(0.25, 0.0, length(off - vec2(-0.25, 0.30)));
-    return vec4(fold * ridge + wet * lamp, hides);
+    vec2 slope = prolapse.xy * off.y + vec2(-prolapse.y, prolapse.x) * off.x;
+    vec3 n = normalize(vec3(0.9 * slope + 0.22 * (grain.gb - 0.5), sqrt(max(0.1, 1.0 - 0.8 * dot(off, off)))));
+    float lit = clamp(dot(n, normalize(vec3(-0.34, 0.42, 1.0))), 0.0, 1.0);
+    float pigment = smoothstep(0.45, 0.95, round + 0.25 * (grain.g - 0.5));
+    vec3 body = mix(fold * (0.55 + 0.9 * lit), vec3(0.10, 0.065, 0.045) * (0.4 + 0.9 * lit), 0.75 * pigment);
+    float wet = pow(clamp(dot(n, normalize(vec3(-0.16, 0.24, 1.0))), 0.0, 1.0), 90.0);
+    float shadow = 0.34 * (1.0 - smoothstep(1.0, 1.9, round));
+    vec3 picture = mix(vec3(0.05, 0.03, 0.03), body + 0.55 * wet * lamp, step(0.001, hides));
+    return vec4(mix(vec3(0.05, 0.03, 0.03), picture, hides), max(hides, shadow));
 }
 
 #if PART >= 1
@@ -125,6 +132,8 @@ uniform vec3 side_port;
 uniform float side_port_width;
 uniform vec2 wound_swelling;  // of the stroma beside the main wound and the side port: 0 none, 1 white
 uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
+uniform vec2 wound_peel;      // Descemet's membrane that hangs off at the inner lip of each [mm]
+uniform vec2 wound_stitches;  // that hold each
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.
@@ -153,7 +162,9 @@ float burnt(vec3 at, float grain) {
     vec2 outward = incision.xy / max(length(incision.xy), 1e-3);
     float along = at.y * outward.x - at.x * outward.y;
     float off = dot(outward, at.xy) - 1.04 * length(incision.xy);
-    return min(0.95, 1.5 * exp(-pow(along / (0.65 * incision_width), 4.0) - pow(off / (0.34 + 0.2 * grain), 2.0)));
+    float fibres = texture(detail_map, vec2(0.23 * along, 0.06 * off)).g;
+    return min(0.85, 1.4 * exp(-pow(along / (0.62 * incision_width), 4.0) - pow(off / (0.34 + 0.2 * grain), 2.0))) *
+           (0.70 + 0.45 * fibres);
 }
 
 // Where the stroma beside a wound is white and tight with water: its tunnel and both of its sides.
@@ -161,23 +172,76 @@ float swollen_stroma(vec3 at, vec3 inner_lip, float width, float grain) {
     vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
     float along = at.y * outward.x - at.x * outward.y;
     float off = dot(outward, at.xy) - 0.5 * (length(inner_lip.xy) + limbus_radius);
-    float shape = exp(-pow(along / (0.62 * width + 0.35), 4.0) - pow(off / (0.75 + 0.5 * (grain - 0.5)), 4.0));
-    return 0.62 * shape * (0.75 + 0.5 * grain);
+    float shape = exp(-pow(along / (0.55 * width + 0.30), 2.0) - pow(off / (0.72 + 0.5 * (grain - 0.5)), 2.0));
+    float fibres = texture(detail_map, vec2(0.11 * along, 0.03 * off)).g;
+    return 0.58 * shape * (0.65 + 0.35 * grain + 0.45 * (fibres - 0.4));
 }
 
-// Fluid on an outer lip: a film with a bright edge. Returns a brightness to add and the share it hides.
+// A place beside a wound: along its lips, and outward from the axis.
+vec2 beside_wound(vec3 at, vec3 inner_lip) {
+    vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
+    return vec2(at.y * outward.x - at.x * outward.y, dot(outward, at.xy));
+}
+
+// Where the inner lip shows on the front of the cornea, from the axis. A tunnel has some length, however short it is.
+float shown_lip(vec3 inner_lip) { return min(1.075 * length(inner_lip.xy), limbus_radius - 0.42); }
+
+// Fluid on an outer lip: a drop that lies flat, with the lamps in it and a dark edge. Returns a brightness to add and the
+// share it hides.
 vec2 film_on_lip(vec3 at, vec3 inner_lip, float reach, float grain) {
     vec2 outward = inner_lip.xy / max(length(inner_lip.xy), 1e-3);
     vec2 off = at.xy - (limbus_radius - 0.05) * outward;
     float along = off.y * outward.x - off.x * outward.y;
-    float far = length(vec2(0.55 * along, dot(off, outward))) + 0.25 * reach * (grain - 0.5);
-    float inside = 1.0 - smoothstep(reach - 0.10, reach, far);
-    float edge = exp(-pow((far - reach + 0.08) / 0.09, 2.0));
-    float glint = edge * smoothstep(0.55, 0.85, grain);
-    return vec2(0.06 * edge + 0.22 * glint + 0.05 * inside, 0.16 * inside + 0.14 * edge);
+    float far = length(vec2(0.45 * along, dot(off, outward))) + 0.30 * reach * (grain - 0.5);
+    float soft = max(0.05, pixel_mm);
+    float inside = 1.0 - smoothstep(reach - soft, reach + soft, far);
+    float edge = exp(-pow((far - reach) / 0.09, 2.0));
+    vec2 slope = off / max(reach, 0.1) * smoothstep(0.0, 1.0, far / max(reach, 0.1));
+    float glint = exp(-dot(slope - vec2(-0.42, 0.55), slope - vec2(-0.42, 0.55)) / 0.035);
+    float rim = exp(-pow((far - 0.86 * reach) / 0.06, 2.0)) * clamp(0.5 + dot(slope, vec2(0.35, -0.45)), 0.0, 1.0);
+    return vec2(inside * (0.02 + 0.60 * glint + 0.12 * rim), 0.10 * inside + 0.17 * edge);
 }
 
-// A wound: a tunnel that ends inside the cornea. Returns a brightness to add and the share it hides.
+// Descemet's membrane that hangs off at an inner lip: a clear flap that rolls up at its free end. Returns a brightness to
+// add and the share it hides.
+vec2 descemet_flap(vec3 at, vec3 inner_lip, float width, float peel) {
+    vec2 where = beside_wound(at, inner_lip);
+    float into = (shown_lip(inner_lip) - where.y) / (0.75 * peel);
+    float grain = texture(detail_map, at.xy * 0.06).g - 0.5;
+    float half_width = 0.46 * width * (1.0 - 0.22 * into) + 0.10 * grain;
+    float aside = abs(where.x) - half_width;
+    float free_end = 1.0 + 0.35 * grain - 0.18 * pow(where.x / max(half_width, 0.1), 2.0);
+    float soft = max(0.03, pixel_mm);
+    float on = (1.0 - smoothstep(-soft, soft, aside)) * step(0.0, into) *
+               (1.0 - smoothstep(free_end, free_end + 0.06, into));
+    float thin = max(0.035, 1.1 * pixel_mm);
+    float roll = (into - free_end + 0.12) * 0.75 * peel;
+    float scroll = exp(-pow(roll / (1.6 * thin), 2.0)) - 0.7 * exp(-pow((roll + 2.6 * thin) / (1.4 * thin), 2.0));
+    float border = exp(-pow(aside / thin, 2.0)) * step(0.0, into) * step(into, free_end);
+    return vec2(0.025 * on + 0.17 * max(scroll, 0.0) * on + 0.05 * border,
+                clamp(0.10 * on + 0.35 * max(-scroll, 0.0) * on, 0.0, 1.0));
+}
+
+// Stitches across an outer lip: how much of each place the thread hides, and how far the cornea is drawn in beside it.
+vec2 stitches_over(vec3 at, vec3 inner_lip, float width, float count) {
+    vec2 where = beside_wound(at, inner_lip);
+    float spacing = min(0.95, width / max(count, 1.0));
+    float place_in_row = where.x / spacing + 0.5 * (count - 1.0);
+    float nearest = clamp(floor(place_in_row + 0.5), 0.0, count - 1.0);
+    float beside = (place_in_row - nearest) * spacing;
+    float over = where.y - (limbus_radius - 0.20);
+    float thin = max(0.022, 0.75 * pixel_mm);
+    float long_as = 1.0 - smoothstep(0.72, 0.80, abs(over));
+    float thread = (1.0 - smoothstep(0.5 * thin, 1.5 * thin, abs(beside))) * long_as;
+    float knot = 1.0 - smoothstep(0.05, 0.05 + 1.5 * thin, length(vec2(beside, over - 0.42)));
+    float ends = (1.0 - smoothstep(0.5 * thin, 1.5 * thin, abs(abs(beside) - 0.9 * (over - 0.42)))) *
+                 step(0.42, over) * step(over, 0.62);
+    float drawn = exp(-pow(beside / 0.16, 2.0)) * (1.0 - smoothstep(0.75, 1.05, abs(over)));
+    return vec2(max(max(thread, knot), ends), drawn);
+}
+
+// A wound: a tunnel that ends inside the cornea. Its outer lip is a fine grey line with light on it; of the rest one sees
+// a little haze, and the inner lip where the light falls well. Returns a brightness to add and the share it hides.
 vec2 wound(vec3 at, vec3 incision, float incision_width) {
     float inner = length(incision.xy);
     if (incision_width <= 0.0 || inner < 1.0) {
@@ -188,22 +252,25 @@ vec2 wound(vec3 at, vec3 incision, float incision_width) {
     float turn = atan(outward.x * at.y - outward.y * at.x, dot(outward, at.xy));
     float along = radius * turn;
     float outer = limbus_radius - 0.20;
-    float lip = inner * 1.075;
+    float lip = shown_lip(incision);
     float into = clamp((outer - radius) / (outer - lip), 0.0, 1.0);
     float half_width = 0.5 * incision_width * (1.0 - 0.10 * into);
     vec4 grain = texture(detail_map, at.xy * 0.12);
+    vec4 fine = texture(detail_map, at.xy * 0.45);
     float wavy = 0.07 * (grain.r - 0.5);
-    float wide = 1.0 - smoothstep(half_width - 0.05, half_width + 0.08, abs(along));
+    float wide = 1.0 - smoothstep(half_width - 0.18, half_width + 0.06, abs(along));
     float thin = max(0.030, 0.9 * pixel_mm);
-    float outer_line = exp(-pow((radius - outer - wavy) / thin, 2.0)) * wide;
-    float inner_line = exp(-pow((radius - lip - 1.5 * wavy - 0.05 * along * along) / (1.5 * thin), 2.0)) * wide;
-    float sides = exp(-pow((abs(along) - half_width - wavy) / (1.2 * thin), 2.0)) * step(lip, radius) *
-                  step(radius, outer);
-    float roof = wide * smoothstep(lip - 0.02, lip + 0.15, radius) * (1.0 - smoothstep(outer - 0.04, outer, radius));
+    float broken = 0.35 + 0.9 * smoothstep(0.30, 0.70, fine.g);
+    float outer_line = exp(-pow((radius - outer - wavy) / thin, 2.0)) * wide * broken;
+    float inner_line = exp(-pow((radius - lip - 1.5 * wavy - 0.05 * along * along) / (2.2 * thin), 2.0)) * wide *
+                       smoothstep(0.35, 0.75, fine.r);
+    float sides = exp(-pow((abs(along) - half_width + 0.06 - wavy) / (2.5 * thin), 2.0)) *
+                  smoothstep(lip, lip + 0.3, radius) * (1.0 - smoothstep(outer - 0.3, outer, radius));
+    float roof = wide * smoothstep(lip - 0.05, lip + 0.25, radius) * (1.0 - smoothstep(outer - 0.10, outer, radius));
     float shadow = exp(-pow((radius - outer - wavy + 0.08) / (2.0 * thin), 2.0)) * wide;
-    float swollen = wide * exp(-pow((radius - outer + 0.35) / 0.28, 2.0));
-    return vec2(0.55 * outer_line * (0.5 + grain.g) + 0.26 * inner_line + 0.20 * sides * grain.g +
-                    roof * (0.015 + 0.05 * grain.a) + 0.09 * swollen,
-                clamp(0.75 * shadow + 0.12 * roof + 0.25 * swollen, 0.0, 1.0));
+    float swollen = wide * exp(-pow((radius - outer + 0.30) / 0.26, 2.0));
+    return vec2(0.34 * outer_line + 0.10 * inner_line + 0.03 * sides * grain.g + roof * (0.012 + 0.035 * grain.a) +
+                    0.06 * swollen,
+                clamp(0.60 * shadow + 0.10 * roof + 0.16 * swollen + 0.10 * sides, 0.0, 1.0));
 }
 #endif

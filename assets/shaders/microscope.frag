@@ -28,6 +28,7 @@ uniform vec4 vitreous_strand;  // that leads to the wound: place, radius; 0: the
 uniform float vitreous_white;  // share that triamcinolone shows
 uniform vec4 crumbs[24];
 uniform int crumb_count;
+uniform int crumbs_are_beads;  // 1: glass beads to practise with; 0: crumbs of lens
 uniform vec4 bag_cells[24];    // per sector of the bag, a value 0 to 1 for each ring from the axis out
 uniform int bag_sectors;       // 0: there are none
 uniform int bag_rings;
@@ -99,17 +100,33 @@ float posterior_capsule(vec3 entry, vec3 way) {
     return light;
 }
 
-// Crumbs that drift before the lens: how much of the light they take, and how lit they are.
-vec2 crumbs_at(vec3 entry, vec3 way) {
-    vec2 look = vec2(0.0);
+// Crumbs that drift before the lens: how much of the light they take, how lit they are, and where on one this is.
+vec4 crumbs_at(vec3 entry, vec3 way) {
+    vec4 look = vec4(0.0);
     for (int i = 0; i < crumb_count; ++i) {
         vec3 off = cross(crumbs[i].xyz - entry, way);
         float share = length(off) / crumbs[i].w;
         if (share < 1.0) {
-            look = max(look, vec2(smoothstep(1.0, 0.7, share), sqrt(1.0 - share * share)));
+            // the line passes the middle here, across it
+            vec2 on = (entry + dot(crumbs[i].xyz - entry, way) * way - crumbs[i].xyz).xy / crumbs[i].w;
+            float covers = smoothstep(1.0, crumbs_are_beads == 1 ? 0.92 : 0.7, share);
+            if (covers >= look.x) {
+                look = vec4(covers, sqrt(1.0 - share * share), on);
+            }
         }
     }
     return look;
+}
+
+// A bead of blue glass in the light of the lamps: bright where the lamp stands in it, and on the far side, where what
+// goes through comes out.
+vec3 bead_colour(vec4 look) {
+    vec3 n = vec3(look.zw, look.y);
+    float lit = clamp(dot(n, normalize(vec3(-0.34, 0.42, 1.0))), 0.0, 1.0);
+    float through = pow(clamp(dot(n.xy, vec2(0.55, -0.65)), 0.0, 1.0), 2.0);
+    float glint = pow(clamp(dot(n, normalize(vec3(-0.30, 0.36, 1.0))), 0.0, 1.0), 70.0);
+    return (vec3(0.02, 0.06, 0.17) + vec3(0.05, 0.16, 0.40) * lit * lit + vec3(0.10, 0.28, 0.45) * through +
+            0.9 * glint) * lamp;
 }
 
 // Strands of vitreous across a part of the picture: fibres along `along`, 0 none to 1.
@@ -160,7 +177,12 @@ float bag_cells_at(vec3 entry, vec3 way) {
     vec3 from = (bag_from_world * vec4(entry, 1.0)).xyz;
     vec3 along = mat3(bag_from_world) * way;
     vec2 at = (from + (-1.2 - from.z) / along.z * along).xy;
-    at += 0.5 * (texture(detail_map, at * 0.07).rg - 0.5);
+    // Cortex comes off in shreds; a wave has a smooth front.
+    if (cells_are_cortex == 1) {
+        at += 0.9 * (texture(detail_map, at * 0.07).rg - 0.5) + 0.4 * (texture(detail_map, at * 0.19).rg - 0.5);
+    } else {
+        at += 0.5 * (texture(detail_map, at * 0.03).rg - 0.5);
+    }
     float ring = min(dot(at, at) / (bag_shape.x * bag_shape.x), 1.0) * float(bag_rings) - 0.5;
     float sector = atan(at.y, at.x) / 6.2831853 * float(bag_sectors) - 0.5;
     ivec2 cell = ivec2(floor(vec2(sector, ring)));
@@ -177,14 +199,18 @@ float fluff(vec3 entry) {
     return clamp(0.15 + 0.6 * fibre + 0.7 * (texture(detail_map, entry.xy * 0.13).g - 0.35), 0.0, 1.0);
 }
 
-// The edge of an optic in the reflex.
-float optic_edge(vec3 entry, vec3 way) {
+// The edge of an optic in the reflex: a bright line where the lamps stand in it, and a dark one beside it.
+vec2 optic_edge(vec3 entry, vec3 way) {
     if (optic.w <= 0.0) {
-        return 0.0;
+        return vec2(0.0);
     }
     vec2 off = (entry + (optic.z - entry.z) / way.z * way).xy - optic.xy;
     off.y *= 1.0 + 0.12 * optic_rocked;
-    return smoothstep(0.10, 0.02, abs(length(off) - optic.w));
+    float beyond = length(off) - optic.w;
+    float thin = max(0.035, 0.9 * pixel_mm);
+    float facing = 0.5 + 0.5 * dot(off / max(length(off), 0.1), vec2(-0.6, 0.8));
+    return vec2(exp(-pow(beyond / thin, 2.0)) * (0.25 + 0.75 * facing * facing),
+                exp(-pow((beyond + 0.10) / (2.0 * thin), 2.0)));
 }
 
 vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
@@ -200,12 +226,17 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     float cone = 1.0 - 0.06 * pow(radius / pupil_radius, 3.0);
     // and one side a little better than the other.
     cone *= 1.0 + 0.16 * dot(place - 0.5, vec2(-0.9, 1.6));
+    // Without a lens the fundus shows through: brighter in the middle, and not even.
+    float bare = exp(-4.0 * max(depth.g, 0.0));
+    float uneven = 0.90 + 0.16 * texture(detail_map, entry.xy * 0.016 + 0.21).r +
+                   0.08 * texture(detail_map, entry.xy * 0.05).g;
+    cone *= mix(1.0, uneven * (1.02 - 0.40 * pow(radius / pupil_radius, 2.0)), bare);
     vec3 reflex = fundus * fundus_light * reaches * look.clear * cone * posterior_capsule(entry, way);
     // The edge of the wave bends the light away, and what it has parted is a little duller.
     float cells = bag_cells_at(entry, way);
-    float cortex = cells_are_cortex == 1 ? cells : 0.0;
+    float cortex = cells_are_cortex == 1 ? cells * mix(0.35, 1.0, smoothstep(0.3, 2.6, length(entry.xy))) : 0.0;
     float wave = cells_are_cortex == 1 ? 0.0 : cells;
-    reflex *= (1.0 - 2.4 * wave * (1.0 - wave)) * (1.0 - 0.06 * wave) * (1.0 - 0.45 * cortex);
+    reflex *= (1.0 - 1.9 * wave * (1.0 - wave)) * (1.0 - 0.06 * wave) * (1.0 - 0.45 * cortex);
     float lit = look.shade * (1.0 - 0.65 * max(look.hollow, 0.0)) * look.haze;
     vec3 scattered = mix(scattered_share, scattered_white, cortical_opacity);
     vec3 haze = 0.5 * scattered * (1.0 - exp(-2.0 * depth)) * lamp * lit;
@@ -213,10 +244,13 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     vec3 lens = haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
     float strands = vitreous_at(entry, way) * (1.0 - tool.a);
     lens = mix(lens * (1.0 - 0.05 * strands), vec3(0.74, 0.74, 0.72) * lamp, 0.85 * vitreous_white * strands);
-    lens = mix(lens, vec3(0.62, 0.60, 0.56) * lamp, 0.6 * cortex * fluff(entry) * (1.0 - tool.a));
-    float edge = optic_edge(entry, way) * (1.0 - tool.a);
-    lens = lens * (1.0 - 0.35 * edge) + 0.05 * edge * lamp;
-    vec2 crumb = crumbs_at(entry, way);
+    lens = mix(lens, vec3(0.60, 0.60, 0.57) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
+    vec2 edge = optic_edge(entry, way) * (1.0 - tool.a);
+    lens = lens * (1.0 - 0.30 * edge.y) + 0.22 * edge.x * lamp;
+    vec4 crumb = crumbs_at(entry, way);
+    if (crumbs_are_beads == 1) {
+        return mix(lens, bead_colour(crumb), crumb.x * (1.0 - tool.a));
+    }
     return mix(lens, (0.04 + 0.16 * crumb.y) * vec3(0.95, 0.85, 0.66) * lamp, 0.85 * crumb.x * (1.0 - tool.a));
 }
 
@@ -383,13 +417,21 @@ void main() {
         inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
         vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
-        inner = mix(inner, vec3(0.80, 0.79, 0.75) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
+        if (wound_peel.x > 0.05) {
+            vec2 flap = descemet_flap(on_cornea, incision, incision_width, wound_peel.x);
+            inner = inner * (1.0 - flap.y) + flap.x * lamp;
+        }
+        if (wound_peel.y > 0.05) {
+            vec2 flap = descemet_flap(on_cornea, side_port, side_port_width, wound_peel.y);
+            inner = inner * (1.0 - flap.y) + flap.x * lamp;
+        }
+        inner = mix(inner, vec3(0.68, 0.67, 0.63) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
         if (wound_swelling.x > 0.0) {
-            inner = mix(inner, vec3(0.70, 0.73, 0.74) * lamp,
+            inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
                         wound_swelling.x * swollen_stroma(on_cornea, incision, incision_width, grain.g));
         }
         if (wound_swelling.y > 0.0) {
-            inner = mix(inner, vec3(0.70, 0.73, 0.74) * lamp,
+            inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
                         wound_swelling.y * swollen_stroma(on_cornea, side_port, side_port_width, grain.g));
         }
 #endif
@@ -398,6 +440,14 @@ void main() {
         vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
         float clear = (1.0 - white) * step(0.0, to_cornea);
 #if PART < 3
+        if (wound_stitches.x > 0.0) {
+            vec2 stitch = stitches_over(on_cornea, incision, incision_width, wound_stitches.x);
+            picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
+        }
+        if (wound_stitches.y > 0.0) {
+            vec2 stitch = stitches_over(on_cornea, side_port, side_port_width, wound_stitches.y);
+            picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
+        }
         if (wound_fluid.x > 0.0) {
             vec2 film = film_on_lip(on_cornea, incision, wound_fluid.x, grain.g);
             picture = picture * (1.0 - film.y) + film.x * lamp;

@@ -54,10 +54,12 @@ void main() {
         float pores = texture(detail_map, 0.47 * world.xy).a - 0.5;
         float lit = 0.35 + 0.65 * clamp(dot(n, lamp_way), 0.0, 1.0);
         vec3 skin = vec3(0.52, 0.33, 0.25) * (1.0 + 0.20 * grain + 0.14 * pores);
-        vec3 foil = vec3(0.10, 0.27, 0.38) * (1.0 + 0.10 * grain);
+        // Foil lies in shallow folds.
+        vec2 folds = textureLod(detail_map, 0.008 * world.xy + 0.17, 3.0).rg - 0.5;
+        vec3 creased = normalize(n + vec3(0.25, 0.10, 0.0) + vec3(0.5 * folds, 0.0) + 0.1 * vec3(grain, pores, 0.0));
+        vec3 foil = vec3(0.09, 0.25, 0.36) * (1.0 + 0.10 * grain) * (0.85 + 0.9 * dot(folds, vec2(-0.6, 0.8)));
         vec3 matte = finish == 4 ? skin : finish == 5 ? vec3(0.030, 0.022, 0.018) : foil;
-        vec3 shine = finish == 6 ? 0.05 * surroundings(reflect(-toward, normalize(n + vec3(0.30, 0.10, 0.0) + 0.1 * vec3(grain, pores, 0.0))))
-                                 : vec3(0.0);
+        vec3 shine = finish == 6 ? 0.04 * surroundings(reflect(-toward, creased)) : vec3(0.0);
         colour = vec4(shown(matte * lit + shine), 1.0);
         return;
     }

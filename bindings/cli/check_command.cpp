@@ -106,6 +106,7 @@ Result<Findings> check_operation(const Operation& operation, const Context& cont
             all.faults.push_back("part " + part.id + ": " + fault);
         }
     }
+    all.untold = operation.untranslated;
     for (const std::string& objective : operation.objectives) {
         all.notes.push_back("objective: " + objective);
     }

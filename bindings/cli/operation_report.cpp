@@ -75,11 +75,12 @@ void append_shifted(json& list, const json& given, double since_s, const std::st
 }
 
 void append_pictures(json& list, const json& report, double since_s, const DonePart& part, const std::string& folder) {
+    const std::string title = report.value("title", part.title);
     json own = report.value("pictures", json::array());
     for (json& picture : own) {
         const std::filesystem::path file = std::filesystem::path(part.folder) / picture.value("file", "");
         picture["file"] = file.lexically_relative(folder).generic_string();
-        picture["caption"] = part.title + ": " + picture.value("caption", "");
+        picture["caption"] = title + ": " + picture.value("caption", "");
     }
     append_shifted(list, own, since_s, part.id);
 }

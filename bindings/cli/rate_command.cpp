@@ -9,6 +9,7 @@
 #include "base/rng.hpp"
 #include "cli/command.hpp"
 #include "cli/film.hpp"
+#include "cli/language.hpp"
 #include "cli/places.hpp"
 #include "cli/rating_answers.hpp"
 #include "lua/report_script.hpp"
@@ -42,6 +43,7 @@ struct RateOptions {
     std::string rater;
     std::string store;
     bool replace = false;
+    std::string language;
 };
 
 struct Case {
@@ -90,7 +92,7 @@ Status make_case(const RateOptions& given, const Case& one, std::size_t number, 
     }
     const std::string folder = given.out + "/case_" + (number < 10 ? "0" : "") + std::to_string(number);
     Status status = prepare_folder(folder);
-    nlohmann::json data = {{"case", one.code}, {"number", number}, {"of", of}};
+    nlohmann::json data = {{"case", one.code}, {"number", number}, {"of", of}, {"language", given.language}};
     if (status && !given.no_video) {
         status = film(recording.value(), folder);
         data["video"] = "video.mp4";
@@ -102,7 +104,12 @@ Status make_case(const RateOptions& given, const Case& one, std::size_t number, 
     return html ? write_whole_file(folder + "/form.html", html.value()) : Status(html.error());
 }
 
-int make_package(const RateOptions& given, const Context& context) {
+int make_package(RateOptions given, const Context& context) {
+    const Result<std::string> language = language_of_page(given.language, context.root);
+    if (!language) {
+        return complain(language.error());
+    }
+    given.language = language.value().empty() ? "en" : language.value();
     const Result<std::vector<Case>> cases = cases_of(given);
     if (!cases) {
         return complain(cases.error());
@@ -190,6 +197,7 @@ void add_rate(CLI::App& app, Context& context) {
     command->add_option("recordings", given->recordings, "Recordings, or folders of runs")->required();
     command->add_option("--out", given->out, "New folder for the rater")->capture_default_str();
     command->add_option("--seed", given->seed, "Of the order")->capture_default_str();
+    command->add_option("--language", given->language, language_help);
     command->add_flag("--no-video", given->no_video, "Forms only, without replays");
     CLI::Option* answers = command->add_option("--answers", given->answers, "Files that the forms saved: store them");
     CLI::Option* rater = command->add_option("--rater", given->rater, "Pseudonym of who rated")->needs(answers);

@@ -93,9 +93,7 @@ int agreement(const RecordsOptions& given, const Context& context) {
     if (given.html.empty()) {
         return done;
     }
-    const Result<std::string> html = page_html(context.root, "records.agreement", data.value());
-    const Status written = html ? write_whole_file(given.html, html.value()) : Status(html.error());
-    return written ? done : complain(written.error());
+    return write_records_page(given, "records.agreement", data.value(), context);
 }
 
 }  // namespace
@@ -110,6 +108,7 @@ void add_records_agreement(CLI::App& records, const std::shared_ptr<RecordsOptio
     command->add_option("--exercise", given->exercise, "Of attempts at this one only");
     command->add_option("--cohort", given->cohort, "Of attempts of this cohort only");
     command->add_option("--html", given->html, "Write a page with the table and a chart per item");
+    command->add_option("--language", given->language, language_help);
     command->add_flag("--json", given->json, "Print it as JSON, with every pair of raters and every point");
     command->callback([given, &context] { context.status = agreement(*given, context); });
 }

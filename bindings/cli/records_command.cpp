@@ -6,6 +6,7 @@
 #include "cli/gates_file.hpp"
 #include "cli/places.hpp"
 #include "cli/run_folder.hpp"
+#include "lua/report_script.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -63,6 +64,18 @@ records::Wanted wanted_by(const RecordsOptions& given) {
     wanted.exercise = given.exercise;
     wanted.cohort = given.cohort;
     return wanted;
+}
+
+int write_records_page(const RecordsOptions& given, const std::string& module, nlohmann::json data,
+                       const Context& context) {
+    const Result<std::string> language = language_of_page(given.language, context.root);
+    if (!language) {
+        return complain(language.error());
+    }
+    data["language"] = language.value().empty() ? "en" : language.value();
+    const Result<std::string> html = page_html(context.root, module, data);
+    const Status written = html ? write_whole_file(given.html, html.value()) : Status(html.error());
+    return written ? done : complain(written.error());
 }
 
 Result<records::Gates> gates_of(const RecordsOptions& given, const Context& context) {

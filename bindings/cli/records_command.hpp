@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/language.hpp"
 #include "records/gates.hpp"
 #include "records/store.hpp"
 
@@ -24,6 +26,7 @@ struct RecordsOptions {
     std::vector<std::string> folders;
     std::string out;
     std::string html;
+    std::string language;
     std::string gates;
     double pass = -1.0;  ///< below 0: as the gates say
     bool json = false;
@@ -39,6 +42,10 @@ records::Wanted wanted_by(const RecordsOptions& given);
 
 /// --gates FILE and --pass SHARE, or rubrics/gates.json.
 Result<records::Gates> gates_of(const RecordsOptions& given, const Context& context);
+
+/// Writes the page that a module of scripts/ makes of `data` to --html, in the language of --language.
+int write_records_page(const RecordsOptions& given, const std::string& module, nlohmann::json data,
+                       const Context& context);
 
 // One file for the commands that each of them adds below `records`.
 void add_records_lists(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);

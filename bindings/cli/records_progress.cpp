@@ -136,9 +136,7 @@ int curve(const RecordsOptions& given, const Context& context) {
     if (given.html.empty()) {
         return done;
     }
-    const Result<std::string> html = page_html(context.root, "records.curve", data);
-    const Status written = html ? write_whole_file(given.html, html.value()) : Status(html.error());
-    return written ? done : complain(written.error());
+    return write_records_page(given, "records.curve", std::move(data), context);
 }
 
 int gates(const RecordsOptions& given, const Context& context) {
@@ -173,6 +171,7 @@ void add_records_progress(CLI::App& records, const std::shared_ptr<RecordsOption
     command->add_option("trainee", given->trainee, "Pseudonym")->required();
     add_gate_options(*command, given);
     command->add_option("--html", given->html, "Write a page with a chart for each exercise");
+    command->add_option("--language", given->language, language_help);
     command->add_flag("--json", given->json, "Print it as JSON");
     command->callback([given, &context] { context.status = curve(*given, context); });
 

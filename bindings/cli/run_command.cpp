@@ -9,6 +9,7 @@
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
 #include "cli/kept_attempt.hpp"
+#include "cli/language.hpp"
 #include "cli/operation.hpp"
 #include "cli/report_json.hpp"
 #include "cli/starts.hpp"
@@ -65,19 +66,6 @@ struct RunOptions {
     bool watch = false;
     KeepOptions keep;
 };
-
-/// The language that the environment asks for, where the shared scripts have texts in it; empty: English.
-std::string language_of_environment(const std::string& root) {
-    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        const char* value = std::getenv(name);
-        if (value != nullptr && *value != '\0') {
-            const std::string language = std::string(value).substr(0, 2);
-            std::error_code ignored;
-            return std::filesystem::exists(root + "/scripts/texts/" + language + ".lua", ignored) ? language : "";
-        }
-    }
-    return "";
-}
 
 Result<std::map<std::string, std::string>> settings_of(const RunOptions& given, const std::string& root) {
     std::map<std::string, std::string> set;
@@ -289,7 +277,8 @@ int run(RunOptions given, const Context& context) {
     if (!set) {
         return complain(set.error());
     }
-    const Result<std::optional<Operation>> operation = load_operation(given.curriculum, context.root);
+    const Result<std::optional<Operation>> operation = load_operation(
+        given.curriculum, context.root, set.value().contains("language") ? set.value().at("language") : "");
     if (!operation) {
         return complain(operation.error());
     }
@@ -383,8 +372,7 @@ void add_run(CLI::App& app, Context& context) {
         ->check(CLI::IsMember({"right", "left"}));
     command->add_option("--hand", given->hand, "Of the surgeon, for the main instrument [as the exercise says]")
         ->check(CLI::IsMember({"right", "left"}));
-    command->add_option("--language", given->language,
-                        "Of all texts: en, fr, ... [as LANG says, where there are texts]");
+    command->add_option("--language", given->language, language_help);
     command->add_flag("--watch", given->watch, "Read the exercise again between two steps when its files have changed");
     command->add_option("--threads", given->threads, "Threads; the result does not depend on it")
         ->check(CLI::Range(1, 64))

@@ -161,6 +161,16 @@ Result<json> ExerciseScript::run_curriculum(const CurriculumFiles& files, const 
     return status ? Result<json>(std::move(answer)) : status.error();
 }
 
+Status ExerciseScript::read_texts(const CurriculumFiles& files) {
+    for (const CurriculumFiles& texts : texts_beside(files)) {
+        const Result<json> read = run_curriculum(texts, "accept_texts");
+        if (!read) {
+            return read.error();
+        }
+    }
+    return success();
+}
+
 Status ExerciseScript::join(const JoinedPart& joined) {
     const Result<json> made =
         ask("join", {{"index", joined.index}, {"before", joined.before}, {"live", live_settings()}});
@@ -229,9 +239,15 @@ Result<ExerciseScript> ExerciseScript::open(const CurriculumFiles& files, const 
     return status ? Result<ExerciseScript>(std::move(script)) : status.error();
 }
 
-Result<json> ExerciseScript::listing(const CurriculumFiles& files, const std::string& root) {
+Result<json> ExerciseScript::listing(const CurriculumFiles& files, const std::string& root,
+                                     const std::string& language) {
     Result<ExerciseScript> script = open(files, root, 1);
-    return script ? script.value().run_curriculum(files, "accept_operation") : script.error();
+    Status status = script ? script.value().read_texts(files) : Status(script.error());
+    if (status && !language.empty()) {
+        const Result<json> spoken = script.value().ask("speak", language);
+        status = spoken ? success() : Status(spoken.error());
+    }
+    return status ? script.value().run_curriculum(files, "accept_operation") : Result<json>(status.error());
 }
 
 bool ExerciseScript::is_rubric(const CurriculumFiles& files, const std::string& root) {
@@ -258,14 +274,11 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
             return operation.error();
         }
     }
-    for (const CurriculumFiles& texts : texts_beside(files)) {
-        const Result<json> read = script.run_curriculum(texts, "accept_texts");
-        if (!read) {
-            return read.error();
-        }
+    Status status = script.read_texts(files);
+    if (status) {
+        const Result<json> accepted = script.run_curriculum(files, "accept");
+        status = accepted ? success() : Status(accepted.error());
     }
-    const Result<json> accepted = script.run_curriculum(files, "accept");
-    Status status = accepted ? success() : Status(accepted.error());
     if (status && joined) {
         status = script.join(*joined);
     }

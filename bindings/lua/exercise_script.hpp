@@ -36,7 +36,8 @@ public:
     static bool is_rubric(const CurriculumFiles& files, const std::string& root);
     /// What an operation is made of: "title", "version", "summary", "objectives", and "parts", each with "id", "title",
     /// "exercise", "start", "continues", "opening", "where". Null when the curriculum is an exercise.
-    static Result<nlohmann::json> listing(const CurriculumFiles& files, const std::string& root);
+    static Result<nlohmann::json> listing(const CurriculumFiles& files, const std::string& root,
+                                          const std::string& language = "");
 
     [[nodiscard]] const SceneDescription& scene() const { return scene_; }
     [[nodiscard]] const std::string& title() const { return title_; }
@@ -62,6 +63,8 @@ private:
     static Result<ExerciseScript> open(const CurriculumFiles& files, const std::string& root, std::uint64_t seed);
     Status open_engine();
     /// Hands what the curriculum returns to a function of the engine, and its answer back.
+    /// Files of texts beside the curriculum.
+    Status read_texts(const CurriculumFiles& files);
     Result<nlohmann::json> run_curriculum(const CurriculumFiles& files, const char* receiver);
     Status join(const JoinedPart& joined);
     Status apply(const std::map<std::string, std::string>& set);

@@ -60,12 +60,13 @@ Status no_operation_within(const OperationPart& part, std::vector<std::string> w
 
 }  // namespace
 
-Result<std::optional<Operation>> load_operation(const std::string& curriculum, const std::string& root) {
+Result<std::optional<Operation>> load_operation(const std::string& curriculum, const std::string& root,
+                                                const std::string& language) {
     const Result<CurriculumFiles> files = find_curriculum(curriculum, root);
     if (!files) {
         return files.error();
     }
-    const Result<json> listing = ExerciseScript::listing(files.value(), root);
+    const Result<json> listing = ExerciseScript::listing(files.value(), root, language);
     if (!listing) {
         return listing.error();
     }
@@ -80,6 +81,7 @@ Result<std::optional<Operation>> load_operation(const std::string& curriculum, c
                           {"version", found.at("version")},
                           {"sha256", files.value().sha256}};
     operation.summary = text_of(found, "summary");
+    operation.untranslated = found.at("untranslated").get<std::vector<std::string>>();
     operation.objectives = found.at("objectives").get<std::vector<std::string>>();
     for (const json& given : found.at("parts")) {
         operation.parts.push_back(part_from(given, files.value()));

@@ -28,10 +28,13 @@ struct Operation {
     std::string summary;
     std::vector<std::string> objectives;
     std::vector<OperationPart> parts;
+    std::vector<std::string> untranslated;  ///< texts of its own that lack a translation, each a line
 };
 
 /// Nothing when the curriculum is an exercise. Fails when it, or an exercise that it names, cannot be found or read,
 /// or when a part is itself an operation (which names the way round when they are made of each other).
-Result<std::optional<Operation>> load_operation(const std::string& curriculum, const std::string& root);
+/// language: of its texts, "" for English.
+Result<std::optional<Operation>> load_operation(const std::string& curriculum, const std::string& root,
+                                                const std::string& language = "");
 
 }  // namespace rhexis

@@ -40,6 +40,7 @@ return exercise {
         step "strip" {
             title = "Strip and aspirate",
             hint = "Under the rim to the fornix, pedal 2, and when the tag is held, draw it to the middle. Go round.",
+            picture_when = "cortex.held and cortex.left_percent < 60",
             done = "cortex.left_percent <= goal.left_percent",
             time_limit_s = 240,
         },

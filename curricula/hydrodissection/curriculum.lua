@@ -35,6 +35,7 @@ return exercise {
             title = "The wave",
             hint = "Cannula under the rim, its end close to the capsule. Inject gently until the dark front "
                 .. "has crossed the red reflex; stop when the nucleus comes forward.",
+            picture_when = "hydro.wave_share > 0.4",
             done = "100 * hydro.wave_share >= goal.wave_percent",
             time_limit_s = 90,
         },

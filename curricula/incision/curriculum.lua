@@ -31,6 +31,7 @@ return exercise {
             title = "Side port",
             hint = "Small blade, to the side of the hand that it is for. Straight through the cornea, level with "
                 .. "the iris.",
+            picture_when = "side_port_blade.present and wounds.side_cut",
             done = "wounds.side_cut and wounds.side_width_mm > 0.8 and not side_port_blade.present",
             time_limit_s = 60,
         },
@@ -38,6 +39,7 @@ return exercise {
             title = "Main incision",
             hint = "Keratome at the limbus: first within the cornea along its slope, then level, until the shoulders "
                 .. "of the blade are through. Straight back, without moving sideways.",
+            picture_when = "keratome.present and wounds.main_cut",
             done = "wounds.main_cut and wounds.main_width_mm > 2.2 and wounds.main_tunnel_mm > goal.tunnel_mm "
                 .. "and not keratome.present",
             time_limit_s = 90,

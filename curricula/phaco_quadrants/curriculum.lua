@@ -47,6 +47,7 @@ return exercise {
             title = "Take out the quarters",
             hint = "Bury the tip with a touch of ultrasound, go back to pedal 2 and wait for the vacuum. Draw the "
                 .. "piece to the middle and up, then pulse. When it clears, be at pedal 1 before the capsule comes.",
+            picture_when = "fragments.left_share < 0.6",
             done = "100 * fragments.left_share < goal.left_percent",
             time_limit_s = 600,
         },

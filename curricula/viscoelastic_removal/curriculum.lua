@@ -40,6 +40,7 @@ return exercise {
             title = "Behind the implant",
             hint = "Past the edge of the optic, the mouth up, and aspirate there; or press its edge to rock "
                 .. "it.",
+            picture_when = "viscoelastic.under_optic",
             done = "viscoelastic.left_percent <= goal.left_percent",
             time_limit_s = 120,
         },

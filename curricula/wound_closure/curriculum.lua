@@ -52,6 +52,7 @@ return exercise {
         step "test" {
             title = "Test",
             hint = "Press on the outer lip with the sponge. Nothing may come. If it does: hydrate, suture, test again.",
+            picture_when = "wounds.press_mN > 100",
             done = "wounds.checked and wounds.tested_leak_ul_s <= 0.05 and wounds.leak_at_20_ul_s <= 0.05 "
                 .. "and not sponge.present",
             time_limit_s = 180,

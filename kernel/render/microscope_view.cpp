@@ -67,13 +67,24 @@ Vec3 caught_edge(const Frame& frame) {
     return {direction.x(), direction.y(), come};
 }
 
+/// How far Descemet's membrane hangs from a wound towards the axis. [mm]
+double flap_of(const Frame& frame) {
+    double flap = 0.0;
+    if (frame.wounds) {
+        for (const Wound& wound : frame.wounds->wounds) {
+            flap = std::max(flap, wound.peel);
+        }
+    }
+    return flap;
+}
+
 /// Within this, at the iris, neither its edge nor a wound nor the limbus can show. [mm]
 double core_radius(const Frame& frame) {
     const EyeAnatomy& eye = *frame.eye;
     const double magnified = 1.15;  // by the cornea, at most
     const double wound = std::min(reach_of_wound(eye, eye.incision, eye.incision_width),
                                   reach_of_wound(eye, eye.side_port, eye.side_port_width));
-    const double clear = std::min(wound, eye.limbus_radius - 1.5) / magnified;
+    const double clear = std::min(wound - flap_of(frame), eye.limbus_radius - 1.5) / magnified;
     return std::max(0.0, std::min(opening_of(eye) - 0.25 - std::abs(caught_edge(frame).z()), clear));
 }
 
@@ -109,14 +120,21 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
 void set_wounds(const Program& program, const Frame& frame) {
     Vec2 swelling = Vec2::Zero();
     Vec2 fluid = Vec2::Zero();
+    Vec2 peel = Vec2::Zero();
+    Vec2 stitches = Vec2::Zero();
     if (frame.wounds) {
         constexpr double least = 0.05;  // on a lip, that shows [mm^3]
+        constexpr double most = 0.9;    // radius of a film: more runs off [mm]
         const Wound& main = frame.wounds->wounds[main_wound];
         const Wound& side = frame.wounds->wounds[side_port];
         swelling = Vec2(main.cut ? main.swelling : 0.0, side.cut ? side.swelling : 0.0);
-        fluid = Vec2(main.fluid > least ? 1.3 * ball_radius(main.fluid) : 0.0,
-                     side.fluid > least ? 1.3 * ball_radius(side.fluid) : 0.0);
+        fluid = Vec2(main.fluid > least ? std::min(most, 1.3 * ball_radius(main.fluid)) : 0.0,
+                     side.fluid > least ? std::min(most, 1.3 * ball_radius(side.fluid)) : 0.0);
+        peel = Vec2(main.peel, side.peel);
+        stitches = Vec2(main.sutures, side.sutures);
     }
+    program.set("wound_peel", peel);
+    program.set("wound_stitches", stitches);
     program.set("wound_swelling", swelling);
     program.set("wound_fluid", fluid);
 }
@@ -160,6 +178,7 @@ void set_harm(const Program& program, const Frame& frame) {
     set_wounds(program, frame);
     const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
     program.set("crumb_count", static_cast<int>(crumbs));
+    program.set("crumbs_are_beads", frame.model->beads.has_value() ? 1 : 0);
     for (std::size_t i = 0; i < crumbs; ++i) {
         const Debris& crumb = frame.debris[i];
         Eigen::Vector4d ball;

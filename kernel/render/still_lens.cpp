@@ -41,11 +41,27 @@ void for_each_triangle(const BagShape& shape, const Use& use) {
     }
 }
 
+/// An eye of which only the front takes part, before anything was cut: its lens is still there.
+bool is_untouched(const Frame& frame) {
+    const WorldModel& model = *frame.model;
+    const bool cut_before = model.wounds && model.wounds->start[main_wound].cut;
+    const bool front_only =
+        model.solids.empty() && model.bags.empty() && model.membranes.empty() && model.shells.empty();
+    return frame.eye->has_iris && front_only && !cut_before;
+}
+
 }  // namespace
 
 std::optional<StillLens> still_lens(const Frame& frame) {
     if (!frame.eye || !frame.solids.empty()) {
         return std::nullopt;
+    }
+    if (is_untouched(frame)) {
+        const double front = frame.eye->cornea_apex_z - frame.eye->anterior_chamber_depth;
+        BagShape shape;
+        shape.posterior *= front / shape.anterior;
+        shape.anterior = front;
+        return StillLens{shape, 0.0, frame.eye->lens_zones};
     }
     for (std::size_t i = 0; i < frame.membranes.size(); ++i) {
         const std::optional<SupportModel>& support = frame.model->membranes[i].support;

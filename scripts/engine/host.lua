@@ -34,11 +34,14 @@ function host.accept_texts(value)
     texts.add_file(name:match("%.(%l%l)%.lua$"), value, name)
 end
 
+--- Before an operation runs: the language of its texts.
+function host.speak(name) host.spoken = name end
+
 --- After it ran: what it returned. Of an operation, what it is made of; of anything else, nothing.
 function host.accept_operation(value)
     if type(value) ~= "table" or value.kind ~= "operation" then return nil end
     host.operation = value
-    return operation.listing(value)
+    return operation.listing(value, texts.translator(host.spoken, { texts = {} }))
 end
 
 --- After it ran: what it returned.

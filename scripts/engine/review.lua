@@ -52,6 +52,7 @@ end
 function Review:step(step)
     local what = ("step '%s': "):format(step.name)
     local enters = self:condition(step.enter_when, what .. "enter_when")
+    self:condition(step.picture_when, what .. "picture_when")
     local done = self:condition(step.done, what .. "done", step.time_limit_s)
     return { enters = enters, done = done and enters,
         late = (enters and step.time_limit_s ~= nil) or step.enter_limit_s ~= nil }

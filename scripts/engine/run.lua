@@ -30,6 +30,9 @@ local function actions(self)
         local how = record.completed and "completed" or "not completed"
         act.picture("step_" .. record.id, self.t("Step \"%s\" " .. how .. "."):format(record.title))
     end
+    function act.during(record)
+        act.picture("during_" .. record.id, self.t("During step \"%s\"."):format(record.title))
+    end
     return act
 end
 

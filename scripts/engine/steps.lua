@@ -17,7 +17,8 @@ function steps.prepare(declared, eye, act)
     for i, step in ipairs(declared) do
         local what = "in step '" .. step.title .. "'"
         self.bound[i] = { what = what, done = step.done and condition.bind(step.done, eye, what),
-            enter = step.enter_when and condition.bind(step.enter_when, eye, what) }
+            enter = step.enter_when and condition.bind(step.enter_when, eye, what),
+            picture = step.picture_when and condition.bind(step.picture_when, eye, what) }
         self.records[i] = { id = step.id, title = step.title, completed = false }
     end
     return self
@@ -90,6 +91,14 @@ local function run_script(self)
     return coroutine.status(self.thread) == "dead"
 end
 
+-- At the moment that a step wants to have in the report, once.
+local function take_picture(self)
+    local bound = self.bound[self.at]
+    if not bound.picture or bound.pictured or not bound.picture.test() then return end
+    bound.pictured = true
+    self.act.during(self.records[self.at])
+end
+
 local function is_done(self, step)
     local scripted = true
     if step.script then scripted = run_script(self) end
@@ -129,6 +138,7 @@ function Runner:tick(time_s)
     if self.waiting then wait(self, time_s) end
     if self.waiting or not self.declared[self.at] then return end
     if self.declared[self.at] == step then
+        take_picture(self)
         local completed = is_done(self, step)
         local late = step.time_limit_s and time_s - self.records[self.at].start_s >= step.time_limit_s
         if completed or late then finish(self, completed, late, time_s) end

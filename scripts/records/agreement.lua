@@ -5,6 +5,9 @@
 
 local markup = require "report.markup"
 local page = require "records.page"
+local report_words = require "report.words"
+
+local t, known = report_words.t, report_words.known
 
 local agreement = {}
 
@@ -27,9 +30,9 @@ local function dots(w, points, x_of, y_of)
     end
     for _, one in ipairs(order) do
         local key, point = one[1], one[2]
-        w(('<circle cx="%.1f" cy="%.1f" r="%.1f" fill="#c2570c" opacity="0.7"><title>%d of mean %s, difference %s'
-            .. "</title></circle>"):format(x_of(point[1]), y_of(point[2]), 3.5 * math.sqrt(count[key]), count[key],
-            number(point[1], 2), number(point[2], 2)))
+        w(('<circle cx="%.1f" cy="%.1f" r="%.1f" fill="#c2570c" opacity="0.7"><title>%s</title></circle>'):format(
+            x_of(point[1]), y_of(point[2]), 3.5 * math.sqrt(count[key]),
+            e(t("%d of mean %s, difference %s", count[key], number(point[1], 2), number(point[2], 2)))))
     end
 end
 
@@ -41,7 +44,8 @@ local function chart(w, row)
     reach = 1.1 * reach
     local function x_of(value) return left + (wide - left - right) * (value - least) / (most - least) end
     local function y_of(value) return top + (tall - top - bottom) * (reach - value) / (2 * reach) end
-    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Differences against means">'):format(wide, tall))
+    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="%s">'):format(wide, tall,
+        e(t("Differences against means"))))
     for _, value in ipairs(page.ticks(-reach, reach)) do
         w(('<text class="soft" x="%d" y="%.1f" text-anchor="end">%s</text>'):format(left - 6, y_of(value) + 4,
             number(value, 2)))
@@ -53,39 +57,41 @@ local function chart(w, row)
             number(value, 2)))
     end
     dashed(w, y_of(0), "#8795a1", limits.bias ~= 0 and math.abs(y_of(0) - y_of(limits.bias)) > 14 and "0" or "", "1 3")
-    dashed(w, y_of(limits.bias), "#1f5f8b", "bias " .. number(limits.bias, 2), "none")
+    dashed(w, y_of(limits.bias), "#1f5f8b", e(t("bias %s", number(limits.bias, 2))), "none")
     dashed(w, y_of(limits.high), "#b3261e", "+1.96 SD " .. number(limits.high, 2), "6 4")
     dashed(w, y_of(limits.low), "#b3261e", "−1.96 SD " .. number(limits.low, 2), "6 4")
     dots(w, row.simulator.points, x_of, y_of)
-    w(('<text class="soft" x="%d" y="%d">mean of simulator and raters</text></svg>'):format(left, tall - 4))
+    w(('<text class="soft" x="%d" y="%d">%s</text></svg>'):format(left, tall - 4,
+        e(t("mean of simulator and raters"))))
 end
 
 local function correlation(icc, which)
-    return icc.why and '<span class="soft small">' .. e(icc.why) .. "</span>" or number(icc[which], 2)
+    return icc.why and '<span class="soft small">' .. e(known(icc.why)) .. "</span>" or number(icc[which], 2)
 end
+
+local function range(limits) return e(t("%s to %s", number(limits.low, 2), number(limits.high, 2))) end
 
 local function table_row(w, row)
     local own, raters = row.simulator, row.raters
-    w('<tr><td class="id">', e(row.item), "</td><td>", e(row.name), "</td><td>", correlation(raters.icc, "single"),
-        "</td><td>", raters.icc.average and number(raters.icc.average, 2) or "", "</td><td>",
-        raters.icc.n or "", "</td><td>", correlation(own.icc, "single"), "</td><td>")
+    w('<tr><td class="id">', e(row.item), "</td><td>", e(known(row.name)), "</td><td>",
+        correlation(raters.icc, "single"), "</td><td>", raters.icc.average and number(raters.icc.average, 2) or "",
+        "</td><td>", raters.icc.n or "", "</td><td>", correlation(own.icc, "single"), "</td><td>")
     if own.limits.why then
-        w('</td><td></td><td><span class="soft small">', e(own.limits.why), "</span>")
+        w('</td><td></td><td><span class="soft small">', e(known(own.limits.why)), "</span>")
     else
-        w(number(own.limits.bias, 2), "</td><td class=\"limits\">", number(own.limits.low, 2), " to ",
-            number(own.limits.high, 2), "</td><td>", own.limits.n)
+        w(number(own.limits.bias, 2), "</td><td class=\"limits\">", range(own.limits), "</td><td>", own.limits.n)
     end
     w("</td></tr>")
 end
 
 local function pairs_section(w, row)
     if #row.raters.pairs == 0 then return end
-    w("<section><h2>Raters among themselves, total</h2><table><thead><tr><th>Raters</th><th>Bias</th>",
-        "<th>95 % limits</th><th>n</th></tr></thead><tbody>")
+    w("<section><h2>", e(t("Raters among themselves, total")), "</h2><table><thead><tr><th>", e(t("Raters")),
+        "</th><th>", e(t("Bias")), "</th><th>", e(t("95 % limits")), "</th><th>n</th></tr></thead><tbody>")
     for _, pair in ipairs(row.raters.pairs) do
         local limits = pair.limits
         w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", number(limits.bias, 2), "</td><td>",
-            limits.why and e(limits.why) or number(limits.low, 2) .. " to " .. number(limits.high, 2), "</td><td>",
+            limits.why and e(known(limits.why)) or range(limits), "</td><td>",
             limits.n or "", "</td></tr>")
     end
     w("</tbody></table></section>")
@@ -93,23 +99,26 @@ end
 
 --- The whole page.
 function agreement.html(data)
-    return page.html("Agreement of simulator and raters", function(w)
-        w("<header><h1>Agreement of simulator and raters</h1><p>", data.attempts, " rated attempts, ", #data.raters,
-            " raters: ", e(table.concat(data.raters, ", ")), '.</p><p class="soft small">ICC(2,1), ICC(2,k): two-way ',
-            "random effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, ",
-            "with limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of ",
-            "the simulator are not clinically validated.</p></header>")
-        w("<section><h2>By item</h2><table><thead><tr><th>Item</th><th></th><th>Raters: ICC(2,1)</th><th>ICC(2,k)</th>",
-            "<th>n</th><th>Simulator and raters: ICC(2,1)</th><th>Bias</th><th>95 % limits</th><th>n</th></tr></thead>",
-            "<tbody>")
+    report_words.use(data.language)
+    local title = t("Agreement of simulator and raters")
+    return page.html(title, function(w)
+        w("<header><h1>", e(title), "</h1><p>", e(t("%d rated attempts, %d raters: %s.", data.attempts, #data.raters,
+            table.concat(data.raters, ", "))), '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
+            .. "effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with "
+            .. "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the "
+            .. "simulator are not clinically validated.")), "</p></header>")
+        w("<section><h2>", e(t("By item")), "</h2><table><thead><tr>")
+        for _, head in ipairs { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n",
+            t("Simulator and raters: ICC(2,1)"), t("Bias"), t("95 % limits"), "n" } do w("<th>", e(head), "</th>") end
+        w("</tr></thead><tbody>")
         for _, row in ipairs(data.rows) do table_row(w, row) end
         w("</tbody></table></section>")
         pairs_section(w, data.rows[#data.rows])
-        w('<section><h2>Simulator minus raters</h2><div class="charts">')
+        w("<section><h2>", e(t("Simulator minus raters")), '</h2><div class="charts">')
         for i = 0, #data.rows - 1 do
             local row = data.rows[i > 0 and i or #data.rows]  -- the total first
             if not row.simulator.limits.why then
-                w("<figure><figcaption><b>", e(row.item), "</b> ", e(row.name), "</figcaption>")
+                w("<figure><figcaption><b>", e(row.item), "</b> ", e(known(row.name)), "</figcaption>")
                 chart(w, row)
                 w("</figure>")
             end

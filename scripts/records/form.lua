@@ -1,12 +1,15 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The form with which a person rates a replay, without knowing whose it is. Works from a folder, without a network.
 --
--- data: case = code of the recording, number, of = which of how many, video = file beside the page or nil
+-- data: case = code of the recording, number, of = which of how many, video = file beside the page or nil, language
 
 local anchors = require "records.anchors"
 local markup = require "report.markup"
 local osacss = require "osacss"
 local page = require "records.page"
+local report_words = require "report.words"
+
+local t = report_words.t
 
 local form = {}
 
@@ -36,7 +39,8 @@ const items = [...document.querySelectorAll('.item[id]')];
 const chosen = id => form.elements[id].value;
 function tell() {
   const open = items.filter(item => !chosen(item.id));
-  document.getElementById('left').textContent = open.length ? open.length + ' items left' : 'All items answered';
+  document.getElementById('left').textContent = open.length ?
+    form.dataset.left.replace('%d', open.length) : form.dataset.answered;
   return open;
 }
 form.addEventListener('change', event => { const item = event.target.closest('.item[id]');
@@ -66,31 +70,34 @@ end
 
 local function item_rows(w, item)
     local own = anchors[item.id] or {}
-    w('<div class="item" id="', item.id, '"><b>', item.id, "</b><div><b>", e(item.name), '</b><div class="choices">')
-    for points = 1, 5 do choice(w, item.id, points, points, own[points]) end
-    choice(w, item.id, "na", "N/A")
-    w('</div><input type="text" name="', item.id, '.comment" placeholder="Comment" aria-label="Comment on ', item.id,
-        '"></div></div>')
+    w('<div class="item" id="', item.id, '"><b>', item.id, "</b><div><b>", e(t(item.name)), '</b><div class="choices">')
+    for points = 1, 5 do choice(w, item.id, points, points, own[points] and t(own[points])) end
+    choice(w, item.id, "na", e(t("N/A")))
+    w('</div><input type="text" name="', item.id, '.comment" placeholder="', e(t("Comment")), '" aria-label="',
+        e(t("Comment on %s", item.id)), '"></div></div>')
 end
 
 --- The whole page.
 function form.html(data)
-    local title = ("Rating %d of %d"):format(data.number, data.of)
+    report_words.use(data.language)
+    local title = t("Rating %d of %d", data.number, data.of)
     return page.html(title, function(w)
-        w("<header><h1>", title, "</h1><p>Watch the whole operation, then give each item of OSACSS 1 to 5 points. ",
-            "2 and 4 lie between the descriptions. N/A: it was not to be seen, or is no part of this exercise. ",
-            "Save, and send the file to who gave you this form.</p>")
+        w("<header><h1>", e(title), "</h1><p>", e(t("Watch the whole operation, then give each item of OSACSS 1 to 5 "
+            .. "points. 2 and 4 lie between the descriptions. N/A: it was not to be seen, or is no part of this "
+            .. "exercise. Save, and send the file to who gave you this form.")), "</p>")
         if data.video then
-            w('<video controls preload="metadata" src="', e(data.video), '"></video><p class="soft small">If it does ',
-                'not play here, open <a href="', e(data.video), '">', e(data.video), "</a> in any player.</p>")
+            local link = ('<a href="%s">%s</a>'):format(e(data.video), e(data.video))
+            w('<video controls preload="metadata" src="', e(data.video), '"></video><p class="soft small">',
+                t("If it does not play here, open %s, which lies beside this page, in any player.", link), "</p>")
         end
-        w('</header><form data-case="', e(data.case), '"><section>')
+        w('</header><form data-case="', e(data.case), '" data-left="', e(report_words.known("%d items left")),
+            '" data-answered="', e(t("All items answered")), '"><section>')
         for _, item in ipairs(osacss.items) do item_rows(w, item) end
-        w('<div class="item"><span></span><textarea name="comment" rows="3" placeholder="On the whole" ',
-            'aria-label="Comment on the whole"></textarea></div></section>',
-            '<section class="bar-below"><button type="button" id="save">Save answers</button>',
-            '<button type="button" class="quiet" id="rest">All that is open: N/A</button><span id="left"></span>',
-            "</section></form><script>", script, "</script>")
+        w('<div class="item"><span></span><textarea name="comment" rows="3" placeholder="', e(t("On the whole")),
+            '" aria-label="', e(t("Comment on the whole")), '"></textarea></div></section>',
+            '<section class="bar-below"><button type="button" id="save">', e(t("Save answers")), "</button>",
+            '<button type="button" class="quiet" id="rest">', e(t("All that is open: N/A")),
+            '</button><span id="left"></span></section></form><script>', script, "</script>")
     end, style)
 end
 

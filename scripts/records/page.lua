@@ -2,14 +2,15 @@
 -- What the pages about stored attempts have in common.
 
 local markup = require "report.markup"
+local report_words = require "report.words"
 local style = require "report.style"
 
 local page = {}
 
---- The whole page; body(w) writes what is inside. more: style of its own.
+--- The whole page, in the language chosen with report_words.use; body(w) writes what is inside. more: style of its own.
 function page.html(title, body, more)
     local w = markup.writer()
-    w('<!doctype html><html lang="en"><head><meta charset="utf-8">',
+    w('<!doctype html><html lang="', report_words.language(), '"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1"><title>', markup.escape(title),
         "</title><style>", style, more or "", "</style></head><body><main>")
     body(w)

@@ -8,7 +8,7 @@ local chart = {}
 
 local e, number = markup.escape, markup.number
 local palette = { "#1f5f8b", "#c2570c", "#3a7d44" }
-local width, height, left, right, top, bottom = 560, 230, 46, 12, 30, 30
+local width, height, left, right, top, bottom = 560, 214, 50, 12, 12, 30
 
 -- A step of 1, 2 or 5 times a power of ten that cuts `span` into at most `most` parts.
 local function nice_step(span, most)
@@ -64,7 +64,7 @@ local function event_marks(w, events, x_of, y1, y2)
     for _, event in ipairs(events) do
         w(('<line x1="%.1f" x2="%.1f" y1="%d" y2="%d" stroke="%s" stroke-width="1.5" stroke-dasharray="4 3">'):format(
             x_of(event.time_s), x_of(event.time_s), y1, y2, event_colour(event)))
-        w("<title>", e(event.title or event.id), " at ", markup.time(event.time_s), "</title></line>")
+        w("<title>", e(event.title or event.id), ", ", markup.time(event.time_s), "</title></line>")
     end
 end
 
@@ -78,22 +78,25 @@ local function grid(w, low, high, y_of, digits)
     end
 end
 
+-- The unit stands at the last number.
 local function time_axis(w, last, x_of, y, unit)
     local step = nice_step(last, 8)
-    for k = 0, math.floor(last / step + 1e-9) do
-        w(('<text class="soft" x="%.1f" y="%d" text-anchor="middle">%s</text>'):format(x_of(k * step), y,
-            number(k * step, 2)))
+    local most = math.floor(last / step + 1e-9)
+    for k = 0, most do
+        local text = number(k * step, 2) .. (k == most and " " .. (unit or "s") or "")
+        local near_edge = k == most and k > 0 and x_of(k * step) > width - right - 12
+        w(('<text class="soft" x="%.1f" y="%d" text-anchor="%s">%s</text>'):format(
+            near_edge and width - 2 or x_of(k * step), y, near_edge and "end" or "middle", text))
     end
-    w(('<text class="soft" x="%d" y="%d" text-anchor="end">%s</text>'):format(width - 2, y, unit or "s"))
 end
 
-local function legend(w, lines)
-    local x = left
-    for i, line in ipairs(lines) do
-        w(('<rect x="%d" y="9" width="14" height="4" rx="2" fill="%s"/>'):format(x, palette[i]))
-        w(('<text x="%d" y="15">%s</text>'):format(x + 19, e(line.label)))
-        x = x + 34 + 7 * #line.label
+-- Below the drawing, as text that wraps. marks: list of { colour, what it means }.
+local function legend(w, marks)
+    w('<p class="legend">')
+    for _, mark in ipairs(marks) do
+        w('<span><i style="background:', mark[1], '"></i>', e(mark[2]), "</span>")
     end
+    w("</p>")
 end
 
 --- Lines over time. spec: { title, lines = { { label, values, count } }, range, danger = { from, to, label },
@@ -124,10 +127,14 @@ function chart.over_time(spec, context)
             path_of(context.times, line, x_of, y_of), palette[i]))
     end
     time_axis(w, context.last, x_of, height - 8, context.unit)
-    legend(w, spec.lines)
     w("</svg>")
+    local marks = {}
+    for i, line in ipairs(spec.lines) do marks[i] = { palette[i], line.label } end
+    legend(w, marks)
     return w:text()
 end
+
+local request_row, error_row = "Asked and declared", "Errors, and how long until put right"
 
 -- What was asked of the staff, on a row of its own.
 local function request_marks(w, requests, x_of, from, y)
@@ -136,25 +143,42 @@ local function request_marks(w, requests, x_of, from, y)
         w(('<path d="M%.1f %d l6 6 l-6 6 l-6 -6 z" fill="#2f6690"><title>%s, %s</title></path>'):format(x, y - 6,
             e(request.title or request.id), markup.time(request.time_s)))
     end
-    w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 4, e(translated("Asked and declared"))))
+    w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 4, e(translated(request_row))))
+end
+
+-- Room for the longest of the words on the left.
+local function label_width(steps, events, requests)
+    local longest = math.max(#events > 0 and utf8.len(translated(error_row)) or 0,
+        #requests > 0 and utf8.len(translated(request_row)) or 0)
+    for _, step in ipairs(steps) do longest = math.max(longest, utf8.len(tostring(step.title or step.id)) or 0) end
+    return math.floor(math.max(120, math.min(440, 24 + 6.9 * longest)))
+end
+
+-- At most 60 letters of a title: what there is room for.
+local function shortened(title)
+    local text = tostring(title)
+    if (utf8.len(text) or 0) <= 60 then return text end
+    return text:sub(1, utf8.offset(text, 59) - 1) .. "…"
 end
 
 --- Steps as bars, errors and their recoveries as marks.
 function chart.time_line(steps, events, requests, last)
     local w, rows = markup.writer(), #steps
     local tall = 26 * rows + (#events > 0 and 40 or 14) + (#requests > 0 and 26 or 0) + 26
-    local wide, from = 1000, 250
+    local wide, from = 1000, label_width(steps, events, requests)
     local function x_of(t) return from + (wide - from - 20) * math.min(1, t / last) end
-    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Time line of steps and errors">'):format(wide, tall))
+    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="%s">'):format(wide, tall,
+        e(translated("Time line of steps and errors"))))
     for i, step in ipairs(steps) do
         local y = 26 * (i - 1) + 6
-        w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 13, e(step.title or step.id)))
+        w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 13,
+            e(shortened(step.title or step.id))))
         w(('<rect x="%d" y="%d" width="%d" height="18" rx="4" fill="#eef2f6"/>'):format(from, y, wide - from - 20))
         if step.start_s then
             local x1, x2 = x_of(step.start_s), x_of(step.end_s or last)
-            w(('<rect x="%.1f" y="%d" width="%.1f" height="18" rx="4" fill="%s"><title>%s to %s</title></rect>'):format(
-                x1, y, math.max(3, x2 - x1), step.completed and "#3a7d44" or "#8795a1", markup.time(step.start_s),
-                markup.time(step.end_s or last)))
+            w(('<rect x="%.1f" y="%d" width="%.1f" height="18" rx="4" fill="%s"><title>%s</title></rect>'):format(
+                x1, y, math.max(3, x2 - x1), step.completed and "#3a7d44" or "#8795a1",
+                e(translated("%s to %s", markup.time(step.start_s), markup.time(step.end_s or last)))))
         end
     end
     local y = 26 * rows + 24
@@ -170,8 +194,7 @@ function chart.time_line(steps, events, requests, last)
             e(event.title or event.id), markup.time(event.time_s)))
     end
     if #events > 0 then
-        w(('<text x="%d" y="%d" text-anchor="end">Errors, and how long until put right</text>'):format(from - 10,
-            y + 4))
+        w(('<text x="%d" y="%d" text-anchor="end">%s</text>'):format(from - 10, y + 4, e(translated(error_row))))
     end
     if #requests > 0 then request_marks(w, requests, x_of, from, tall - 40) end
     local step = nice_step(last, 10)
@@ -220,7 +243,8 @@ function chart.way(way, count, pupil_mm, meaning, circles, across)
     local scale = size / (across or 14)
     local middle = size / 2
     local function place(px, py) return middle + px * scale, middle - py * scale end
-    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Way seen from above" '):format(size, size + 26))
+    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="%s" '):format(size, size,
+        e(translated("Way seen from above"))))
     w('style="max-width:26rem;margin:0 auto">')
     w(('<circle cx="%d" cy="%d" r="%.1f" fill="#f7efe6" stroke="#d6dde4"/>'):format(middle, middle,
         math.min(middle, 5.8 * scale)))
@@ -231,17 +255,13 @@ function chart.way(way, count, pupil_mm, meaning, circles, across)
         w(('<circle cx="%d" cy="%d" r="%.1f" fill="none" stroke="#6d7a86" stroke-dasharray="4 3"/>'):format(middle,
             middle, radius))
         local x = middle + (i % 2 == 1 and -0.72 or 0.72) * radius
-        w(('<text class="soft small" x="%.1f" y="%.1f" text-anchor="%s">%s</text>'):format(x,
+        w(('<text class="soft halo" x="%.1f" y="%.1f" text-anchor="%s">%s</text>'):format(x,
             middle - 0.72 * radius - 4, i % 2 == 1 and "end" or "start", markup.escape(circle.label)))
     end
     way_paths(w, way, count, place)
-    if meaning.strong ~= "" then
-        w(('<rect x="20" y="%d" width="14" height="4" fill="%s"/><text x="40" y="%d">%s</text>'):format(size + 12,
-            strong_colour, size + 18, markup.escape(meaning.strong)))
-    end
-    w(('<rect x="190" y="%d" width="14" height="4" fill="%s"/><text x="210" y="%d">%s</text>'):format(size + 12,
-        usual_colour, size + 18, markup.escape(meaning.usual)))
     w("</svg>")
+    legend(w, meaning.strong ~= "" and { { strong_colour, meaning.strong }, { usual_colour, meaning.usual } }
+        or { { usual_colour, meaning.usual } })
     return w:text()
 end
 

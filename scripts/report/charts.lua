@@ -3,65 +3,12 @@
 
 local chart = require "report.chart"
 local markup = require "report.markup"
-local t = require("report.words").t
+local wanted = require "report.wanted_charts"
+local report_words = require "report.words"
+
+local t = report_words.t
 
 local charts = {}
-
--- Measures of one chart; scale turns them into the unit shown.
-local wanted = {
-    { title = "How deep the groove is, as a share of the lens", unit = "%", range = { 0, 100 }, scale = 100,
-        lines = { { "groove.depth_share", "deepest place" }, { "groove.mean_depth_share", "mean along the groove" } } },
-    { title = "How long the groove is", unit = "mm", range = { 0, 5 },
-        lines = { { "groove.length_mm", "length" }, { "groove.width_mm", "width" } } },
-    { title = "Distance of the tip from the posterior capsule", unit = "mm", range = { 0, 3 },
-        lines = { { "phaco.tip_posterior_mm", "distance" } }, danger = { from = 0, to = 0.3 } },
-    { title = "How far the lens is pushed", unit = "mm", range = { 0, 0.6 },
-        lines = { { "lens.displacement_mm", "lens" }, { "bag.displacement_mm", "bag" } },
-        danger = { from = 0.5, to = 99 } },
-    { title = "Foot pedal", unit = "position", range = { 0, 3 }, lines = { { "phaco.pedal", "pedal" } } },
-    { title = "Force of the instrument on the lens", unit = "mN", range = { 0, 1 },
-        lines = { { "phaco.force_mN", "force" } } },
-    { title = "Brightness of the red reflex", unit = "0 dark, 1 full", range = { 0, 0.2 },
-        lines = { { "reflex.tip", "at the tip" }, { "reflex.mean", "over the pupil" } } },
-    { title = "Gap between instrument and iris", unit = "mm", range = { 0, 1 },
-        lines = { { "iris.gap_mm", "gap" } }, danger = { from = -99, to = 0 } },
-    { title = "End of the tear: how far from the middle", unit = "mm", range = { 0, 4 },
-        lines = { { "rhexis.tip_radius_mm", "distance" } }, danger = { from = 3.37, to = 99 } },
-    { title = "How far the tear has come round", unit = "degrees", range = { 0, 360 },
-        lines = { { "rhexis.turned_deg", "angle" } } },
-    { title = "How full the chamber is", unit = "%", range = { 0, 110 }, scale = 100,
-        lines = { { "viscoelastic.fill", "viscoelastic" } } },
-    { title = "Pull of the forceps", unit = "mN", range = { 0, 20 },
-        lines = { { "forceps.force_mN", "force" } } },
-    { title = "How far the implant is out, and how far it is unfolded", unit = "%", range = { 0, 100 }, scale = 100,
-        lines = { { "implant.delivered", "out of the nozzle" }, { "implant.unfolded", "unfolded" } } },
-    { title = "How far the implant lies from the bag's axis", unit = "mm", range = { 0, 1 },
-        lines = { { "implant.decentration_mm", "distance" } }, danger = { from = 0.5, to = 99 } },
-    { title = "How far the implant is tilted", unit = "degrees", range = { 0, 10 },
-        lines = { { "implant.tilt_deg", "tilt" } }, danger = { from = 5, to = 180 } },
-    { title = "How far the edge of the opening is stretched, of its length", unit = "1", range = { 1, 1.3 },
-        lines = { { "bag.rim_stretch", "most stretched eighth" } }, danger = { from = 1.25, to = 99 } },
-    { title = "Force on the plunger", unit = "N", range = { 0, 1 }, scale = 1e-3,
-        lines = { { "injector.force_mN", "force" } } },
-    { title = "Depth of the chamber", unit = "% of its depth at the start", range = { 0, 110 }, scale = 100,
-        lines = { { "chamber.depth_share", "depth" } }, danger = { from = -99, to = 70 } },
-    { title = "Pressure in the eye", unit = "mmHg", range = { 0, 60 },
-        lines = { { "chamber.pressure_mmhg", "pressure" } }, danger = { from = -99, to = 5 } },
-    { title = "Pressure in the eye", unit = "mmHg", range = { 0, 60 },
-        lines = { { "viscoelastic.pressure_mmhg", "pressure" } }, danger = { from = 60, to = 999 } },
-    { title = "Vacuum in the tubing", unit = "mmHg", range = { 0, 100 },
-        lines = { { "panel.vacuum_mmhg", "vacuum" } } },
-    { title = "Ultrasound given so far (CDE)", unit = "% s", range = { 0, 1 },
-        lines = { { "phaco.cde", "cumulative dissipated energy" } } },
-    { title = "Way of all tips so far", unit = "mm", range = { 0, 10 },
-        lines = { { "instruments.path_mm", "way" } } },
-    { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
-        lines = { { "phaco.tremor_um", "phaco" }, { "spatula.tremor_um", "second instrument" } } },
-    { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
-        lines = { { "cystotome.tremor_um", "needle" }, { "forceps.tremor_um", "forceps" } } },
-    { title = "Trembling of the tip (6 to 12 Hz)", unit = "µm", range = { 0, 100 },
-        lines = { { "injector.tremor_um", "injector" }, { "hook.tremor_um", "hook" } } },
-}
 
 local function scaled(values, count, scale)
     if not scale then return values end
@@ -82,18 +29,24 @@ local function lines_of(spec, series, count)
     return lines
 end
 
-local function any_number(lines)
+-- Whether there is anything to see: a line that never leaves its first value tells nothing.
+local function varies(lines)
     for _, line in ipairs(lines) do
+        local first
         for i = 1, line.count do
-            if type(line.values[i]) == "number" then return true end
+            local value = line.values[i]
+            if type(value) == "number" then
+                if first and value ~= first then return true end
+                first = first or value
+            end
         end
     end
     return false
 end
 
-local function figure(w, svg, title, unit)
-    w("<figure><h3>", markup.escape(title))
-    if unit then w(' <span class="soft small">(', markup.escape(unit), ")</span>") end
+local function figure(w, svg, title, unit, class)
+    w("<figure", class and (' class="%s"'):format(class) or "", "><h3>", markup.escape(title))
+    if unit then w(' <span class="soft small unit">(', markup.escape(unit), ")</span>") end
     w("</h3>", svg, "</figure>")
 end
 
@@ -116,9 +69,24 @@ local function way_of_tip(measures, count)
     return { x = x, y = y, strong = strong }
 end
 
--- Instruments besides the phaco probe whose ways are drawn, and what tells that they hold something.
-local other_tips = { { "cystotome", "needle" }, { "forceps", "forceps", "forceps.holding" },
-    { "spatula", "second instrument" }, { "hook", "hook" }, { "injector", "injector" }, { "probe", "probe" } }
+-- What an instrument is called where that is not its name, what tells that it holds something, and those that stay
+-- outside of the eye.
+local called = { cystotome = "needle", spatula = "second instrument" }
+local holding_of = { forceps = "forceps.holding" }
+local outside = { drape = true, speculum = true }
+
+local function name_of(instrument) return t(called[instrument] or (instrument:gsub("_", " "))) end
+
+-- Instruments of which a measure is there, "%s.tip_x_mm", in the order of their names.
+local function instruments_with(measures, ending)
+    local names = {}
+    for measure in pairs(measures) do
+        local name = measure:match("^([%l_%d]+)%." .. ending .. "$")
+        if name and not outside[name] then names[#names + 1] = name end
+    end
+    table.sort(names)
+    return names
+end
 
 local function way_of(measures, count, name, holding)
     local x, y = values_of(measures, name .. ".tip_x_mm", name .. ".tip_y_mm")
@@ -144,14 +112,28 @@ local function spectra(w, series)
                 hz = spectrum.hz
                 local values = {}  -- slow, voluntary movement would dwarf tremor
                 for k = 1, #hz do values[k] = hz[k] >= 3 and spectrum.um_per_sqrt_hz[k] or nil end
-                lines[#lines + 1] = { label = (names[i]:gsub("_", " ")), values = values, count = #hz }
+                lines[#lines + 1] = { label = name_of(names[i]), values = values, count = #hz }
             end
         end
         if hz then
-            local title = "Spectrum of tremor (blue ground: 6 to 12 Hz)"
+            local title = t("Spectrum of tremor (blue ground: 6 to 12 Hz)")
             figure(w, chart.over_time({ title = title, lines = lines, range = { 0, 10 }, band = { 6, 12 } },
                 { times = hz, last = hz[#hz], steps = {}, events = {}, unit = "Hz" }), title, "µm/√Hz")
         end
+    end
+end
+
+-- Trembling over time, two instruments at most in one chart.
+local function trembling(w, measures, count, context)
+    local lines = {}
+    for _, name in ipairs(instruments_with(measures, "tremor_um")) do
+        local line = { label = name_of(name), values = values_of(measures, name .. ".tremor_um"), count = count }
+        if line.values and varies { line } then lines[#lines + 1] = line end
+    end
+    for from = 1, #lines, 2 do
+        local title = t("Trembling of the tip (6 to 12 Hz)")
+        figure(w, chart.over_time({ title = title, lines = { lines[from], lines[from + 1] }, range = { 0, 100 } },
+            context), title, "µm")
     end
 end
 
@@ -194,29 +176,30 @@ function charts.html(report, series)
     local w = markup.writer()
     for _, spec in ipairs(wanted) do
         local lines = lines_of(spec, series, count)
-        if #lines > 0 and any_number(lines) then
+        if #lines > 0 and varies(lines) then
             local title = t(spec.title)
             figure(w, chart.over_time({ title = title, lines = lines, range = spec.range, danger = spec.danger },
-                context), title, spec.unit:find("^%l+$") and #spec.unit > 2 and t(spec.unit) or spec.unit)
+                context), title, report_words.known(spec.unit))
         end
     end
+    trembling(w, series.measures, count, context)
     spectra(w, series)
     local pupil = report.patient and report.patient.pupil_mm or 7.5
     local function way(title, ...)
-        figure(w, chart.way(...), t("%s, seen from above (the surgeon sits below)", t(title)))
+        figure(w, chart.way(...), t("%s, seen from above (the surgeon sits below)", title), nil, "way")
     end
     local tip = way_of_tip(series.measures, count)
-    if tip then way("Way of the tip", tip, count, pupil, { strong = t("with ultrasound"), usual = t("without") }) end
-    for _, other in ipairs(other_tips) do
-        local found = way_of(series.measures, count, other[1], other[3])
+    if tip then way(t("Way of the tip"), tip, count, pupil, { strong = t("with ultrasound"), usual = t("without") }) end
+    for _, name in ipairs(instruments_with(series.measures, "tip_x_mm")) do
+        local found = not (tip and name == "phaco") and way_of(series.measures, count, name, holding_of[name])
         if found then
-            way("Way of the " .. other[2], found, count, pupil, { strong = other[3] and t("holding") or "",
-                usual = t("way") })
+            way(t("Way of the instrument: %s", name_of(name)), found, count, pupil,
+                { strong = holding_of[name] and t("holding") or "", usual = t("way") })
         end
     end
     local tear = way_of_tear(series.measures, count)
     if tear then
-        way("Way of the tear", tear, count, pupil, { strong = t("led by the forceps"), usual = t("cut") },
+        way(t("Way of the tear"), tear, count, pupil, { strong = t("led by the forceps"), usual = t("cut") },
             planned_circles(report.goals), 1.2 * pupil)
     end
     return w:text()

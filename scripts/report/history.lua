@@ -6,6 +6,7 @@
 --            missing
 
 local markup = require "report.markup"
+local t = require("report.words").t
 
 local history = {}
 
@@ -50,9 +51,9 @@ end
 local function dot(w, x, y, attempt)
     local colour = attempt.now and now_colour or attempt.passed and passed_colour or other_colour
     local fill = (attempt.now or attempt.passed) and colour or "#fff"
-    w(('<circle cx="%.1f" cy="%.1f" r="%d" fill="%s" stroke="%s" stroke-width="2"><title>%s: %s of %s points%s'
-        .. '</title></circle>'):format(x, y, attempt.now and 7 or 5, fill, colour, e(attempt.date or "now"),
-        number(attempt.score, 1), number(attempt.max, 0), attempt.passed and ", passed" or ""))
+    w(('<circle cx="%.1f" cy="%.1f" r="%d" fill="%s" stroke="%s" stroke-width="2"><title>%s</title></circle>'):format(
+        x, y, attempt.now and 7 or 5, fill, colour, e(t("%s: %s of %s points", tostring(attempt.date or t("now")),
+            number(attempt.score, 1), number(attempt.max, 0)) .. (attempt.passed and t(", passed") or ""))))
 end
 
 -- The first, the last and some of the dates between, so that they do not run into each other.
@@ -63,7 +64,7 @@ local function date_labels(w, attempts, x_of)
         if last or ((i - 1) % every == 0 and #attempts - i >= every) then
             w(('<text class="%s" x="%.1f" y="%d" text-anchor="%s">%s</text>'):format(last and "strong" or "soft",
                 x_of(i), tall - 22, last and #attempts > 1 and "end" or i == 1 and #attempts > 1 and "start"
-                or "middle", e(last and "now" or tostring(attempt.date or i):sub(1, 10))))
+                or "middle", e(last and t("now") or tostring(attempt.date or i):sub(1, 10))))
         end
     end
 end
@@ -73,15 +74,15 @@ local function legend(w, cohort)
     local function entry(mark, text)
         w(mark:format(x + 6, tall - 6))
         w(('<text class="soft" x="%d" y="%d">%s</text>'):format(math.floor(x + 16), tall - 2, e(text)))
-        x = x + 30 + 6.6 * #text
+        x = x + 30 + 6.6 * utf8.len(text)
     end
     local circle = '<circle cx="%%.1f" cy="%%d" r="4" fill="%s" stroke="%s" stroke-width="2"/>'
-    entry(circle:format(now_colour, now_colour), "this attempt")
-    entry(circle:format(passed_colour, passed_colour), "passed")
-    entry(circle:format("#fff", other_colour), "not passed")
+    entry(circle:format(now_colour, now_colour), t("this attempt"))
+    entry(circle:format(passed_colour, passed_colour), t("passed"))
+    entry(circle:format("#fff", other_colour), t("not passed"))
     if cohort then
         entry(('<circle cx="%%.1f" cy="%%d" r="5" fill="%s" opacity="0.35"/>'):format(cohort_colour),
-            "cohort, mean and SD" .. (cohort.group and ": " .. tostring(cohort.group) or ""))
+            t("cohort, mean and SD") .. (cohort.group and ": " .. tostring(cohort.group) or ""))
     end
 end
 
@@ -90,7 +91,7 @@ local function curve(w, attempts, cohort, max)
         return left + 14 + (wide - left - right - 28) * (#attempts > 1 and (i - 1) / (#attempts - 1) or 0.5)
     end
     local function y_of(value) return tall - bottom - (tall - top - bottom) * value / 100 end
-    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="Scores of all attempts">'):format(wide, tall))
+    w(('<svg viewBox="0 0 %d %d" role="img" aria-label="%s">'):format(wide, tall, e(t("Scores of all attempts"))))
     axis(w, y_of)
     if cohort then cohort_band(w, cohort, max, y_of) end
     local path = markup.writer()
@@ -107,7 +108,7 @@ end
 -- Scores of one item on a line from 1 to 5.
 local function strip(w, now, earlier, cohort)
     local function x_of(score) return 8 + 184 * (math.max(1, math.min(5, score)) - 1) / 4 end
-    w('<svg class="strip" viewBox="0 0 200 20" role="img" aria-label="1 to 5 points">',
+    w('<svg class="strip" viewBox="0 0 200 20" role="img" aria-label="', e(t("1 to 5 points")), '">',
         '<line x1="8" x2="192" y1="10" y2="10" stroke="#d6dde4" stroke-width="2"/>')
     for score = 1, 5 do
         w(('<line x1="%.1f" x2="%.1f" y1="6" y2="14" stroke="#d6dde4"/>'):format(x_of(score), x_of(score)))
@@ -140,22 +141,28 @@ local function item_row(w, item, attempts, cohort)
     w("</td></tr>")
 end
 
+-- "Attempt 3. The best so far, with 70 % of its points."
+local function own_course(now, earlier)
+    local best = 0
+    for _, attempt in ipairs(earlier) do best = math.max(best, percent(attempt.score, attempt.max)) end
+    local mine = percent(now.score, now.max)
+    local place = mine > best + 0.05 and t("The best so far, with %s %% of its points.", number(mine, 0))
+        or mine >= best - 0.05 and t("As good as the best so far, with %s %% of its points.", number(mine, 0))
+        or t("The best so far had %s %% of its points, this one %s %%.", number(best, 0), number(mine, 0))
+    return t("Attempt %d.", #earlier + 1) .. " " .. place .. " "
+end
+
+local function cohort_course(cohort, max)
+    local mean, sd = percent(cohort.mean, max), percent(cohort.sd, max)
+    if not mean then return "" end
+    local share = number(mean, 0) .. " %" .. (sd and " ± " .. number(sd, 0) or "")
+    if not cohort.group then return t("The cohort has %s.", share) end
+    return t("The cohort (%s) has %s.", tostring(cohort.group), share)
+end
+
 local function sentence(w, now, earlier, cohort, max)
-    w("<p>")
-    if #earlier > 0 then
-        local best = 0
-        for _, attempt in ipairs(earlier) do best = math.max(best, percent(attempt.score, attempt.max)) end
-        local mine = percent(now.score, now.max)
-        w(("Attempt %d. "):format(#earlier + 1), mine > best + 0.05 and "The best so far" or mine >= best - 0.05
-            and "As good as the best so far" or ("The best so far had %s %% of its points"):format(number(best, 0)),
-            (", this one %s %%. "):format(number(mine, 0)))
-    end
-    local mean, sd = cohort and percent(cohort.mean, max), cohort and percent(cohort.sd, max)
-    if mean then
-        w("The cohort", cohort.group and " (" .. e(cohort.group) .. ")" or "", " has ", number(mean, 0), " %",
-            sd and " ± " .. number(sd, 0) or "", ".")
-    end
-    w("</p>")
+    local own = #earlier > 0 and own_course(now, earlier) or ""
+    w("<p>", e(own), e(cohort and cohort_course(cohort, max) or ""), "</p>")
 end
 
 --- The section; none without history or cohort, or where this attempt was not scored.
@@ -169,17 +176,20 @@ function history.section(w, report)
     local attempts = table.move(earlier, 1, #earlier, 1, {})
     local now = { score = osacss.total, max = osacss.max, now = true }
     attempts[#attempts + 1] = now
-    w("<section><h2>Compared with earlier attempts", cohort and " and with others" or "", "</h2>")
+    w("<section><h2>", e(cohort and t("Compared with earlier attempts and with others")
+        or t("Compared with earlier attempts")), "</h2>")
     sentence(w, now, earlier, cohort, max)
     w('<div class="curve">')
     curve(w, attempts, cohort, max)
-    w('</div><table class="compare"><thead><tr><th>Item</th><th></th><th>Now</th><th>Last time</th><th>Cohort</th>',
-        "<th>1 to 5 points: orange now, grey before, blue cohort</th></tr></thead><tbody>")
+    w('</div><table class="compare"><thead><tr><th>', e(t("Item")), "</th><th></th><th>", e(t("Now")), "</th><th>",
+        e(t("Last time")), "</th><th>", e(t("Cohort")), "</th><th>",
+        e(t("1 to 5 points: orange now, grey before, blue cohort")), "</th></tr></thead><tbody>")
     for _, item in ipairs(osacss.items or {}) do
         if is_number(item.score) then item_row(w, item, earlier, cohort) end
     end
-    w('</tbody></table><p class="soft small">Shares of the points that could be earned. Exercises and rubrics change: ',
-        "only attempts at the same version compare exactly.</p></section>")
+    w('</tbody></table><p class="soft small">', e(t("Shares of the points that could be earned. Exercises and rubrics "
+        .. "change: only attempts at the same version compare exactly.")), " ",
+        e(t("These scores have not been validated clinically.")), "</p></section>")
 end
 
 return history

@@ -229,7 +229,7 @@ end
 
 local function background(w, report)
     local p, c = report.performance or {}, report.curriculum or {}
-    w("<section><h2>", e(t("Patient, machine and simulation")), "</h2>")
+    w('<section class="background"><h2>', e(t("Patient, machine and simulation")), "</h2>")
     rows(w, {
         { "Patient", patient_text(report.patient) },
         { "Goals of the exercise", goals_text(report.goals) },
@@ -242,8 +242,8 @@ local function background(w, report)
     })
     local parts = report.simulated or {}
     if #parts > 0 then
-        w("<h3>", e(t("What was simulated")), "</h3><table><tr><th>", e(t("Part")), "</th><th>", e(t("Elements")),
-            "</th><th>", e(t("Computing time")), "</th></tr>")
+        w('<h3 class="after">', e(t("What was simulated")), "</h3><table><tr><th>", e(t("Part")), "</th><th>",
+            e(t("Elements")), "</th><th>", e(t("Computing time")), "</th></tr>")
         for _, part in ipairs(parts) do
             w("<tr><td>", e(part.part), "</td><td>", number(part.elements, 0), "</td><td>", number(part.cpu_s, 2),
                 " s</td></tr>")
@@ -254,6 +254,15 @@ local function background(w, report)
     if c.sha256 then w("<footer>", e(t("Curriculum %s", c.id)), ": <code>", e(c.sha256), "</code></footer>") end
 end
 
+-- What stands below every printed page: which exercise, the page, and that scores are not validated.
+local function page_margins(report)
+    local function quoted(text) return (text:gsub('[\\"<>&\n]', " ")) end
+    return ('@page { @bottom-left { content:"%s"; font-size:8pt; color:#52606d } '
+        .. '@bottom-center { content:"%s"; font-size:8pt; color:#52606d } '
+        .. '@bottom-right { content:counter(page) " / " counter(pages); font-size:8pt; color:#52606d } }'):format(
+        quoted("rhexis, " .. title_of(report)), quoted(t("not clinically validated")))
+end
+
 --- report: of report.json; series: of series.json; images: file name in report.pictures to base64 text of a PNG.
 --- Returns the whole page.
 function report_page.html(report, series, images)
@@ -261,7 +270,7 @@ function report_page.html(report, series, images)
     local w = markup.writer()
     w('<!doctype html><html lang="', e(report_words.language()), '"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1"><title>', e(title_of(report)),
-        " – rhexis</title><style>", style, "</style></head><body><main>")
+        " – rhexis</title><style>", style, page_margins(report), "</style></head><body><main>")
     header(w, report)
     summary(w, report)
     scores.section(w, report.osacss)

@@ -38,9 +38,16 @@ local function chosen(list)
     return result
 end
 
+-- Captions that the kernel gives; in an operation, after the name of the part.
+local function translated(caption)
+    for _, own in ipairs { "Before the first step.", "At the end." } do
+        if caption:sub(-#own) == own then return caption:sub(1, -#own - 1) .. t(own) end
+    end
+    return caption
+end
+
 local function figure(w, picture, bytes)
-    local caption = picture.caption or picture.name or ""
-    if caption == "Before the first step." or caption == "At the end." then caption = t(caption) end
+    local caption = translated(picture.caption or picture.name or "")
     w('<figure><img alt="', e(caption), '" src="data:image/png;base64,', bytes, '"><figcaption>', e(caption),
         ' <span class="soft">', markup.time(picture.time_s), "</span></figcaption></figure>")
 end
@@ -51,7 +58,8 @@ function pictures.section(w, report, images)
     local kept = chosen(all)
     for _, picture in ipairs(kept) do
         local bytes = images[picture.file]
-        if bytes and bytes:find("^[%w+/=\r\n]+$") then shown[#shown + 1] = { picture, bytes } end
+        local again = picture.name == "end" and shown[#shown] and shown[#shown][2] == bytes  -- as the last step ended
+        if bytes and not again and bytes:find("^[%w+/=\r\n]+$") then shown[#shown + 1] = { picture, bytes } end
     end
     if #shown == 0 then return end
     w("<section><h2>", e(t("Pictures")), "</h2>")

@@ -2,7 +2,9 @@
 -- The score of a report: the badge on top and the table of items with evidence and reasons.
 
 local markup = require "report.markup"
-local t = require("report.words").t
+local report_words = require "report.words"
+
+local t, known = report_words.t, report_words.known
 
 local scores = {}
 
@@ -32,7 +34,7 @@ local function source_cell(w, source)
     local kind = source:find("^proposal") and "proposal" or source:find("proposal", 1, true) and "partly published"
         or source ~= "" and "published" or nil
     if kind then w('<span class="src">', e(t(kind)), "</span> ") end
-    w(e((source:gsub("^proposal[;,]?%s*", ""))))
+    w(e((known(source):gsub("^" .. t("proposal") .. "%s*[;,]?%s*", ""))))
 end
 
 local function measures_table(w, measures)
@@ -51,7 +53,7 @@ local function measures_table(w, measures)
 end
 
 local function item_row(w, item, least)
-    w('<tr><td class="id">', e(item.id), '</td><td><b>', e(item.name), "</b><ul>")
+    w('<tbody class="item"><tr><td class="id">', e(item.id), '</td><td><b>', e(item.name), "</b><ul>")
     if item.anchor then w('<li class="soft">', e(t("This level reads: ")), e(item.anchor), ".</li>") end
     for _, reason in ipairs(item.reasons or {}) do w("<li>", e(reason), "</li>") end
     w('</ul></td><td class="points">')
@@ -68,16 +70,17 @@ local function item_row(w, item, least)
         measures_table(w, item.measures)
         w("</td></tr>")
     end
+    w("</tbody>")
 end
 
 --- The table of items.
 function scores.section(w, osacss)
     if not osacss or not osacss.items then return end
     w("<section><h2>", e(t("Score, item by item")), "</h2><table><thead><tr><th>", e(t("Item")), "</th><th>",
-        e(t("Why")), "</th><th>", e(t("Points")), "</th></tr></thead><tbody>")
+        e(t("Why")), "</th><th>", e(t("Points")), "</th></tr></thead>")
     local least = type(osacss.least) == "number" and osacss.least or 1
     for _, item in ipairs(osacss.items) do item_row(w, item, least) end
-    w("</tbody></table>")
+    w("</table>")
     if osacss.band then
         w('<p class="small">', e(t("Band: ")), "<b>", e(osacss.band), "</b>", osacss.band_meaning and ", "
             .. e(osacss.band_meaning) or "", ". ", (osacss.rubric or "OSACSS") == "OSACSS"

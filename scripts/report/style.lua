@@ -30,6 +30,8 @@ table { border-collapse:collapse; width:100%; font-variant-numeric:tabular-nums;
 th,td { text-align:left; vertical-align:top; padding:.5rem .6rem; border-bottom:1px solid var(--line); }
 th { font-size:.82rem; color:var(--soft); font-weight:600; }
 tr:last-child td { border-bottom:0; }
+tbody.item:not(:last-child) tr:last-child > td { border-bottom:1px solid var(--line); }
+.measures tr:last-child > td { border-bottom:0 !important; }
 td.id { white-space:nowrap; font-weight:600; }
 td.points { white-space:nowrap; width:8.5rem; }
 .bar { height:.5rem; border-radius:9px; background:#e4e9ee; overflow:hidden; margin-top:.3rem; }
@@ -56,16 +58,23 @@ figcaption { font-size:.86rem; margin-top:.35rem; }
 .charts { display:grid; grid-template-columns:repeat(auto-fit,minmax(26rem,1fr)); gap:1.25rem; }
 svg { width:100%; height:auto; display:block; }
 svg text { font:12px system-ui,"Liberation Sans",Arial,sans-serif; fill:var(--ink); }
-svg .soft { fill:var(--soft); }
+svg .soft { fill:var(--soft); } svg .halo { paint-order:stroke; stroke:#fff; stroke-width:3px; }
+.legend { display:flex; flex-wrap:wrap; gap:0 1rem; margin:.1rem 0 0 2.4rem; font-size:.8rem; }
+.legend i { display:inline-block; width:1rem; height:.28rem; border-radius:2px; margin-right:.35rem;
+  vertical-align:middle; }
+.unit { white-space:nowrap; } h3.after { margin-top:1rem; }
 footer { color:var(--soft); font-size:.82rem; padding:0 .5rem 1rem; }
 code { font-family:ui-monospace,"Liberation Mono",monospace; font-size:.8rem; overflow-wrap:anywhere; }
 @media (max-width:40rem) { .head { grid-template-columns:1fr; } .charts { grid-template-columns:1fr; }
   body { padding:.6rem; } th,td { padding:.4rem .3rem; } }
-@page { size:A4; margin:14mm 13mm; }
-@media print { h2,h3 { break-after:avoid; } .charts figure,.curve { break-inside:avoid; }
-  thead { display:table-header-group; }
+@page { size:A4; margin:14mm 13mm 16mm; }
+@media print { h2,h3,h2 + p.small { break-after:avoid; } .charts figure,.curve,.background,svg { break-inside:avoid; }
+  thead { display:table-header-group; } tr:not(.detail) { break-inside:avoid; }
+  tr:has(+ .detail),.measures tr:nth-child(-n+2) { break-after:avoid; }
+  .measures tr:nth-last-child(2) { break-after:avoid; }
   .video { display:none; } html { background:#fff; font-size:9.5pt; } body { max-width:none; padding:0; }
-  header,section { border:0; padding:.4rem 0; } .event,figure,.measures tr,.compare tr { break-inside:avoid; }
-  * { -webkit-print-color-adjust:exact; print-color-adjust:exact; }
+  header,section { border:0; padding:.4rem 0; } .event,figure { break-inside:avoid; }
+  * { -webkit-print-color-adjust:exact; print-color-adjust:exact; } p,li { orphans:3; widows:3; }
+  .charts svg text { font-size:17px; } .charts figure.way svg text { font-size:12px; }
   .charts { grid-template-columns:1fr 1fr; } .pictures { grid-template-columns:repeat(3,1fr); } }
 ]]

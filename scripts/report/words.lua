@@ -25,6 +25,9 @@ function report_words.t(text, ...)
     return select("#", ...) > 0 and found:format(...) or found
 end
 
+--- A text that need not have a translation, such as a rubric's own.
+function report_words.known(text) return translated(text) end
+
 function report_words.language() return language end
 
 return report_words

@@ -131,3 +131,18 @@ case("values from the command line are checked like those of the curriculum", fu
     fails(function() language.set(exercise, "patient.pupil", "7", {}) end, "did you mean patient.pupil_mm")
     fails(function() language.set(exercise, "mode", "exm", {}) end, "did you mean exam")
 end)
+
+case("a step has a picture taken at its moment, once, and only while it runs", function()
+    local exercise = support.demo({ steps = [[
+        step "in" { done = "tip.depth_mm > 2", picture_when = "tip.depth_mm > 1" },
+        step "out" { done = "tip.depth_mm > 4", picture_when = "tip.depth_mm < 1" }]] })
+    local _, commands = support.attempt(exercise, 5, function(t) return { ["tip.depth_mm"] = t } end)
+    local taken = {}
+    for _, command in ipairs(commands) do
+        if command.kind == "picture" and command.name:find("^during_") then taken[#taken + 1] = command end
+    end
+    equal(#taken, 1)
+    equal(taken[1].name, "during_in")
+    equal(taken[1].text, 'During step "in".')
+    near(taken[1].time_s, 1.01, 1e-9)
+end)

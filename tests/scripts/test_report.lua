@@ -123,7 +123,7 @@ case("of very many pictures the first of each kind are held in order, and the pa
     local function add(name)
         local index = #told.pictures + 1
         told.pictures[index] = { file = index .. ".png", name = name, caption = name .. " " .. index, time_s = index }
-        images[index .. ".png"] = "aGVsbG8="
+        images[index .. ".png"] = name == "end" and "dGhlIGVuZA==" or "aGVsbG8="
     end
     add("start")
     for i = 1, 100 do
@@ -150,6 +150,25 @@ case("of very many pictures the first of each kind are held in order, and the pa
     html = report.html(told, nil, images)
     equal(select(2, html:gsub("<img ", "")), pictures.most)
     equal(html:find("lie in", 1, true), nil)
+end)
+
+case("the end is not shown twice where it looks as the last step did", function()
+    local told = { pictures = { { file = "1.png", name = "step_out", caption = "Out", time_s = 3 },
+        { file = "2.png", name = "end", caption = "End", time_s = 3 } } }
+    equal(select(2, report.html(told, nil, { ["1.png"] = "QUJD", ["2.png"] = "QUJD" }):gsub("<img ", "")), 1)
+    equal(select(2, report.html(told, nil, { ["1.png"] = "QUJD", ["2.png"] = "QUJE" }):gsub("<img ", "")), 2)
+end)
+
+case("a long title is shortened in the time line, and a chart whose lines never change is left out", function()
+    local told = full()
+    told.steps[1].title = ("é"):rep(80)
+    local over = series()
+    over.measures["lens.displacement_mm"] = { unit = "mm", values = { 0, 0, 0 } }
+    local html = report.html(told, over, {})
+    check_balance(html)
+    holds(html, ("é"):rep(58) .. "…</text>")
+    holds(html, "How deep the groove is")
+    equal(html:find("How far the lens is pushed", 1, true), nil)
 end)
 
 case("numbers and times are written as people do", function()

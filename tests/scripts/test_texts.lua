@@ -6,6 +6,9 @@ local report_page = require "report"
 local report_words = require "report.words"
 local support = require "support"
 local texts = require "engine.texts"
+local wanted_charts = require "report.wanted_charts"
+local records_pages = { agreement = require "records.agreement", curve = require "records.curve",
+    form = require "records.form" }
 
 local case, equal, fails = support.case, support.equal, support.fails
 
@@ -50,20 +53,16 @@ case("an unknown language and ill-formed texts are refused", function()
     fails(function() attempt('texts = { fr = { "b" } },', "en") end, "texts must be pairs")
 end)
 
--- The items that capsulorhexis and iol_injection score.
-local scored = { "T3", "T4", "T5", "T13", "G2", "G3", "G4", "G5", "G6" }
-
-case("all that the rubric says of the items of capsulorhexis and implant is there in French", function()
+case("all that the rubric says is there in French", function()
     local none = { texts = {} }
     local function wanted(text)
         if text and not texts.has("fr", none, text) then error("no French for \"" .. text .. "\"", 2) end
     end
-    for _, id in ipairs(scored) do
-        local item = osacss.by_id[id]
+    for _, item in ipairs(osacss.items) do
         wanted(item.name)
         wanted(item.not_scored)
         for _, measure in ipairs(item.measures) do
-            for _, key in ipairs({ "name", "better", "too_low", "too_high" }) do wanted(measure[key]) end
+            for _, key in ipairs({ "name", "better", "too_low", "too_high", "source" }) do wanted(measure[key]) end
         end
     end
     for _, band in ipairs(osacss.bands) do
@@ -72,6 +71,11 @@ case("all that the rubric says of the items of capsulorhexis and implant is ther
     end
 end)
 
+-- As kernel/tools/instruments.cpp has them.
+local instruments = { "cannula", "capsule_hook", "cutter", "cystotome", "drape", "forceps", "hook", "hydration_cannula",
+    "ia_tip", "injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "saline_cannula",
+    "side_port_blade", "spatula", "speculum", "sponge", "triamcinolone" }
+
 local function page(lang)
     local event = { id = "e", title = "Erreur", step = "a", time_s = 1, severity = "minor", outcome = "recovered",
         recovered = true, recovery_s = 0.5, advice = "x", cue = "y", evidence = { ["iris.touch"] = true },
@@ -79,16 +83,27 @@ local function page(lang)
     local lost = { id = "f", title = "Autre", step = "a", time_s = 2, severity = "critical", outcome = "not_recovered",
         recovered = false, evidence = {} }
     local values = { 0.1, 0.2, 0.3 }
-    local measures = {}
-    for _, name in ipairs({ "iris.gap_mm", "rhexis.tip_radius_mm", "rhexis.tip_angle_deg", "rhexis.turned_deg",
-        "forceps.holding", "viscoelastic.fill", "forceps.force_mN", "implant.delivered", "implant.unfolded",
-        "implant.decentration_mm", "implant.tilt_deg", "bag.rim_stretch", "injector.force_mN", "reflex.tip",
-        "reflex.mean" }) do measures[name] = { values = values } end
+    local measures, spectra = {}, {}
+    for _, chart in ipairs(wanted_charts) do
+        for _, line in ipairs(chart.lines) do measures[line[1]] = { values = values } end
+    end
+    for _, name in ipairs({ "rhexis.tip_angle_deg", "forceps.holding", "phaco.ultrasound" }) do
+        measures[name] = { values = values }
+    end
+    for _, name in ipairs(instruments) do
+        for _, what in ipairs({ ".tip_x_mm", ".tip_y_mm", ".tremor_um" }) do
+            measures[name .. what] = { values = values }
+        end
+        spectra[name] = { hz = { 1, 4, 8 }, um_per_sqrt_hz = { 9, 5, 2 } }
+    end
     return report_page.html({ language = lang, title = "Essai", surgeon = "d", seed = 3, completed = false,
         mode = "exam", hints = false, level = "hard", objectives = { "Voir" }, duration_s = 3,
         orientation = { eye = "left", incision_deg = 0, incision = "temporal", handedness = "left", nose = "away",
             above = "to the right" },
         patient = { age = 70, nuclear_grade = 3, cortical_opacity = 1, pupil_mm = 7, side = "left" },
+        history = { { date = "2026-01-02", score = 3, max = 5, passed = true, items = { T5 = 3 } } },
+        cohort = { group = "G", mean = 4, sd = 0.5, items = { T5 = 4 } },
+        requests = { { id = "r", title = "Prêt", time_s = 1 } },
         curriculum = { id = "essai", version = 1, sha256 = "0" }, goals = { radius_mm = 2.6 }, advice = { "x" },
         error = "essai/curriculum.lua:3: faute", video = "video.mp4",
         steps = { { id = "a", title = "A", completed = true, start_s = 0, end_s = 1 },
@@ -101,7 +116,7 @@ local function page(lang)
         pictures = { { file = "frames/a.png", name = "start", caption = "Before the first step.", time_s = 0 } },
         simulated = { { part = "lens", elements = 5, cpu_s = 1 } },
         performance = { steps = 3, mean_step_ms = 1, p99_step_ms = 2, rollbacks = 0, cpu_s_per_s = 0.1 } },
-        { time_s = { 0, 1, 2 }, measures = measures }, { ["frames/a.png"] = "QUJD" })
+        { time_s = { 0, 1, 2 }, measures = measures, spectra = spectra }, { ["frames/a.png"] = "QUJD" })
 end
 
 case("a report in French has no English word of its own left", function()
@@ -119,4 +134,26 @@ case("a report in French has no English word of its own left", function()
     has(english, '<html lang="en">')
     has(english, "Score, item by item")
     has(english, "surgeon left-handed")
+end)
+
+case("pages about stored attempts in French have no English word left", function()
+    local course = { exercise = "essai", title = "Essai", pass = 0.7, in_a_row = 2, open_after = 0, first = 0.2,
+        peak = 0.9, attempts = { { date = "2026-01-02", scaled = 0.9, passed = true } } }
+    local open = { exercise = "essai", title = "Essai", pass = 0.7, in_a_row = 2, open_after = 1, time_to_gate_s = 60,
+        first = 0.2, peak = 0.9, attempts = course.attempts }
+    local limits = { n = 3, bias = -0.5, sd = 0.4, low = -1.28, high = 0.28 }
+    local icc = { n = 3, k = 2, single = 0.71, average = 0.83 }
+    local row = { item = "total", name = "Total", raters = { icc = icc, pairs = { { a = "R1", b = "R2",
+        limits = limits } } }, simulator = { icc = icc, limits = limits, points = { { 50, -10 } } } }
+    local data = { curve = { trainee = "P07", courses = { course, open } }, form = { case = "abc", number = 1, of = 2,
+        video = "video.mp4" }, agreement = { attempts = 3, raters = { "R1" }, rows = { row } } }
+    for name, part in pairs({ curve = "Courbes d&#39;apprentissage de P07", form = "Évaluation 1 sur 2",
+        agreement = "Accord entre simulateur et évaluateurs" }) do
+        data[name].language = "fr"
+        local html = records_pages[name].html(data[name])
+        equal(table.concat(report_words.missing, " | "), "")
+        support.check_balance(html)
+        has(html, part)
+        has(html, '<html lang="fr">')
+    end
 end)

@@ -30,6 +30,15 @@ hash_of() { grep -o '"state_hash": "[0-9a-f]*"' "$work/$1/report.json"; }
 [ "$(hash_of french)" = "$(hash_of english)" ] || fail "the language changes the simulation"
 expect 2 "--language xx: there are no texts in 'xx' (did you mean en or fr?)" "$work/run" C wrong --language xx
 
+# The whole operation and its parts lack no French text.
+for texts in curricula/*/curriculum.fr.lua; do
+  expect 0 "" "$rhexis" check "$(dirname "$texts")"
+  ! grep "no text in fr" "$work/stdout" || fail "$texts is not complete"
+done
+for part in $(grep -o 'part "[a-z_]*"' curricula/full_operation/curriculum.lua | cut -d'"' -f2); do
+  [ -f "curricula/$part/curriculum.fr.lua" ] || fail "$part has no French texts"
+done
+
 # What has no translation is listed, and is no fault.
 mkdir -p "$work/mine"
 cat >"$work/mine/curriculum.lua" <<'L'

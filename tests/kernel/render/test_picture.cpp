@@ -149,6 +149,39 @@ TEST_CASE("Tissues that take no part are not drawn") {
     CHECK(drawn(true, true).rgb == whole_eye.rgb);
 }
 
+TEST_CASE("An eye of which only the front takes part has its lens until it was cut; what shuts a wound shows") {
+    Renderer renderer = make_renderer();
+    Frame frame = eye_frame(3.0);
+    const Camera camera = microscope_camera(frame);
+    const std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*frame.model);
+    model->solids.clear();
+    model->bags.clear();
+    frame.model = model;
+    frame.solids.clear();
+    frame.bags.clear();
+    const auto in_pupil = [](const Image& image) { return mean_around(image, 0.42, 0.5, 0.03, 0.03, 1); };
+    const double with_lens = in_pupil(renderer.draw(frame, camera));
+    model->wounds.emplace();
+    model->wounds->start[main_wound].cut = true;
+    frame.wounds.emplace();
+    frame.wounds->wounds = model->wounds->start;
+    const Image cut = renderer.draw(frame, camera);
+    CHECK(in_pupil(cut) > 1.3 * with_lens);
+    const auto changed = [&](const auto& change) {
+        Frame other = frame;
+        change(other.wounds->wounds[main_wound]);
+        const Image image = renderer.draw(other, camera);
+        int pixels = 0;
+        for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+            pixels += std::abs(int{image.rgb[i + 1]} - int{cut.rgb[i + 1]}) > 12 ? 1 : 0;
+        }
+        return pixels;
+    };
+    CHECK(changed([](Wound& wound) { wound.sutures = 2; }) > 10);
+    CHECK(changed([](Wound& wound) { wound.peel = 1.0; }) > 10);
+    CHECK(changed([](Wound& wound) { wound.fluid = 1.0; }) > 10);
+}
+
 TEST_CASE("The same frame gives the same pixels twice, also from a second renderer in between") {
     Frame frame = eye_frame(3.0);
     frame.tools[0].present = true;

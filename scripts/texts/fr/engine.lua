@@ -1,0 +1,38 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- French: what the engine says, and the reasons that a rubric gives.
+
+return {
+    -- engine
+    ["Step \"%s\" completed."] = "Étape « %s » accomplie.",
+    ["Step \"%s\" not completed."] = "Étape « %s » non accomplie.",
+    ["Error: %s."] = "Erreur : %s.",
+    ["Put right after %.1f s: %s."] = "Corrigé après %.1f s : %s.",
+    ["During step \"%s\"."] = "Pendant l'étape « %s ».",
+    ["End of the exercise."] = "Fin de l'exercice.",
+    ["Before the first step."] = "Avant le premier instant.",
+    ["Asked and declared"] = "Demandé et déclaré",
+    ["At the end."] = "À la fin.",
+
+    -- rubric: reasons
+    ["a near miss, put right at once"] = "erreur évitée de justesse, corrigée aussitôt",
+    ["put right"] = "corrigée",
+    ["not put right in time"] = "non corrigée à temps",
+    ["not put right yet"] = "pas encore corrigée",
+    [" and once more"] = " et une fois de plus",
+    [" and %d times more"] = " et %d fois de plus",
+    ["%s at %.1f s%s, %s: at most %d points."] = "%s à %.1f s%s, %s : %d points au plus.",
+    ["%d points at %s"] = "%d points à %s",
+    ["%d at %s"] = "%d à %s",
+    ["%s to %s"] = "%s à %s",
+    ["%s or %s"] = "%s ou %s",
+    ["%s: %s (%s)"] = "%s : %s (%s)",
+    ["All measures in the range for full points."] = "Toutes les mesures valent le maximum de points.",
+    ["Not scored: "] = "Non noté : ",
+    ["nothing that this attempt showed tells of it."] = "rien dans cet essai ne permet d'en juger.",
+    ["needs teaching"] = "à former",
+    ["supervised"] = "sous supervision",
+    ["independent"] = "autonome",
+    ["scores like surgeons with fewer than 50 operations"] = "note de chirurgiens ayant moins de 50 opérations",
+    ["scores like surgeons with 50 to 249 operations"] = "note de chirurgiens ayant 50 à 249 opérations",
+    ["scores like surgeons with 250 operations or more"] = "note de chirurgiens ayant 250 opérations ou plus",
+}
