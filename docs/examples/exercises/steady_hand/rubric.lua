@@ -24,7 +24,8 @@ return scoring.rubric {
         } },
         { id = "S3", name = "Care for the iris", measures = {
             { id = "S3.touches", name = "Touches of the iris", unit = "1", digits = 0, of = "iris.touch",
-              take = "count", quiet_s = 1, five = 0, three = 1, one = 3, source = "own", better = "Watch the edge of the pupil." },
+              take = "count", quiet_s = 1, five = 0, three = 1, one = 3, source = "own",
+              better = "Watch the edge of the pupil." },
         } },
     },
 }

@@ -53,7 +53,7 @@ return exercise {
             cue = "The chamber shallows, the pupil comes forward.",
             advice = "Foot up to position 1. Wait for the chamber. Then bottle up, vacuum down.",
             consequences = { "The nurse turns the vacuum down.", ["machine.vacuum_mmhg"] = 250 },
-            items = { "T10", "G6" },
+            items = { "T8", "G6" },
             evidence = { "chamber.lowest_pressure_mmhg", "panel.vacuum_mmhg" },
         },
         error_event "Capsule caught" {
@@ -61,9 +61,9 @@ return exercise {
             recovered = "not capsule.captured",
             deadline_s = 2,
             advice = "Foot up; do not pull. Let reflux or time free it.",
-            items = { "T10" },
+            items = { "T8" },
         },
     },
-    scoring = osacss { "T10", "G4", "G6" },
+    scoring = osacss { "T8", "G4", "G6" },
     time_limit_s = 100,
 }
