@@ -81,7 +81,7 @@ local function read_measure(given, item, levels)
     local names = level_names(levels)
     for _, name in ipairs(names) do
         if given[name] == nil then
-            words.fail("rubric", ("item %s, measure %s: %s must all be given"):format(item, tostring(given.id),
+            words.fail(words.where(), ("item %s, measure %s: %s must all be given"):format(item, tostring(given.id),
                 listed(names)))
         end
     end
@@ -89,7 +89,7 @@ local function read_measure(given, item, levels)
     local measure = fields.read(plain, measure_rules, ("item %s, measure '%s'"):format(item, tostring(given.id)))
     measure.thresholds = {}
     for i, name in ipairs(names) do measure.thresholds[i] = { points = levels[name], value = given[name] } end
-    local where = "rubric, item " .. item .. ", measure " .. measure.id
+    local where = words.where() .. ": item " .. item .. ", measure " .. measure.id
     measure.of = expression.parse(measure.of, where)
     measure.during = measure.during and expression.parse(measure.during, where)
     return measure
@@ -124,6 +124,14 @@ function selecting.__index(rubric, key)
         words.hint(tostring(key), { "all" })))
 end
 
+local function read_items(rubric)
+    for _, item in ipairs(rubric.items) do
+        item.measures = item.measures or {}
+        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
+        rubric.by_id[item.id] = item
+    end
+end
+
 --- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
 --- with a list of item ids gives what an exercise writes as `scoring`. levels: points of the thresholds that measures
 --- give, { five = 5, three = 3, one = 1 } if missing; the least of them is the least that an item can have.
@@ -133,11 +141,8 @@ function scoring.rubric(given)
     local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
         bands = given.bands, levels = given.levels or usual_levels, least = 5, by_id = {} }
     for _, points_of in pairs(rubric.levels) do rubric.least = math.min(rubric.least, points_of) end
-    for _, item in ipairs(given.items) do
-        item.measures = item.measures or {}
-        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
-        rubric.by_id[item.id] = item
-    end
+    local file, line = words.outside()
+    words.at(file, line, read_items, rubric)  -- mistakes are named where the rubric stands
     return setmetatable(rubric, selecting)
 end
 
@@ -229,7 +234,7 @@ end
 --- (Sheet:carried); watched: set of the items that this part tells of.
 function scoring.sheet(selection, eye, reference, dt, before, watched)
     local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {}, reference = reference,
-        since_s = before and before.time_s or 0 }, Sheet)
+        eye = eye, since_s = before and before.time_s or 0 }, Sheet)
     local resolve = resolver(eye, reference, self.since_s)
     for i, id in ipairs(selection.items) do
         local item = selection.rubric.by_id[id]
@@ -243,6 +248,27 @@ function scoring.sheet(selection, eye, reference, dt, before, watched)
         self.lines[i] = line
     end
     return self
+end
+
+--- What of the sheet this scene cannot tell: list of { item, measures = list of { measure, complaint }, none = no
+--- measure of the item is watched }.
+function Sheet:untold()
+    local list = {}
+    for i, line in ipairs(self.lines) do
+        local untold = { item = line.item, measures = {}, none = true }
+        for _, open in ipairs(line.open) do
+            if open.missing then
+                local measure, resolve = open.measure, resolver(self.eye, self.reference, 0)
+                local complaint = expression.complaint(measure.of, resolve)
+                    or measure.during and expression.complaint(measure.during, resolve)
+                table.insert(untold.measures, { measure = measure, complaint = complaint })
+            else
+                untold.none = false
+            end
+        end
+        list[i] = untold
+    end
+    return list
 end
 
 --- Takes the observation that the eye holds now.

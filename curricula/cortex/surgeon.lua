@@ -10,7 +10,7 @@ local fornix = 3.85         -- how far out the tip goes
 local below = 0.55          -- under the tag, so that the mouth, which looks up, meets it
 local near_side = -2.0      -- from here on tags lie near the incision
 local near_fornix, aside, near_below = 3.75, 0.65, 0.2
-local across = 80           -- by which the tip is rolled there [degrees]
+local rolled = 80           -- how far the tip is rolled there [degrees]
 local middle = 1.3          -- how far out a tag is aspirated
 local middle_z = -0.6
 local holds_longest = 1.5   -- [s]
@@ -49,7 +49,7 @@ end
 local function beside(place)
     local side = place[1] < 0 and 1 or -1
     local tip = at({ place[1] + side * aside, place[2] }, near_fornix, place[3] - near_below)
-    return tip, side * across
+    return tip, side * rolled
 end
 
 local function reach(place)
