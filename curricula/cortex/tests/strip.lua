@@ -50,12 +50,13 @@ return scenarios {
         end },
 
     scenario "the tip leaves too early" {
+        recover_within_s = 3,
         set = { cortex = { left = 0.1875 } },
         function(t)
             enter(t)
             take(t, 11)
             t.ia_tip:withdraw { speed = 12 }
-            t:expect_event("Cortex left", { recovered = false, within = 61 })
+            t:expect_event("Cortex left", { recovered = false, within = 4 })
         end },
 
     scenario "too little vacuum strips nothing" {

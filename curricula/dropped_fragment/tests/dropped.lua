@@ -41,11 +41,12 @@ return scenarios {
         end },
 
     scenario "piece left alone, but the tip comes out of an uncovered hole" {
+        recover_within_s = 3,
         function(t)
             come_in(t)
             t:expect_event("Dropped piece")
             t.phaco:withdraw()
-            t:expect_event("Dropped piece", { recovered = false, within = 41 })
+            t:expect_event("Dropped piece", { recovered = false, within = 4 })
         end },
 
     scenario "piece chased, and given up" {

@@ -49,10 +49,11 @@ return scenarios {
         end },
 
     scenario "the capsule bursts, and nothing is done" {
+        recover_within_s = 3,
         set = { capsule = { strength = 0.6 } },
         function(t)
             inject(t, "hydro.burst")
-            t:expect_event("Hydrorupture", { recovered = false, within = 16 })
+            t:expect_event("Hydrorupture", { recovered = false, within = 4 })
         end },
 
     scenario "close to what the capsule bears" {

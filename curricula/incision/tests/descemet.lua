@@ -29,12 +29,13 @@ return scenarios {
         end },
 
     scenario "pushed against the lip, and left so" {
+        recover_within_s = 3,
         set = cut,
         function(t)
             push(t, 1.6)
             t:expect("wounds.main_peel_mm > 1")
             t.cannula:withdraw()
-            t:expect_event("Descemet's membrane peeled", { recovered = false, within = 62 })
+            t:expect_event("Descemet's membrane peeled", { recovered = false, within = 4 })
         end },
 
     scenario "a little of it is caught, and given up at once" {

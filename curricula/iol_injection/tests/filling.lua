@@ -13,10 +13,11 @@ end
 
 return scenarios {
     scenario "injected without viscoelastic, and left so" {
+        recover_within_s = 3,
         set = chamber(0.5),
         function(t)
             begin(t)
-            t:expect_event("Injected without viscoelastic", { recovered = false, within = 32 })
+            t:expect_event("Injected without viscoelastic", { recovered = false, within = 4 })
         end },
 
     scenario "injected without viscoelastic, then filled" {

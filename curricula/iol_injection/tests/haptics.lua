@@ -24,13 +24,14 @@ return scenarios {
         end },
 
     scenario "implant left before the capsule" {
+        recover_within_s = 3,
         set = implant_hand.thin,
         start = "before_capsule",
         function(t)
             hook_comes_and_goes(t)
             t:wait(1.2)
             t:expect_event("Haptic not in the bag")
-            t:expect_event("Haptic not in the bag", { recovered = false, within = 62 })
+            t:expect_event("Haptic not in the bag", { recovered = false, within = 4 })
         end },
 
     scenario "both haptics in the bag when the hook leaves" {

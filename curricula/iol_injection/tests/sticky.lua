@@ -7,12 +7,13 @@ local function tacky(kpa) return implant_hand.thin_with { ["implant.tackiness_kp
 
 return scenarios {
     scenario "haptics stuck to the optic, and left so" {
+        recover_within_s = 3,
         set = tacky(50),
         function(t)
             implant_hand.inject(t, { 0, -1.2, 2.2 })
             t.cannula:enter({ speed = 20 })  -- the attempt is over where nothing is in the eye for long
             t:expect_event("Haptic stuck to the optic", { within = 25 })
-            t:expect_event("Haptic stuck to the optic", { recovered = false, within = 62 })
+            t:expect_event("Haptic stuck to the optic", { recovered = false, within = 4 })
         end },
 
     scenario "haptic folded on the optic, lifted off with forceps and put into the bag" {

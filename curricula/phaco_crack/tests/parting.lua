@@ -48,10 +48,11 @@ return scenarios {
         end },
 
     scenario "parted too little, and left so" {
+        recover_within_s = 3,
         function(t)
             enter(t)
             split(t, 1.5, -1.55, 0.7)
-            t:expect_event("Incomplete split", { recovered = false, within = 70 })
+            t:expect_event("Incomplete split", { recovered = false, within = 4 })
         end },
 
     scenario "parted near both ends" {

@@ -48,6 +48,7 @@ return scenarios {
         end },
 
     scenario "vitreous cut away, but nobody looks for what is left" {
+        recover_within_s = 3,
         set = came,
         function(t)
             t:wait(0.1)
@@ -56,7 +57,7 @@ return scenarios {
             cut(t)
             cover(t)
             t.cutter:withdraw()
-            t:expect_event("Vitreous", { recovered = false, within = 121 })
+            t:expect_event("Vitreous", { recovered = false, within = 4 })
         end },
 
     scenario "vitreous sucked in without cutting, pedal up at once" {

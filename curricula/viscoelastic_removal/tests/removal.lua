@@ -50,12 +50,13 @@ return scenarios {
         end },
 
     scenario "only in front" {
+        recover_within_s = 3,
         set = { viscoelastic = { front_mm3 = 60 } },
         function(t)
             enter(t)
             front(t)
             t.ia_tip:withdraw { speed = 12 }
-            t:expect_event("Viscoelastic left behind the implant", { recovered = false, within = 61 })
+            t:expect_event("Viscoelastic left behind the implant", { recovered = false, within = 4 })
         end },
 
     scenario "the optic is rocked" {

@@ -17,13 +17,14 @@ return scenarios {
         end },
 
     scenario "bleeding, and the instrument stays in the wound" {
+        recover_within_s = 3,
         function(t)
             t.cannula:enter()
             t.cannula:move_to({ 0, -2.6, 2.9 }, { speed = 6 })
             t:set { [setting] = 40 }
             t:wait(5)
             t:expect("chamber.depth_share < 0.8 and suprachoroidal.blood_mm3 > 40")
-            t:expect_event("Suprachoroidal bleeding", { recovered = false, within = 32 })
+            t:expect_event("Suprachoroidal bleeding", { recovered = false, within = 4 })
         end },
 
     scenario "no more than a little pressure from behind, in a closed eye" {

@@ -19,9 +19,10 @@ return scenarios {
         end },
 
     scenario "a flap, left" {
+        recover_within_s = 3,
         set = flap,
         function(t)
-            t:expect_event("Descemet's membrane peeled", { recovered = false, within = 62 })
+            t:expect_event("Descemet's membrane peeled", { recovered = false, within = 4 })
         end },
 
     scenario "the cannula pushed against the inner lip peels it" {

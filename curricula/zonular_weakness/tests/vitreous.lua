@@ -59,10 +59,11 @@ return scenarios {
         end },
 
     scenario "vitreous comes through the gap, and is left there" {
+        recover_within_s = 3,
         set = gap,
         function(t)
             in_and_out(t)
-            t:expect_event("Vitreous through the gap", { recovered = false, within = 46 })
+            t:expect_event("Vitreous through the gap", { recovered = false, within = 4 })
         end },
 
     scenario "viscoelastic over the gap before the tip leaves: it does not come" {
