@@ -3,7 +3,10 @@ std = "lua54"
 max_line_length = 120
 read_globals = { "rhexis" }
 exclude_files = { "build" }
-files["curricula"] = { read_globals = { "exercise", "step", "error_event", "request", "operation", "part", "osacss", "rubric" } }
+local exercise_words = { "exercise", "step", "error_event", "request", "operation", "part", "osacss", "rubric" }
+files["curricula"] = { read_globals = exercise_words }
+files["docs/examples/exercises"] = { read_globals = exercise_words }
+files["docs/examples/exercises/*/tests"] = { read_globals = { "scenarios", "scenario" } }
 files["rubrics"] = { read_globals = { "rubric" } }
 files["curricula/*/tests"] = { read_globals = { "scenarios", "scenario" } }
 files["curricula/*/starts.lua"] = { read_globals = { "starts" } }

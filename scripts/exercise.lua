@@ -157,7 +157,7 @@ local function read_consequences(event)
                 event.name))
         end
     end
-    settings = language.flatten(settings, "", {})
+    settings = language.flatten(settings, "", {}, event.line)
     settings_check.live(settings, event.line, ("error_event '%s': consequences: "):format(event.name))
     event.consequences = { texts = said, settings = settings }
 end
@@ -183,15 +183,16 @@ function language.check_list(list, kind, field)
 end
 
 -- { phaco = { power_limit = 0.6 } } and { ["phaco.power_limit"] = 0.6 } both become { "phaco.power_limit" = 0.6 }.
-function language.flatten(settings, prefix, out)
+--- line: where to look for them from, or nil.
+function language.flatten(settings, prefix, out, line)
     for _, key in ipairs(words.keys(settings)) do
         local value = settings[key]
         if type(value) == "table" then
-            language.flatten(value, prefix .. key .. ".", out)
+            language.flatten(value, prefix .. key .. ".", out, line)
         elseif type(value) == "boolean" then
             out[prefix .. key] = value and 1 or 0
         else
-            out[prefix .. key] = fields.check_value({ kind = "number" }, value, words.where(key), prefix .. key)
+            out[prefix .. key] = fields.check_value({ kind = "number" }, value, words.where(key, line), prefix .. key)
         end
     end
     return out

@@ -20,6 +20,7 @@
 local expression = require "engine.expression"
 local fields = require "engine.fields"
 local language = require "exercise"
+local settings_check = require "engine.settings_check"
 local texts = require "engine.texts"
 local words = require "engine.words"
 
@@ -65,6 +66,7 @@ operation.part = language.declaration("part", part_rules, function(part)
             words.fail(where, ("part '%s': begins_with %s must be a text over measures of earlier parts"):format(
                 part.name, setting))
         end
+        settings_check.name(setting, part.line, ("part '%s': begins_with: "):format(part.name))
         part.begins[setting] = expression.parse(text, where)
     end
 end)
@@ -147,6 +149,18 @@ local function set_goals(exercise, part)
     end
 end
 
+-- measured: names of the measures of earlier parts.
+local function check_begins(part, measured)
+    for _, setting in ipairs(words.keys(part.begins)) do
+        for _, name in ipairs(part.begins[setting].names) do
+            if not words.has(measured, name) then
+                words.fail(part.begins[setting].where, ("part '%s': begins_with %s: no part before it measures '%s'%s")
+                    :format(part.name, setting, name, words.hint(name, measured)))
+            end
+        end
+    end
+end
+
 -- A fact that no earlier part left is unknown: the setting keeps its own value.
 local function begin_with(exercise, part, facts)
     for _, setting in ipairs(words.keys(part.begins)) do
@@ -168,13 +182,15 @@ local function continue_scene(exercise, scene, live)
 end
 
 --- Makes an exercise a part: the operation's patient, settings and mode, the part's own, and what earlier parts left.
---- before: as Run:result().carried; an empty table for the first. live: see above.
+--- before: as Run:result().carried; an empty table for the first; of a check { measured = names of the measures of
+--- earlier parts, scene }. live: see above.
 function operation.join(wanted, index, exercise, before, live)
     local part = wanted.parts[index]
     overlay(exercise.patient, wanted.patient)
     overlay(exercise.patient, part.patient)
     overlay(exercise.settings, wanted.settings)
     overlay(exercise.settings, part.settings)
+    if before.measured then check_begins(part, before.measured) end
     begin_with(exercise, part, before.facts or {})
     set_goals(exercise, part)
     exercise.tissues = part.tissues or exercise.tissues

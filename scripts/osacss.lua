@@ -240,7 +240,8 @@ return scoring.rubric {
                 better = "Feel for the steps of the pedal: position 3 only with the tip at the lens." },
         } },
 
-        { id = "T9", name = "Nucleus: sculpting or primary chop", measures = {
+        { id = "T9", name = "Nucleus: sculpting or primary chop",
+            not_scored = "no groove is sculpted.", measures = {
             { id = "T9.depth", name = "Depth of the groove as a share of the lens's thickness there", unit = "%",
                 digits = 0, of = "100 * groove.depth_share", take = "last", if_never = 0, five = { 80, 90 },
                 three = 60, one = { 40, 95 }, weight = 1.5,

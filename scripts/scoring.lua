@@ -81,7 +81,7 @@ local function read_measure(given, item, levels)
     local names = level_names(levels)
     for _, name in ipairs(names) do
         if given[name] == nil then
-            words.fail("rubric", ("item %s, measure %s: %s must all be given"):format(item, tostring(given.id),
+            words.fail(words.where(), ("item %s, measure %s: %s must all be given"):format(item, tostring(given.id),
                 listed(names)))
         end
     end
@@ -89,10 +89,47 @@ local function read_measure(given, item, levels)
     local measure = fields.read(plain, measure_rules, ("item %s, measure '%s'"):format(item, tostring(given.id)))
     measure.thresholds = {}
     for i, name in ipairs(names) do measure.thresholds[i] = { points = levels[name], value = given[name] } end
-    local where = "rubric, item " .. item .. ", measure " .. measure.id
+    local where = words.where() .. ": item " .. item .. ", measure " .. measure.id
     measure.of = expression.parse(measure.of, where)
     measure.during = measure.during and expression.parse(measure.during, where)
     return measure
+end
+
+local function every_item(rubric)
+    local ids = {}
+    for i, item in ipairs(rubric.items) do ids[i] = item.id end
+    return { rubric = rubric, items = ids }
+end
+
+-- rubric { "T9", "G4" } are some of its items, rubric.all all of them.
+local selecting = {}
+
+function selecting.__call(rubric, wanted)
+    local known = words.keys(rubric.by_id)
+    for _, id in ipairs(wanted) do
+        if not rubric.by_id[id] then
+            words.fail(words.where("scoring", nil), ("unknown item '%s'%s"):format(tostring(id),
+                words.hint(tostring(id), known)))
+        end
+    end
+    return { rubric = rubric, items = wanted }
+end
+
+local may_lack = { caps = true, bands = true, source = true, name = true, rubric = true }
+
+function selecting.__index(rubric, key)
+    if key == "all" then return every_item(rubric) end
+    if may_lack[key] then return nil end
+    words.fail(words.where("scoring", nil), ("a rubric has no '%s'%s"):format(tostring(key),
+        words.hint(tostring(key), { "all" })))
+end
+
+local function read_items(rubric)
+    for _, item in ipairs(rubric.items) do
+        item.measures = item.measures or {}
+        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
+        rubric.by_id[item.id] = item
+    end
 end
 
 --- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
@@ -104,21 +141,9 @@ function scoring.rubric(given)
     local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
         bands = given.bands, levels = given.levels or usual_levels, least = 5, by_id = {} }
     for _, points_of in pairs(rubric.levels) do rubric.least = math.min(rubric.least, points_of) end
-    for _, item in ipairs(given.items) do
-        item.measures = item.measures or {}
-        for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
-        rubric.by_id[item.id] = item
-    end
-    return setmetatable(rubric, { __call = function(_, wanted)
-        local known = words.keys(rubric.by_id)
-        for _, id in ipairs(wanted) do
-            if not rubric.by_id[id] then
-                words.fail(words.where("scoring", nil), ("unknown item '%s'%s"):format(tostring(id),
-                    words.hint(tostring(id), known)))
-            end
-        end
-        return { rubric = rubric, items = wanted }
-    end })
+    local file, line = words.outside()
+    words.at(file, line, read_items, rubric)  -- mistakes are named where the rubric stands
+    return setmetatable(rubric, selecting)
 end
 
 --- Score of a value on a curve: linear between its points, level beyond them.
@@ -209,7 +234,7 @@ end
 --- (Sheet:carried); watched: set of the items that this part tells of.
 function scoring.sheet(selection, eye, reference, dt, before, watched)
     local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {}, reference = reference,
-        since_s = before and before.time_s or 0 }, Sheet)
+        eye = eye, since_s = before and before.time_s or 0 }, Sheet)
     local resolve = resolver(eye, reference, self.since_s)
     for i, id in ipairs(selection.items) do
         local item = selection.rubric.by_id[id]
@@ -223,6 +248,27 @@ function scoring.sheet(selection, eye, reference, dt, before, watched)
         self.lines[i] = line
     end
     return self
+end
+
+--- What of the sheet this scene cannot tell: list of { item, measures = list of { measure, complaint }, none = no
+--- measure of the item is watched }.
+function Sheet:untold()
+    local list = {}
+    for i, line in ipairs(self.lines) do
+        local untold = { item = line.item, measures = {}, none = true }
+        for _, open in ipairs(line.open) do
+            if open.missing then
+                local measure, resolve = open.measure, resolver(self.eye, self.reference, 0)
+                local complaint = expression.complaint(measure.of, resolve)
+                    or measure.during and expression.complaint(measure.during, resolve)
+                table.insert(untold.measures, { measure = measure, complaint = complaint })
+            else
+                untold.none = false
+            end
+        end
+        list[i] = untold
+    end
+    return list
 end
 
 --- Takes the observation that the eye holds now.

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Error events of zonules that are weak or lost, for every exercise that simulates that they break.
 
+local rupture_events = require "rupture_events"
 local with = require "with_fields"
 
 local zonule_events = {}
@@ -38,6 +39,19 @@ function zonule_events.unsupported(own)
         advice = "A wide arc of the bag has no hold: support it with hooks or a ring before you go on.",
         evidence = { "zonules.unsupported_deg", "zonules.hooks", "zonules.ring" },
     }, own)
+end
+
+--- Vitreous that came through a gap while the chamber was lower than what lies behind it. Put right as behind a torn
+--- capsule: cut away, and triamcinolone given afterwards shows none.
+function zonule_events.vitreous(own)
+    return with(rupture_events.vitreous({
+        deadline_s = 45,
+        cue = "The chamber fell, the pupil peaks towards the wound, strands beside the edge of the bag.",
+        advice = "Vitreous came through the gap: no phaco, bottle down. Cut it away before the gap and in the wound, "
+            .. "cutting before you aspirate, cover the gap before you come out, and look again with triamcinolone.",
+        evidence = { "vitreous.front_mm3", "vitreous.wound_mm3", "vitreous.checked_ml", "zonules.gap_deg",
+            "tamponade.gap_cover", "chamber.lowest_pressure_mmhg" },
+    }), own)
 end
 
 return zonule_events

@@ -33,9 +33,9 @@ function zonule_hand.feed_ring(t)
     t.ring:withdraw({ speed = 20 })
 end
 
---- Viscoelastic over the gap.
-function zonule_hand.cover(t)
-    t.cannula:enter({ speed = 25 })
+--- Viscoelastic over the gap; through: the wound, where it is not the main one.
+function zonule_hand.cover(t, through)
+    t.cannula:enter({ speed = 25, through = through })
     t.cannula:move_to(zonule_hand.by_rim(t, -0.9, -0.2), { speed = 15 })
     t.cannula:jaw(1)
     t:wait_until("tamponade.gap_cover > 0.95", 4)

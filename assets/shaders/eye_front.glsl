@@ -134,8 +134,6 @@ uniform vec2 wound_swelling;  // of the stroma beside the main wound and the sid
 uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
 uniform vec2 wound_peel;      // Descemet's membrane that hangs off at the inner lip of each [mm]
 uniform vec2 wound_stitches;  // that hold each
-uniform vec4 capsule_hooks[5];  // across the eye: where each holds the edge of the opening, and the limbus
-uniform int capsule_hook_count;
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
 // Mirror image of the microscope's lamps in the tear film, and the glow around it.

@@ -3,7 +3,7 @@
 // once, at the cornea (see View in kernel/render/view.hpp).
 // The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea shows,
 // 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the middle of the pupil,
-// where neither iris nor wound nor limbus can show. What eye_front.glsl has comes before it.
+// where neither iris nor wound nor limbus can show. What eye_front.glsl and bag_support.glsl have comes before it.
 #if PART >= 2
 uniform sampler2D optical_depth;
 uniform sampler2D soft_depth;
@@ -16,7 +16,7 @@ uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 uniform int bag_edge_shows;     // whether the scene has a bag that can come out behind the iris
-uniform float ring_in;          // share of a tension ring in it
+uniform float ring_in;          // 1: a tension ring lies in it
 uniform float cortical_opacity;
 uniform sampler2D sheets;  // see SheetLayer
 uniform int has_sheets;
@@ -391,6 +391,7 @@ void main() {
     vec3 lens = past_bag(pupil_colour(entry, inside, tool, iris_rho), entry, inside, tool.a);
     vec3 deep = under_sheets(lens) * (1.0 - 0.12 * shade.r) +
                 capsule(entry, inside) * (1.0 - 0.92 * tool.a);
+    deep = with_ring_fed(deep, on_iris.xy, tool.a);
     float edge = edge_at(on_iris, iris_rho);
     deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, iris_rho);
 #if PART == 3
@@ -401,17 +402,11 @@ void main() {
 #endif
 #endif
 
-    for (int i = 0; i < capsule_hook_count; ++i) {
-        vec2 line = capsule_hooks[i].zw - capsule_hooks[i].xy;
-        vec2 off = on_iris.xy - capsule_hooks[i].xy;
-        float share = clamp(dot(off, line) / dot(line, line), 0.0, 1.0);
-        float beside = length(off - share * line);
-        float wide = share < 0.08 ? 0.13 : 0.075;
-        float soft_edge = max(0.02, 0.8 * pixel_mm);
-        float round_light = sqrt(max(0.0, 1.0 - pow(min(beside / wide, 1.0), 2.0)));
-        inner = mix(inner, vec3(0.05, 0.11, 0.34) * lamp * (0.45 + 0.9 * round_light),
-                    0.92 * (1.0 - smoothstep(wide - soft_edge, wide + soft_edge, beside)));
-    }
+#if PART == 3
+    inner = with_hooks_inside(inner, on_iris.xy, 0.25);
+#else
+    inner = with_hooks_inside(inner, on_iris.xy, iris_rho < pupil_radius ? 0.25 : 1.0);
+#endif
 
     if (has_cornea == 0) {
         picture = inner;
@@ -467,6 +462,7 @@ void main() {
 #endif
 
 #if PART < 3
+    picture = with_hooks_outside(picture, (view_eye + (limbus_z - view_eye.z) / outside.z * outside).xy);
     if (prolapse.w > 0.0) {
         vec4 fold = prolapsed(view_eye + (limbus_z - view_eye.z) / outside.z * outside);
         picture = mix(picture, fold.rgb, fold.a);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 #include "cli/command.hpp"
 #include "cli/scenario_files.hpp"
@@ -27,7 +28,7 @@ constexpr const char* help =
     "are\n"
     "never reached, conditions that never change, recoveries that can never hold. Then what the trainee is to learn, "
     "the\n"
-    "levels, and the texts that lack a translation.\n"
+    "levels, the texts that lack a translation, and notes: what is no mistake of form, but may not do what was meant.\n"
     "Of scenario tests it checks form, exercise, settings and start; rhexis test runs them.";
 
 constexpr int dry_steps = 20;
@@ -37,6 +38,9 @@ struct Findings {
     std::vector<std::string> faults;    ///< each a line, "file:line: what"
     std::vector<std::string> notes;     ///< lines that are no faults
     std::vector<std::string> untold{};  ///< texts without a translation
+    nlohmann::json scene{};             ///< that it leaves for a part of an operation that continues it
+    std::vector<std::string> measured{};
+    std::vector<std::string> tissues{};
 };
 
 std::vector<std::string> lines_of(const nlohmann::json& found, const char* key) {
@@ -48,8 +52,20 @@ Result<Findings> review(ExerciseHost& host) {
     if (!found) {
         return found.error();
     }
-    return Findings{lines_of(found.value(), "faults"), lines_of(found.value(), "notes"),
-                    lines_of(found.value(), "untranslated")};
+    Findings all;
+    all.faults = lines_of(found.value(), "faults");
+    all.notes = lines_of(found.value(), "notes");
+    all.untold = lines_of(found.value(), "untranslated");
+    return all;
+}
+
+/// An error of a scene that says itself where it comes from, else the exercise.
+Error of_exercise(Error error, const ExerciseOptions& options) {
+    const Result<CurriculumFiles> files = find_curriculum(options.curriculum, options.root);
+    if (error.where.empty() && files) {
+        error.where = files.value().chunk;
+    }
+    return error;
 }
 
 Result<Findings> dry_run(const ExerciseOptions& options) {
@@ -59,7 +75,7 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     }
     Result<Session> session = Session::create(host.value().scene(), 1);
     if (!session) {
-        return session.error();
+        return of_exercise(session.error(), options);
     }
     Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
     if (!started) {
@@ -73,7 +89,17 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
         session.value().step({}, commands.value());
     }
     const Result<nlohmann::json> result = host.value().result();
-    return result ? review(host.value()) : Result<Findings>(result.error());
+    Result<Findings> found = result ? review(host.value()) : Result<Findings>(result.error());
+    if (found) {
+        for (const MeasureInfo& measure : session.value().schema()) {
+            found.value().measured.push_back(measure.name);
+        }
+        found.value().tissues = host.value().scene().tissues;
+        if (result.value().contains("operation")) {
+            found.value().scene = result.value()["operation"]["carried"]["scene"];
+        }
+    }
+    return found;
 }
 
 /// The scenario tests in a file: their form, their exercise, what they set and start from.
@@ -91,13 +117,30 @@ Status check_scenarios(const std::string& path, const Context& context) {
     return success();
 }
 
-/// Each part as the operation has it, with nothing handed over.
+/// Whether the part whose opening another one takes over can tear one. tissues: of the parts so far, by id.
+Status check_opening(const OperationPart& part, const std::map<std::string, std::vector<std::string>>& tissues) {
+    const auto torn = tissues.find(part.opening);
+    if (torn == tissues.end() ||
+        std::find(torn->second.begin(), torn->second.end(), "anterior_capsule") != torn->second.end()) {
+        return success();
+    }
+    return Error{"part " + part.id + ": opening: part " + part.opening + " tears none", part.where,
+                 "a part with the tissue anterior_capsule"};
+}
+
+/// Each part as the operation has it, with nothing handed over but the scene, where a part continues the one before it.
 Result<Findings> check_operation(const Operation& operation, const Context& context) {
     Findings all;
+    std::map<std::string, std::vector<std::string>> tissues;
+    nlohmann::json before = {{"measured", nlohmann::json::array()}};
     for (std::size_t i = 0; i < operation.parts.size(); ++i) {
         const OperationPart& part = operation.parts[i];
+        Status opening = check_opening(part, tissues);
+        if (!opening) {
+            return opening.error();
+        }
         ExerciseOptions options{part.exercise, "none", 1, {}, context.root};
-        options.part = PartPlace{operation.name, static_cast<int>(i) + 1};
+        options.part = PartPlace{operation.name, static_cast<int>(i) + 1, before};
         const Result<Findings> found = dry_run(options);
         if (!found) {
             return Error{"part " + part.id + ": " + found.error().text(), part.where, ""};
@@ -105,12 +148,28 @@ Result<Findings> check_operation(const Operation& operation, const Context& cont
         for (const std::string& fault : found.value().faults) {
             all.faults.push_back("part " + part.id + ": " + fault);
         }
+        tissues[part.id] = found.value().tissues;
+        before["scene"] = found.value().scene;
+        for (const std::string& measure : found.value().measured) {
+            before["measured"].push_back(measure);
+        }
     }
     all.untold = operation.untranslated;
     for (const std::string& objective : operation.objectives) {
         all.notes.push_back("objective: " + objective);
     }
     return all;
+}
+
+/// The plan of its virtual surgeon: that it can be read, with what it requires.
+Status check_plan(const std::string& path, const Context& context) {
+    const Result<CurriculumFiles> files = find_curriculum(path, context.root);
+    if (!files || std::filesystem::path(files.value().script).filename() != "curriculum.lua" ||
+        !std::filesystem::exists(files.value().folder + "/surgeon.lua")) {
+        return success();
+    }
+    const Result<ExerciseHost> host = ExerciseHost::load({path, "expert", 1, {}, context.root});
+    return host ? success() : Status(host.error());
 }
 
 /// Its starts and its scenario tests.
@@ -167,13 +226,34 @@ Result<Findings> check_exercise(const std::string& path, const Context& context)
         return operation ? check_operation(*operation.value(), context) : Result<Findings>(operation.error());
     }
     Result<Findings> found = check_levels(path, context);
-    const Status beside = found ? check_beside(path, context) : success();
+    const Status plan = found ? check_plan(path, context) : success();
+    const Status beside = found && plan ? check_beside(path, context) : plan;
     return beside ? found : Result<Findings>(beside.error());
 }
 
-int tell(const std::string& path, const Findings& found) {
+/// A mistake's line with its file as it is found from where one stands: messages begin with the folder's own name.
+std::string placed(const std::string& path, const std::string& line, const Context& context) {
+    const Result<CurriculumFiles> files = find_curriculum(path, context.root);
+    if (!files) {
+        return line;
+    }
+    std::filesystem::path given = std::filesystem::path(path).lexically_normal();
+    if (given.filename() == "curriculum.lua") {
+        given = given.parent_path();
+    } else if (!given.has_filename()) {
+        given = given.parent_path();  // "my_exercise/"
+    }
+    const std::string own =
+        files.value().chunk.ends_with("/curriculum.lua") ? files.value().id + "/" : files.value().chunk + ":";
+    if (given.empty() || given == "." || !line.starts_with(own)) {
+        return line;
+    }
+    return given.string() + own.back() + line.substr(own.size());
+}
+
+int tell(const std::string& path, const Findings& found, const Context& context) {
     for (const std::string& fault : found.faults) {
-        std::fprintf(stderr, "rhexis: %s\n", fault.c_str());
+        std::fprintf(stderr, "rhexis: %s\n", placed(path, fault, context).c_str());
     }
     if (!found.faults.empty()) {
         return found_failures;
@@ -190,10 +270,11 @@ int tell(const std::string& path, const Findings& found) {
 int check_one(const std::string& path, const Context& context) {
     if (is_scenario_file(std::filesystem::absolute(path).string())) {
         const Status good = check_scenarios(path, context);
-        return good ? tell(path, {}) : complain(good.error(), found_failures);
+        return good ? tell(path, {}, context) : complain(good.error(), found_failures);
     }
     const Result<Findings> found = check_exercise(path, context);
-    return found ? tell(path, found.value()) : complain(found.error(), found_failures);
+    return found ? tell(path, found.value(), context)
+                 : complain({placed(path, found.error().text(), context), "", ""}, found_failures);
 }
 
 int check(const std::vector<std::string>& paths, const Context& context) {

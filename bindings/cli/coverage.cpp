@@ -16,9 +16,11 @@ constexpr std::array<Aspect, 4> aspects{{{"raised", "never raised"},
                                          {"not_recovered", "never raised and not recovered"},
                                          {"silent", "without a silent twin"}}};
 
-bool has(const std::map<std::string, bool>& seen, const char* key) { return seen.contains(key); }
-
 }  // namespace
+
+bool Coverage::lacks(const Event& event, std::string_view key) {
+    return !event.seen.contains(std::string(key)) && (event.recovers || key != "recovered");
+}
 
 void Coverage::add(const std::string& exercise, const ScenarioResult& result) {
     if (!result.declared.is_array()) {
@@ -27,6 +29,7 @@ void Coverage::add(const std::string& exercise, const ScenarioResult& result) {
     std::map<std::string, Event>& events = exercises_[exercise];
     for (const nlohmann::json& declared : result.declared) {
         events[declared.at("id")].title = declared.at("title");
+        events[declared.at("id")].recovers = declared.value("recovers", true);
     }
     if (!result.passed()) {
         return;
@@ -47,8 +50,8 @@ std::vector<std::string> Coverage::lines() const {
             for (const auto& [id, event] : events) {
                 // what was never raised is not said three times
                 const bool named =
-                    aspect.key == aspects[0].key || has(event.seen, "raised") || aspect.key == aspects[3].key;
-                if (named && !has(event.seen, aspect.key)) {
+                    aspect.key == aspects[0].key || !lacks(event, "raised") || aspect.key == aspects[3].key;
+                if (named && lacks(event, aspect.key)) {
                     titles += (titles.empty() ? "" : ", ") + event.title;
                 }
             }
@@ -68,7 +71,7 @@ bool Coverage::complete() const {
     for (const auto& [exercise, events] : exercises_) {
         for (const auto& [id, event] : events) {
             for (const Aspect& aspect : aspects) {
-                if (!has(event.seen, aspect.key)) {
+                if (lacks(event, aspect.key)) {
                     return false;
                 }
             }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/scenario_run.hpp"
@@ -17,14 +18,17 @@ public:
 
     /// One line per exercise, or several where something is missing.
     [[nodiscard]] std::vector<std::string> lines() const;
-    /// Every error event was raised, put right, not put right, and has a silent twin.
+    /// Every error event was raised, put right (if it can be), not put right, and has a silent twin.
     [[nodiscard]] bool complete() const;
 
 private:
     struct Event {
         std::string title;
+        bool recovers = true;  ///< false: the exercise does not say how it is put right
         std::map<std::string, bool> seen;
     };
+    static bool lacks(const Event& event, std::string_view key);
+
     std::map<std::string, std::map<std::string, Event>> exercises_;
 };
 

@@ -20,6 +20,7 @@ constexpr const char* description =
     "  rhexis replay runs/groove-expert-1 --verify\n"
     "                                        simulate that again and compare every step, bit for bit\n"
     "  rhexis check my_exercise/             find the mistakes in an exercise of your own, by file and line\n"
+    "  rhexis words my_exercise/             every measure, setting and item that it may name, with its meaning\n"
     "  rhexis test groove                    run the scenario tests of an exercise\n"
 #ifdef RHEXIS_WITH_RECORDS
     "  rhexis records --help                 keep the attempts of trainees, learning curves, gates\n"
@@ -132,7 +133,7 @@ int run_program(int argc, const char* const* argv) {
     app.set_version_flag("--version", std::string("rhexis ") + RHEXIS_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
-    for (auto* add : {add_run, add_lua, add_check, add_test, add_replay, add_report, add_fold, add_study}) {
+    for (auto* add : {add_run, add_lua, add_check, add_words, add_test, add_replay, add_report, add_fold, add_study}) {
         add(app, context);
     }
 #ifdef RHEXIS_WITH_RECORDS

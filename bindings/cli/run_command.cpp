@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis run: one attempt at an exercise, by a virtual surgeon or by nobody.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "cli/attempt.hpp"
@@ -141,6 +144,26 @@ void print_objectives(const nlohmann::json& report) {
     }
 }
 
+/// How many there were, and which: "3: Iris touched (2), Surge".
+void print_errors(const nlohmann::json& report) {
+    std::vector<std::pair<std::string, int>> counts;
+    for (const nlohmann::json& event : report["events"]) {
+        const std::string title = event["title"];
+        const auto known =
+            std::find_if(counts.begin(), counts.end(), [&](const auto& one) { return one.first == title; });
+        if (known == counts.end()) {
+            counts.emplace_back(title, 1);
+        } else {
+            ++known->second;
+        }
+    }
+    std::string list;
+    for (const auto& [title, count] : counts) {
+        list += (list.empty() ? ": " : ", ") + title + (count > 1 ? " (" + std::to_string(count) + ")" : "");
+    }
+    std::printf("  errors     %zu%s\n", report["events"].size(), list.c_str());
+}
+
 void print_summary(const RunOptions& given, const std::string& folder, const AttemptResult& result) {
     const nlohmann::json& report = result.report;
     std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), given.surgeon.c_str(),
@@ -148,7 +171,7 @@ void print_summary(const RunOptions& given, const std::string& folder, const Att
                 report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
     print_objectives(report);
     std::printf("  score      %s\n", score_line(report).c_str());
-    std::printf("  errors     %zu\n", report["events"].size());
+    print_errors(report);
     if (result.html_error.empty()) {
         std::printf("  report     %s/report.html\n", folder.c_str());
     }
@@ -182,7 +205,7 @@ void print_whole(const RunOptions& given, const std::string& folder, const Opera
                 report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
     print_parts(report);
     std::printf("  score      %s\n", score_line(report).c_str());
-    std::printf("  errors     %zu\n", report["events"].size());
+    print_errors(report);
     if (result.html_error.empty()) {
         std::printf("  report     %s/report.html\n", folder.c_str());
     }

@@ -140,6 +140,9 @@ Result<CurriculumFiles> find_curriculum(const std::string& name, const std::stri
     if (std::find(known.begin(), known.end(), name) != known.end()) {
         return from_folder(fs::path(root) / "curricula" / name);
     }
+    if (name.find('/') != std::string::npos) {
+        return Error{"there is no such folder or file, and no curriculum.lua in it", name, ""};
+    }
     const std::string near = did_you_mean(name, known);
     return Error{"there is no curriculum '" + name + "'" + near, "", near.empty() ? "curricula: " + joined(known) : ""};
 }

@@ -114,6 +114,7 @@ const json& ExerciseHost::identity() const { return parts_->identity; }
 const std::vector<std::string>& ExerciseHost::objectives() const { return parts_->exercise.objectives(); }
 const std::vector<std::string>& ExerciseHost::levels() const { return parts_->exercise.levels(); }
 Result<json> ExerciseHost::review() { return parts_->exercise.ask("review"); }
+Result<json> ExerciseHost::vocabulary() { return parts_->exercise.ask("vocabulary"); }
 
 Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
     parts_->schema = schema;

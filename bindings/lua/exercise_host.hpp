@@ -61,6 +61,8 @@ public:
     /// What rhexis check tells of an exercise that runs: "faults", "notes", "untranslated", lists of lines. After
     /// start.
     [[nodiscard]] Result<nlohmann::json> review();
+    /// Every name that the exercise may use: list of {"title", "lines": [{"name", "text"}]}. After start.
+    [[nodiscard]] Result<nlohmann::json> vocabulary();
 
     /// Once, before the first step.
     Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);

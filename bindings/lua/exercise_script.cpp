@@ -54,6 +54,8 @@ json settings_known() {
                         {"from", info.minimum},
                         {"to", info.maximum},
                         {"standard", info.standard},
+                        {"unit", info.unit},
+                        {"meaning", info.meaning},
                         {"live", info.live}});
     }
     return list;

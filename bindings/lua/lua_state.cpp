@@ -82,6 +82,28 @@ Error error_from_message(const std::string& message) {
     return {message.substr(end + 2), message.substr(0, end), ""};
 }
 
+namespace {
+
+/// What most often is behind a message of Lua about the form of a script, for who does not program; or nothing.
+std::string_view likely_slip(std::string_view message) {
+    const auto says = [message](std::string_view part) { return message.find(part) != std::string_view::npos; };
+    if (says("unfinished string")) {
+        return ": a quotation mark is missing at the end of a text";
+    }
+    if (says("'}' expected") && says("near <eof>")) {
+        return ": a } is missing";
+    }
+    if (says("'}' expected")) {
+        return ": most often a comma is missing before it, or a quotation mark";
+    }
+    if (says("<eof> expected")) {
+        return ": most often there is a } too many, or a { missing, before it";
+    }
+    return "";
+}
+
+}  // namespace
+
 void load_text(lua_State* L, const std::string& text, const std::string& chunk) {
     const std::string name = "@" + chunk;
     if (text.starts_with('\x1b')) {
@@ -89,6 +111,9 @@ void load_text(lua_State* L, const std::string& text, const std::string& chunk) 
     }
     // "t": precompiled code could break the interpreter.
     if (luaL_loadbufferx(L, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
+        const std::string_view slip = likely_slip(lua_isstring(L, -1) != 0 ? lua_tostring(L, -1) : "");
+        lua_pushlstring(L, slip.data(), slip.size());
+        lua_concat(L, 2);
         lua_error(L);
     }
 }

@@ -33,7 +33,9 @@ OperationPart part_from(const json& given, const CurriculumFiles& operation) {
 Status no_operation_within(const OperationPart& part, std::vector<std::string> way, const std::string& root) {
     const Result<CurriculumFiles> files = find_curriculum(part.exercise, root);
     if (!files) {
-        return Error{"part " + part.id + ": " + files.error().what, part.where, files.error().allowed};
+        const bool bare = part.exercise.find('/') == std::string::npos;
+        const std::string beside = bare ? "; or a folder, as seen from the operation's: ../" + part.exercise : "";
+        return Error{"part " + part.id + ": " + files.error().what, part.where, files.error().allowed + beside};
     }
     const Result<json> listing = ExerciseScript::listing(files.value(), root);
     if (!listing) {

@@ -8,7 +8,9 @@ local speed, careful, strips = 7.0, 4.0, 4.0
 local sectors = 16
 local fornix = 3.85         -- how far out the tip goes
 local below = 0.55          -- under the tag, so that the mouth, which looks up, meets it
-local farther, lower = 0.4, 0.35
+local near_side = -2.0      -- from here on tags lie near the incision
+local near_fornix, aside, near_below = 3.75, 0.65, 0.2
+local rolled = 80           -- how far the tip is rolled there [degrees]
 local middle = 1.3          -- how far out a tag is aspirated
 local middle_z = -0.6
 local holds_longest = 1.5   -- [s]
@@ -20,11 +22,22 @@ local function at(place, out, z)
     return { place[1] / across * out, place[2] / across * out, z }
 end
 
--- Under the incision the tip stands steeply: it goes farther out, and lower.
+-- Under a tag, so that the mouth meets it.
+local function under(place)
+    return at(place, math.min(fornix, math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2))), place[3] - below), 0
+end
+
+-- Near the incision the tip stands steeply, and its mouth looks away from the tag that lies behind it: it goes beside
+-- the tag, towards the middle of the near side, and is rolled until the mouth looks across at it.
 local function beside(place)
-    local near = math.max(0, math.min(1, -place[2] / 3))
-    local out = math.min(fornix + near * farther, math.max(1.0, math.sqrt(place[1] ^ 2 + place[2] ^ 2)))
-    return at(place, out, math.max(-1.2, place[3] - below - near * lower))
+    local side = place[1] < 0 and 1 or -1
+    local tip = at({ place[1] + side * aside, place[2] }, near_fornix, place[3] - near_below)
+    return tip, side * rolled
+end
+
+local function reach(place)
+    if place[2] < near_side then return beside(place) end
+    return under(place)
 end
 
 local function take(me, name)
@@ -32,12 +45,15 @@ local function take(me, name)
     if not mark then return end
     local place = mark.position
     me.go(at(place, middle, middle_z), speed)
-    me.go(beside(place), careful)
+    local tip, roll = reach(place)
+    me.turn(roll)
+    me.go(tip, careful)
     me.pedal(2)
     if not aspirating.wait_until(me, function(seen) return seen.landmarks.cortex_at_tip end, holds_longest) then
         return
     end
     if me.go(at(place, middle, middle_z), strips, aspirating.folds) then return aspirating.let_go(me) end
+    me.turn(0)
     if not aspirating.wait_until(me, function(seen) return not seen.landmarks.cortex_at_tip end, takes_longest) then
         return
     end

@@ -16,7 +16,7 @@ return exercise {
     },
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
-    tissues = { "bag", "capsule", "iris", "cornea", "chamber", "retained_viscoelastic" },
+    tissues = { "bag", "capsule", "iris", "cornea", "globe", "chamber", "retained_viscoelastic" },
     instruments = { "ia_tip" },
     settings = {
         ["machine.bottle_cm"] = 75,
@@ -59,5 +59,5 @@ return exercise {
 
     time_limit_s = 240,
 
-    scoring = osacss { "T12", "T14", "G3", "G4", "G5", "G6" },
+    scoring = osacss { "T12", "T14", "G1", "G3", "G4", "G5", "G6" },
 }

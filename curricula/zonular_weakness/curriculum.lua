@@ -17,7 +17,7 @@ return exercise {
 
     patient = { age = 74, cataract = "NO3", pupil_mm = 8 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber", "vitreous", "zonules" },
-    instruments = { "phaco", "cannula", "capsule_hook", "ring" },
+    instruments = { "phaco", "cannula", "capsule_hook", "ring", "cutter", "triamcinolone" },
     settings = {
         ["zonules.strength"] = 0.4,
         ["zonules.toughness"] = 0.3,
@@ -35,7 +35,7 @@ return exercise {
         depth_percent = { 45, from = 10, to = 90, meaning = "how deep, of the lens's thickness" },
     },
     -- proposal: what group d comes near to
-    reference = { time_s = 150, path_mm = 420, movements = 70, entries = 4, jerk_mm_s3 = 495, cde = 5000 },
+    reference = { time_s = 75, path_mm = 270, movements = 45, entries = 3, jerk_mm_s3 = 495, cde = 2500 },
 
     steps = {
         step "cover" {
@@ -68,6 +68,7 @@ return exercise {
     errors = {
         error_event "Zonular dialysis" (zonule_events.dialysis { items = { "T10", "T11", "G4" } }),
         error_event "Bag not supported" (zonule_events.unsupported { items = { "T9", "T10" } }),
+        error_event "Vitreous through the gap" (zonule_events.vitreous { items = { "T11", "G4" } }),
     },
 
     over = { "phaco.tip_depth_mm > -0.5", "not phaco.present", "instruments.out_s > 12" },

@@ -10,7 +10,9 @@ local speed, careful = 6.0, 2.0
 local press = 0.9
 local covered = 0.22        -- of the chamber, viscoelastic that lies over a gap by then
 local over_rim = 0.15       -- height of a hook over the edge of the opening before it goes round it [mm]
-local most_hooks = 2
+local widest_open = 45      -- arc that may stay without hold [deg]
+local most_hooks = 3
+local most_tries = 3        -- for each hook
 
 local function bring(me, name, wound, place)
     local mark = me.see().landmarks[wound].position
@@ -31,19 +33,40 @@ end
 
 local function gap_of(seen) return seen.landmarks.zonule_gap end
 
--- Looked at for a while: one look is not exact.
+-- Looked at for a while, as one look is not exact: the edge of the opening before the middle of the gap, and the middle
+-- of the opening.
 local function look_at_gap(me)
-    local sum, looks = { 0, 0, 0 }, 0
+    local place, middle, looks, half_arc = { 0, 0, 0 }, { 0, 0, 0 }, 0, 0
     for _ = 1, 8 do
-        local gap = gap_of(me.see())
+        local marks = me.see().landmarks
+        local gap, opening = marks.zonule_gap, marks.capsulorhexis or marks.pupil
         if gap then
-            for axis = 1, 3 do sum[axis] = sum[axis] + gap.position[axis] end
-            looks = looks + 1
+            for axis = 1, 3 do
+                place[axis] = place[axis] + gap.position[axis]
+                middle[axis] = middle[axis] + opening.position[axis]
+            end
+            looks, half_arc = looks + 1, half_arc + gap.size
         end
         me.wait(0.25)
     end
     if looks == 0 then return nil end
-    return { sum[1] / looks, sum[2] / looks, sum[3] / looks }
+    for axis = 1, 3 do place[axis], middle[axis] = place[axis] / looks, middle[axis] / looks end
+    local away = math.sqrt((place[1] - middle[1]) ^ 2 + (place[2] - middle[2]) ^ 2)
+    return { place = place, middle = middle, arc = math.deg(2 * half_arc / looks / away) }
+end
+
+-- The place of one of so many hooks that part the gap evenly.
+local function hook_place(gap, number, count)
+    local turn = math.rad(gap.arc * (number / (count + 1) - 0.5))
+    local x, y = gap.place[1] - gap.middle[1], gap.place[2] - gap.middle[2]
+    return { gap.middle[1] + x * math.cos(turn) - y * math.sin(turn),
+        gap.middle[2] + x * math.sin(turn) + y * math.cos(turn), gap.place[3] }
+end
+
+local function hooks_seen(me)
+    local count = 0
+    while me.see().landmarks["capsule_hook_" .. (count + 1)] do count = count + 1 end
+    return count
 end
 
 -- With the cannula as near to the gap as the pupil lets one see.
@@ -60,25 +83,35 @@ local function cover(me, gap)
     take_out(me, "incision")
 end
 
-local function set_hook(me, gap)
-    bring(me, "capsule_hook", "side_port", gap)
+local function set_hook(me, place)
+    bring(me, "capsule_hook", "side_port", place)
     me.jaw(1)
-    me.go({ gap[1], gap[2], gap[3] + over_rim }, careful)
+    me.go({ place[1], place[2], place[3] + over_rim }, careful)
     me.wait(0.3)
     me.jaw(0)
     me.wait(0.3)
     take_out(me, "side_port")
 end
 
+-- As many hooks as leave no wide arc without hold between them; one that did not take hold is set again.
+local function hold_bag(me, gap)
+    local count = math.max(1, math.min(most_hooks, math.ceil(gap.arc / widest_open) - 1))
+    for number = 1, count do
+        for _ = 1, most_tries do
+            if hooks_seen(me) >= number then break end
+            gap = look_at_gap(me) or gap
+            set_hook(me, hook_place(gap, number, count))
+        end
+    end
+end
+
 return function(me)
     local eye = sculpting.look_around(me)
-    if me.notices(function(seen) return gap_of(seen) end) then
+    if me.notices(gap_of) then
         local gap = look_at_gap(me)
-        if gap then cover(me, gap) end
-        for number = 1, most_hooks do
-            gap = look_at_gap(me)
-            if not gap or me.see().landmarks["capsule_hook_" .. number] then break end
-            set_hook(me, gap)
+        if gap then
+            cover(me, gap.place)
+            hold_bag(me, gap)
         end
         eye = sculpting.look_around(me)
     end

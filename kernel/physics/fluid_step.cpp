@@ -108,8 +108,10 @@ void step_fluid(const WorldModel& model, std::span<const ToolState> tools, std::
         }
         if (model.hydrodissection) {
             hydrodissect(model, tools, dt, state);
-            control.wound_open = hydrodissection_release(*model.hydrodissection, tools,
-                                                         eye_pressure(chamber, state.chamber->eye_volume));
+            if (!model.wounds) {  // wounds that were cut know better how wide they stand open
+                control.wound_open = hydrodissection_release(*model.hydrodissection, tools,
+                                                             eye_pressure(chamber, state.chamber->eye_volume));
+            }
         }
         if (model.globe && chamber.leak_conductance > 0.0) {
             control.wound_open = std::min(

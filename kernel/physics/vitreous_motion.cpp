@@ -11,6 +11,7 @@ namespace {
 
 constexpr double narrow_gap = 45.0;  ///< between zonules, through which no vitreous comes [degrees]. Proposal
 constexpr double reach = 0.4;        ///< of a mouth beyond what hangs in front [mm]. Proposal
+constexpr double gap_reach = 2.0;    ///< the same round the edge of the lens, where no mouth can go [mm]. Proposal
 constexpr double wholly = 2.0;       ///< volume that fills a mouth [mm^3]. Proposal
 constexpr double shuts = 0.7;        ///< share of a mouth that uncut vitreous shuts. Proposal
 constexpr double shuts_cut = 0.2;    ///< and what is cut in it. Proposal
@@ -54,7 +55,8 @@ Found find_vitreous(const VitreousModel& model, const VitreousState& vitreous,
     for (std::size_t i = 0; i < opening_count; ++i) {
         const double radius = vitreous_radius(vitreous.front[i]);
         const double off = (mouth - head_of(ways[i], radius)).norm() - radius;
-        double share = vitreous.front[i] > least && off < reach ? std::min(1.0, vitreous.front[i] / wholly) : 0.0;
+        const double far = i == zonule_gap ? gap_reach : reach;
+        double share = vitreous.front[i] > least && off < far ? std::min(1.0, vitreous.front[i] / wholly) : 0.0;
         const bool behind = vitreous.broken && ways[i].area > 0.0 && mouth.z() < ways[i].place.z() &&
                             (mouth - ways[i].place).head<2>().norm() < ways[i].radius;
         share = behind ? 1.0 : share;

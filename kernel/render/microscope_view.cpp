@@ -187,11 +187,31 @@ void set_harm(const Program& program, const Frame& frame) {
     }
 }
 
+/// A ring that is on its way from its tube into the fornix of the bag.
+void set_ring(const Program& program, const Frame& frame) {
+    Eigen::Vector4d feed = Eigen::Vector4d::Zero();
+    Eigen::Vector4d fornix = Eigen::Vector4d::Zero();
+    const double in = frame.bags.empty() || !frame.bags[0].zonules ? 0.0 : frame.bags[0].zonules->ring;
+    if (in > 0.0 && in < 1.0) {
+        constexpr double inside = 0.26;  // of the bag's edge, the ring [mm]
+        constexpr double bend = 0.9;     // round the fornix by which it has come to lie in it [rad]
+        fornix << frame.bags[0].pose.position.head<2>(), frame.model->bags[0].shape.radius - inside, 0.0;
+        for (std::size_t i = 0; i < frame.tools.size(); ++i) {
+            if (frame.model->tools[i].kind == ToolKind::ring && frame.tools[i].present) {
+                feed << frame.tools[i].pose.position.head<2>(), std::min(1.0, 4.0 * in) * bend, 1.0;
+            }
+        }
+    }
+    program.set("ring_feed", feed);
+    program.set("fornix", fornix);
+}
+
 /// What shows of a bag whose zonules can break: its edge, a ring, and hooks.
 void set_zonules(const Program& program, const Frame& frame) {
     const bool breakable = !frame.bags.empty() && frame.bags[0].zonules.has_value();
     program.set("bag_edge_shows", breakable ? 1 : 0);
-    program.set("ring_in", breakable ? frame.bags[0].zonules->ring : 0.0);
+    program.set("ring_in", breakable && frame.bags[0].zonules->ring >= 1.0 ? 1.0 : 0.0);
+    set_ring(program, frame);
     const std::size_t hooks = breakable ? std::min(frame.bags[0].zonules->hooks.size(), most_hooks) : 0;
     program.set("capsule_hook_count", static_cast<int>(hooks));
     for (std::size_t i = 0; i < hooks; ++i) {
@@ -255,7 +275,8 @@ std::vector<float> triangles_of(const std::vector<PixelRect>& rects, const View&
 }
 
 Result<Program> build_part(const char* define) {
-    return Program::build({"part.vert"}, {define, "view.glsl", "eye_front.glsl", "microscope.frag"});
+    return Program::build({"part.vert"},
+                          {define, "view.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"});
 }
 
 bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }

@@ -38,6 +38,7 @@ RUNS = [
     ("wound_closure", None),
     ("hydrodissection", None),
     ("cortex", None),
+    ("zonular_weakness", None),
     ("viscoelastic_removal", None),
     ("set_up", None),
     ("forceps_skill", None),

@@ -238,6 +238,17 @@ function expression.bind(parsed, resolve)
     end)
 end
 
+--- What bind would say of a name that is not known, without raising it; nil when all are known.
+function expression.complaint(parsed, resolve)
+    for _, name in ipairs(parsed.names) do
+        local value, known = resolve(name)
+        if not value then
+            return ("unknown measure '%s'%s"):format(name, words.missing_part(name, known) or words.hint(name, known))
+        end
+    end
+    return nil
+end
+
 --- Whether all names of a parsed text are known.
 function expression.known(parsed, resolve)
     for _, name in ipairs(parsed.names) do

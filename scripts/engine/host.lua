@@ -6,11 +6,13 @@ local condition = require "engine.condition"
 local language = require "exercise"
 local operation = require "operation"
 local osacss = require "osacss"
+local remarks = require "engine.remarks"
 local requests = require "engine.requests"
 local review = require "engine.review"
 local scoring = require "scoring"
 local settings_check = require "engine.settings_check"
 local texts = require "engine.texts"
+local vocabulary = require "engine.vocabulary"
 local words = require "engine.words"
 
 local host = {}
@@ -25,7 +27,7 @@ end
 --- Before the curriculum runs: its name in messages and its text.
 host.begin_file = words.begin_file
 
---- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live }.
+--- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live, unit, meaning }.
 host.know_settings = settings_check.know
 
 --- A file of texts beside the curriculum, "curriculum.fr.lua": what it returned.
@@ -99,10 +101,14 @@ function host.scene()
         time_limit_s = exercise.time_limit_s, goals = words.as_object(exercise.goals) }
 end
 
---- The error events that the exercise declares.
+--- The error events that the exercise declares: id, title, whether they can be put right, and by what text.
 function host.declared_events()
     local list = {}
-    for i, event in ipairs(host.exercise.errors) do list[i] = { id = event.id, title = event.title } end
+    for i, event in ipairs(host.exercise.errors) do
+        local part = event.recovered and event.recovered[#event.recovered]
+        list[i] = { id = event.id, title = event.title, recovers = event.recovered ~= nil,
+            recovered = part and part.tree and part.text or nil }
+    end
     return list
 end
 
@@ -154,6 +160,13 @@ function host.result()
 end
 
 --- What rhexis check tells of an exercise that has been started.
-function host.review() return review.of(host.exercise, host.run.eye) end
+function host.review()
+    local found = review.of(host.exercise, host.run.eye)
+    table.move(remarks.of(host.exercise, host.run), 1, 64, #found.notes + 1, found.notes)
+    return found
+end
+
+--- Every name that the exercise, which has been started, may use.
+function host.vocabulary() return vocabulary.of(host.exercise, host.run) end
 
 return host

@@ -31,6 +31,7 @@ function Review:condition(parts, what, limit_s)
                 possible = false
             end
             self:yes_no_compared(part.tree, part, what)
+            self:number_as_condition(part.tree, part, what)
         end
     end
     return possible
@@ -45,6 +46,30 @@ function Review:yes_no_compared(node, part, what)
             self:fault(part.where, "%s: %s is true or false and cannot be compared by %s", what, inner.name, node.op)
         end
         self:yes_no_compared(inner, part, what)
+    end
+end
+
+local joins = { ["and"] = true, ["or"] = true, ["not"] = true }
+
+-- "phaco.occlusion": a number holds whatever it is.
+function Review:number_as_condition(node, part, what)
+    if joins[node.op] then
+        for _, inner in ipairs(node) do self:number_as_condition(inner, part, what) end
+    elseif node.op == "name" and not self.eye:is_yes_no(node.name) then
+        self:fault(part.where, "%s: %s is a number, which holds whatever it is: compare it, as in \"%s > 1\"", what,
+            node.name, node.name)
+    end
+end
+
+-- "recovered" that holds whenever "when" does: such an error is put right as it happens.
+function Review:put_right_at_once(event, what)
+    local when, recovered = event.when, event.recovered
+    if not recovered or #when > 1 or #recovered > 1 or not when[1].tree or not recovered[1].tree then return end
+    local left = { tree = { op = "and", when[1].tree, { op = "not", recovered[1].tree } } }
+    if satisfy.can_hold(when[1], self.known, self:bounds())
+        and not satisfy.can_hold(left, self.known, self:bounds()) then
+        self:fault(recovered[1].where, "%srecovered: \"%s\" holds whenever 'when' does: it would be put right as it "
+            .. "happens", what, recovered[1].text)
     end
 end
 
@@ -81,15 +106,11 @@ function Review:event(event)
     self:condition(event.when, what .. "when")
     self:condition(event.recovered, what .. "recovered")
     self:condition(event.harm, what .. "harm")
+    self:put_right_at_once(event, what)
     if event.recovered and event.deadline_s < self.exercise.step_s then
         self:fault(event.where, "%srecovery can never hold: deadline_s = %g leaves no time for it", what,
             event.deadline_s)
     end
-end
-
-local function shown(text)
-    text = tostring(text)
-    return #text > 60 and text:sub(1, 57) .. "..." or text
 end
 
 function Review:untranslated()
@@ -98,7 +119,7 @@ function Review:untranslated()
         texts.each(self.exercise, function(owner, key)
             local text = owner[key]
             if text and not texts.has(language, self.exercise, text) then
-                lines[#lines + 1] = ("no text in %s: \"%s\""):format(language, shown(text))
+                lines[#lines + 1] = ("no text in %s: \"%s\""):format(language, text)
             end
         end)
     end

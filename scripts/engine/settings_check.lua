@@ -8,7 +8,7 @@ local check = {}
 
 local table_of = nil  -- name -> { from, to, standard, live }
 
---- list: of { name, from, to, standard, live }.
+--- list: of { name, from, to, standard, live, unit, meaning }.
 function check.know(list)
     table_of = {}
     for _, setting in ipairs(list) do table_of[setting.name] = setting end
@@ -20,6 +20,13 @@ function check.forget() table_of = nil end
 --- What the kernel says of a setting, or nil.
 function check.info(name) return table_of and table_of[name] end
 
+--- Every setting of the kernel, sorted by name.
+function check.list()
+    local list = {}
+    for i, name in ipairs(words.keys(table_of or {})) do list[i] = table_of[name] end
+    return list
+end
+
 local function plain(name) return name:match("([%w_]+)$") end
 
 -- "file:line" of a setting, written whole or by its last word.
@@ -29,12 +36,17 @@ local function where_of(name, line)
     return words.where(plain(name), line)
 end
 
-local function check_one(name, value, line, owner)
-    local setting = table_of[name]
-    if not setting then
+--- That there is such a setting.
+function check.name(name, line, owner)
+    if table_of and not table_of[name] then
         words.fail(where_of(name, line), ("%sthere is no setting '%s'%s"):format(owner, name,
             words.hint(name, words.keys(table_of))))
     end
+end
+
+local function check_one(name, value, line, owner)
+    check.name(name, line, owner)
+    local setting = table_of[name]
     if value < setting.from or value > setting.to then
         words.fail(where_of(name, line), ("%s%s = %g is out of range (%g to %g)"):format(owner, name, value,
             setting.from, setting.to))

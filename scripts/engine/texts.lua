@@ -57,6 +57,15 @@ function texts.own_languages(exercise)
     return words.keys(set)
 end
 
+--- The English texts that the exercise itself translates into a language, sorted.
+function texts.own_keys(language, exercise)
+    local set = {}
+    for _, given in ipairs({ exercise.texts[language] or {}, files[language] or {} }) do
+        for text in pairs(given) do set[text] = true end
+    end
+    return words.keys(set)
+end
+
 --- Checks the name of a language and returns it.
 function texts.known(name, where, exercise)
     local known = texts.languages(exercise)

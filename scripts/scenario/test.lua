@@ -261,6 +261,19 @@ local function cover(self, id, outcome)
     self.covered[id][outcome] = true
 end
 
+-- What an event that is still open needs to be put right, and how things are.
+function Test:still_lacking(id)
+    local open = false
+    for _, event in ipairs(self.events) do open = open or (event.id == id and event.outcome == "open") end
+    for _, event in ipairs(self.declared) do
+        if open and event.id == id and event.recovered then
+            local wanted = bind(self, event.recovered, "?", "recovered")
+            return ("; it is put right by \"%s\", now: %s"):format(event.recovered, shown(self.eye, wanted))
+        end
+    end
+    return ""
+end
+
 local event_rules = { recovered = { kind = "yes_no" }, within = { kind = "number", default = 0, from = 0, to = 7200 } }
 
 --- An error event has happened. recovered = true: and was put right; false: and its deadline passed; within: seconds to
@@ -280,7 +293,9 @@ function Test:expect_event(name, given)
     end
     local how = options.recovered == nil and "" or options.recovered and " recovered" or " not recovered"
     local limit = options.within > 0 and (" within %g s"):format(options.within) or ""
-    fail(self, where, ("expected error event \"%s\"%s%s, seen: %s"):format(name, how, limit, list_of_events(self)))
+    local still = options.recovered and self:still_lacking(id) or ""
+    fail(self, where, ("expected error event \"%s\"%s%s, seen: %s%s"):format(name, how, limit, list_of_events(self),
+        still))
     return false
 end
 

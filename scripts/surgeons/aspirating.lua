@@ -8,8 +8,9 @@ local aspirating = {}
 --- Folds of the posterior capsule that run to the tip, for me.go to stop at.
 function aspirating.folds(seen) return seen.landmarks.capsule_folds and "folds" or nil end
 
---- Suction off, until the capsule has slipped from the mouth.
+--- The mouth up and suction off, until the capsule has slipped from it.
 function aspirating.let_go(me)
+    me.turn(0)
     me.pedal(1)
     me.wait_until(function(seen) return not seen.landmarks.capsule_folds end, 2)
 end

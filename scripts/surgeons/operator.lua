@@ -17,6 +17,7 @@ local operator = {}
 local most_askew = 15  -- spread of a chosen direction for a planning error of 1 [deg]; proposal
 local pedal_rate = 8  -- travel of the foot, pedal positions per second; proposal
 local jaw_rate = 4    -- of the fingers, openings per second; proposal
+local turn_rate = 180  -- of an instrument between the fingers, degrees per second; proposal
 
 --- Parameters of one person of a group.
 function operator.person(group, seed)
@@ -44,7 +45,7 @@ end
 -- One hand: `name` begins the names of its streams of chance, `instrument` is what it holds at first, or nil.
 local function make_hand(stream, person, dt, name, instrument)
     return { present = false, instrument = instrument, jaw = 0, jaw_target = 0, jaw_rate = jaw_rate,
-        hand = motion.hand(stream(name .. "aim"), person.aim_error),
+        turned = 0, turn_target = 0, hand = motion.hand(stream(name .. "aim"), person.aim_error),
         tremble = tremor.start(stream(name .. "tremor"), person.tremor_um * 1e-3, dt) }
 end
 
@@ -95,12 +96,17 @@ local function hand_words(self, side)
         side.instrument = instrument or side.instrument
         side.wound = wound
         side.present, side.jaw, side.jaw_target = true, 0, 0
+        side.turned, side.turn_target = 0, 0
         side.hand:put(place)
     end
 
     --- Moves the fingers: opening of the jaws of forceps, 0 closed to 1 open; how hard a syringe is pressed, 0 to 1;
     --- how far the plunger of an injector is pushed, 0 to 1. rate: how fast, per second; else as fast as fingers do.
     function words.jaw(opening, rate) side.jaw_target, side.jaw_rate = opening, rate or jaw_rate end
+
+    --- Rolls the instrument between the fingers: degrees about its shaft from how hands hold it, anticlockwise as seen
+    --- from the hand.
+    function words.turn(degrees) side.turn_target = degrees end
 
     function words.put_down() side.present = false end
 
@@ -250,9 +256,10 @@ local function move(self, side, landmarks, pedal)
     local wound = wound_of(self, side.wound or hold.wound, landmarks)
     local tip = vector.add(side.hand:advance(self.dt), side.tremble())
     side.jaw = towards(side.jaw, side.jaw_target, side.jaw_rate * self.dt)
+    side.turned = towards(side.turned, side.turn_target, turn_rate * self.dt)
     local shaft = wound and instruments.shaft(hold, wound.position, tip) or vector.unit({ 0, -1, 0.5 })
-    return { present = side.present, position = tip, orientation = hold.orientation(shaft), jaw = side.jaw,
-        pedal = pedal }
+    return { present = side.present, position = tip, jaw = side.jaw,
+        orientation = vector.turned(hold.orientation(shaft), side.turned), pedal = pedal }
 end
 
 local function put_away()
@@ -273,7 +280,11 @@ function Operator:operate(percept)
     for i in ipairs(self.names) do samples[i] = put_away() end
     local right, left = self.index[self.right.instrument], self.index[self.left.instrument]
     if right then samples[right] = move(self, self.right, percept.landmarks, self.pedal) end
-    if left then samples[left] = move(self, self.left, percept.landmarks, 0) end
+    if left then
+        local sample = move(self, self.left, percept.landmarks, 0)
+        -- What the leading hand has taken up is not in the other one, which would have held it.
+        if left ~= right or self.left.present then samples[left] = sample end
+    end
     if self.foot then samples[#samples + 1] = self.foot:sample(percept.field) end
     return samples, self.asked
 end

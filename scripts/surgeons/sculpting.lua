@@ -30,7 +30,13 @@ function sculpting.look_around(me)
     me.wait_until(function(seen)
         return seen and seen.landmarks.incision and seen.landmarks.pupil and seen.landmarks.lens_front
     end, 5)
-    local marks = me.see().landmarks
+    local marks = me.see() and me.see().landmarks or {}
+    for _, name in ipairs({ "incision", "pupil", "lens_front" }) do
+        if not marks[name] then
+            error(("look_around: no '%s' is seen: it needs the tissues lens (or anterior_capsule) and iris"):format(
+                name), 2)
+        end
+    end
     local eye = { wound = marks.incision.position, pupil = marks.pupil.position, pupil_radius = marks.pupil.size,
         front = marks.lens_front.position, reflex = me.see().reflex_brightness,
         port = marks.side_port and marks.side_port.position }
@@ -88,7 +94,7 @@ local function outside(eye) return { eye.wound[1], eye.wound[2] - 2.0, eye.wound
 
 --- Brings the tip through the wound to where the groove begins.
 function sculpting.enter(me, eye, groove)
-    me.take_up(outside(eye))
+    me.take_up(outside(eye), "phaco")  -- another instrument may have been in this hand before
     me.pedal(1)
     me.wait(0.5)
     me.go(eye.wound, sculpting.free_speed)

@@ -34,6 +34,15 @@ local function read_habits(given)
     return { recovers = given.recovery ~= "0" }
 end
 
+-- The plan beside the curriculum, or a complaint that there is none.
+local function plan_of(name)
+    local found, result = pcall(require, name)
+    if found then return result, nil end
+    if not tostring(result):find("no module '" .. name .. "'", 1, true) then error(result, 0) end
+    return nil, ("the exercise has no %s.lua, the plan of a virtual surgeon: write one (docs/surgeon.md), or run it "
+        .. "with --surgeon none or random"):format(name)
+end
+
 --- name: of a group, or an alias; plan: module of the curriculum's folder; given: habits, texts by name. Returns a
 --- complaint, or nil.
 function surgeon.choose(name, plan, given)
@@ -47,7 +56,12 @@ function surgeon.choose(name, plan, given)
     if complaint then return complaint end
     surgeon.group = group
     surgeon.seed = math.random(math.mininteger, math.maxinteger)
-    surgeon.plan = anything and random(surgeon.seed) or require(plan)
+    if anything then
+        surgeon.plan = random(surgeon.seed)
+    else
+        surgeon.plan, complaint = plan_of(plan)
+        if complaint then return complaint end
+    end
     if type(surgeon.plan) ~= "function" then
         return ("the plan %s.lua must return a function(me)"):format(plan)
     end

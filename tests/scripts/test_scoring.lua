@@ -155,6 +155,13 @@ case("per divides by a reference of the exercise; without one the measure is lef
     equal(score({ none }, { 3 }).items[1].score, nil)
 end)
 
+case("all of a rubric are its items in its order; anything else that it lacks is told", function()
+    local own = rubric { depth_measure() }
+    equal(table.concat(own.all.items, " "), "I1 I2")
+    equal(own.all.rubric, own)
+    fails(function() return own.al end, "'al'", "all")
+end)
+
 case("a faulty rubric names item and measure", function()
     fails(function() rubric({ depth_measure({ take = "biggest" }) }) end, "I1", "'m'", "biggest")
     fails(function()

@@ -194,6 +194,17 @@ case("a hand puts one instrument down and takes up another, and moves its finger
     end), false, "an instrument that is not there")
 end)
 
+case("the leading hand may take up what the other one would hold, and has it", function()
+    local person = operator.start(function(me)
+        me.take_up({ 5, 0, 3 }, "capsule_hook", "side_port")
+        me.wait(1)
+    end, "d", 4, dt, { "phaco", "capsule_hook" })
+    local samples
+    for step = 1, 50 do samples = person:operate(percept(step * dt, 0)) end
+    equal(samples[1].present, false)
+    equal(samples[2].present, true)
+end)
+
 case("a plan that draws numbers of its own changes nothing else", function()
     local function dice(me)
         for _ = 1, 10 do math.random() end

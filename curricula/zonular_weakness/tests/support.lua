@@ -24,11 +24,11 @@ return scenarios {
         set = gap(90),
         function(t)
             t:wait(1)
-            t:expect("bag.offset_mm > 0.2 and bag.tilt_deg > 2 and zonules.unsupported_deg > 89")
+            t:expect("bag.offset_mm > 0.15 and bag.tilt_deg > 2 and zonules.unsupported_deg > 89")
             local aside = t:value("bag.offset_mm")
             hand.set_hook(t)
             t:wait(0.5)
-            t:expect("zonules.hooks == 1 and zonules.unsupported_deg < 50")
+            t:expect("zonules.hooks == 1 and zonules.unsupported_deg < 60")
             t:expect(function(eye) return eye.bag.offset_mm < 0.8 * aside end)
         end },
 
@@ -47,7 +47,7 @@ return scenarios {
             t:wait(1)
             hand.feed_ring(t)
             t:wait(0.5)
-            t:expect("zonules.ring and zonules.unsupported_deg > 70 and bag.offset_mm > 0.2")
+            t:expect("zonules.ring and zonules.unsupported_deg > 60 and bag.offset_mm > 0.15")
         end },
 
     scenario "ultrasound at a bag without hold, then a hook" {

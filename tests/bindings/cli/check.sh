@@ -15,7 +15,7 @@ curriculum() {
 good_step='step "work" { done = "phaco.tip_depth_mm > goal.deep_mm" }'
 good_event='error_event "deep" { when = "phaco.tip_depth_mm > 4", recovered = "phaco.tip_depth_mm < 3", advice = "Up." }'
 # wrong LINE TEXT: of the curriculum as it stands.
-wrong() { expect 1 "rhexis: mine/curriculum.lua:$1: $2" "$rhexis" check "$work/mine"; }
+wrong() { expect 1 "rhexis: $work/mine/curriculum.lua:$1: $2" "$rhexis" check "$work/mine"; }
 
 curriculum "$good_step" "$good_event" 'objectives = { "See depth" }, levels = { easy = { meaning = "young", patient = { age = 40 } } },'
 expect 0 "" "$rhexis" check "$work/mine"
@@ -92,4 +92,78 @@ wrong 6 "error_event 'e': recovery can never hold: deadline_s = 0 leaves no time
 curriculum "$good_step" "$(recovery 'recovered = "phaco.tip_depth_mm > goal.deep_mm and phaco.tip_depth_mm < 4"')" \
     'levels = { hard = { goals = { deep_mm = 4.5 } } },'
 expect 1 "can never hold (at level hard)" "$rhexis" check "$work/mine"
+
+# What is well formed and means something else: a number that stands alone, a recovery that the error brings along.
+curriculum "$good_step" 'error_event "e" { when = "phaco.tip_depth_mm", advice = "Up." }' ''
+wrong 6 "error_event 'e': when: phaco.tip_depth_mm is a number, which holds whatever it is: compare it"
+curriculum "$good_step" "$(recovery 'recovered = "iris.touch or phaco.tip_depth_mm > 1"')" ''
+wrong 6 "error_event 'e': recovered: \"iris.touch or phaco.tip_depth_mm > 1\" holds whenever 'when' does"
+curriculum "$good_step" "$(recovery 'recovered = "iris.gap_mm > 0.2"')" ''
+expect 0 "" "$rhexis" check "$work/mine"
+
+# The slips of who does not program.
+curriculum "$good_step" 'error_event "e" { when = "iris.touch" advice = "Up." }' ''
+wrong 6 "'}' expected near 'advice': most often a comma is missing before it"
+curriculum "$good_step" 'error_event "e" { when = "iris.touch, advice = 3 }' ''
+wrong 6 "unfinished string"
+grep -q "a quotation mark is missing" "$work/stderr" || fail "no advice: $(cat "$work/stderr")"
+
+# Notes: no mistakes, status 0.
+noted() {
+    expect 0 "" "$rhexis" check "$work/mine"
+    says "note: $1"
+}
+curriculum "$good_step" "$(event 'items = { "G4" }')" 'scoring = osacss { "G5", "T10" },'
+noted "error_event 'e': item G4 is not among those of \`scoring\`"
+says "note: scoring: item T10 (Nucleus: rotation and manipulation) cannot be scored here"
+curriculum 'step "work" { done = "not phaco.present" }' 'error_event "e" { when = "not phaco.present", advice = "In." }' ''
+noted "error_event 'e' happens at the first moment"
+says "note: step 'work' is done at the first moment"
+curriculum "$good_step" "$good_event" 'texts = { fr = { T = "T", ["Upp."] = "Haut." } },'
+noted 'texts in fr: nothing here says "Upp." (did you mean "Up."?)'
+
+# A rubric of its own: where it is wrong, and what it names that is not there.
+rubric() {
+    cat >"$work/mine/own.lua" <<L
+local scoring = require "scoring"
+return scoring.rubric { name = "Own", caps = {}, items = { { id = "S", name = "Still", measures = { { id = "S.m", name = "m",
+    of = "$1", take = "$2", unit = "1", five = 0, three = 1, one = 2, source = "own" } } } } }
+L
+    curriculum "$good_step" '' 'scoring = (require "own") { "S" },'
+}
+rubric "iris.touch" "coutn"
+expect 1 "mine/own.lua:2: item S, measure 'S.m': take = \"coutn\" is not allowed (did you mean count?)" "$rhexis" check "$work/mine"
+rubric "iris.tuoch" "count"
+noted "scoring: measure S.m of item S counts for nothing here: unknown measure 'iris.tuoch' (did you mean iris.touch"
+
+# The plan of a virtual surgeon.
+curriculum "$good_step" '' ''
+expect 2 "the exercise has no surgeon.lua, the plan of a virtual surgeon" "$rhexis" run "$work/mine" --no-pictures --out "$work/run"
+echo 'return function(me) me.wait(1 end' >"$work/mine/surgeon.lua"
+expect 1 "mine/surgeon.lua:1: ')' expected near 'end'" "$rhexis" check "$work/mine"
+rm "$work/mine/surgeon.lua"
+
+# An operation: what begins_with names, and whose opening is taken over.
+operation() {
+    mkdir -p "$work/two"
+    printf 'return operation { title = "T", parts = { part "one" { exercise = "../mine" },\n' >"$work/two/curriculum.lua"
+    printf ' part "two" { exercise = "../mine", %s } } }\n' "$1" >>"$work/two/curriculum.lua"
+}
+operation 'begins_with = { ["phaco.power_limit"] = "min(1, lens.removed_mm3)" }'
+expect 0 "" "$rhexis" check "$work/two"
+operation 'begins_with = { ["phaco.power_limti"] = "lens.removed_mm3" }'
+expect 1 "two/curriculum.lua:2: part 'two': begins_with: there is no setting 'phaco.power_limti'" "$rhexis" check "$work/two"
+operation 'begins_with = { ["phaco.power_limit"] = "lens.removed_mm33" }'
+expect 1 "no part before it measures 'lens.removed_mm33' (did you mean lens.removed_mm3" "$rhexis" check "$work/two"
+operation 'opening = "one"'
+expect 1 "part two: opening: part one tears none" "$rhexis" check "$work/two"
+
+# Every name that may be written.
+expect 0 "" "$rhexis" words "$work/mine"
+for name in iris.touch goal.deep_mm step.time_s machine.vacuum_mmhg T10; do says "  $name "; done
+expect 0 "" "$rhexis" words "$work/mine" IRIS gap
+says "Least gap between an instrument and the iris"
+! grep -q "phaco.power" "$work/stdout" || fail "words that were not chosen"
+expect 1 "no line holds all of these words" "$rhexis" words "$work/mine" xyzzy
+expect 2 "there is no curriculum 'grooove' (did you mean" "$rhexis" words grooove
 finished

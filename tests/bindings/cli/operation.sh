@@ -106,6 +106,9 @@ cp -r both other
 sed -i 's/osacss { "T3", "T5" }/osacss { "T3", "G6" }/' other/curriculum.lua
 expect 0 "" "$rhexis" replay whole --score-with other --json
 says '"id": "G6"'
+sed -i 's/scoring = .*/scoring = osacss.all,/' other/curriculum.lua
+expect 0 "" "$rhexis" replay whole --score-with other --json
+for item in T1 T14 G6; do says "\"id\": \"$item\""; done
 expect 2 "these are the parts of an operation" "$rhexis" replay whole --score-with fill
 
 # What is wrong.
@@ -135,6 +138,9 @@ return operation { title = "Wrong", parts = { part "both" { exercise = "../both"
 L
 wrong "wrong/curriculum.lua:1: part nowhere: there is no curriculum 'nowhere'" <<'L'
 return operation { title = "Wrong", parts = { part "nowhere" {} } }
+L
+wrong "a rubric has no 'al' (did you mean all?)" <<'L'
+return operation { title = "Wrong", parts = { part "fill" { exercise = "../fill" } }, scoring = osacss.al }
 L
 wrong "part 'a' is the first: it has nothing to continue" <<'L'
 return operation { title = "Wrong", parts = { part "a" { exercise = "../fill", continues = true } } }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "physics/bag_contents.hpp"
+#include "physics/fluid_step.hpp"
 #include "physics/hydrodissection_flow.hpp"
 #include "tools/ia_tip.hpp"
 #include "tools/rhexis_tools.hpp"
@@ -123,6 +124,24 @@ TEST_CASE("hydrodissection: in the chamber, or deep in the cortex, there is no w
         CHECK(scene.state.hydrodissection->injected > 50.0);
         CHECK(scene.state.hydrodissection->trapped == 0.0);
         CHECK(wave_share(*scene.state.hydrodissection) == 0.0);
+    }
+}
+
+TEST_CASE("hydrodissection: where wounds are simulated as well, only what they let out comes out") {
+    for (const bool wounds : {false, true}) {
+        Scene scene;
+        if (wounds) {
+            scene.model.wounds.emplace();
+            scene.state = rest_state(scene.model);
+        }
+        scene.inject_at(under_rim, 1.0);
+        double out = 0.0;
+        for (int i = 0; i < 100; ++i) {
+            step_fluid(scene.model, scene.tools, scene.probes, 0.01, scene.state);
+            out += 0.01 * scene.state.flows.leak;
+        }
+        CAPTURE(wounds);
+        CHECK((out > 1.0) == !wounds);  // none has been cut
     }
 }
 
