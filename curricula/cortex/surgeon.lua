@@ -2,7 +2,7 @@
 -- What a virtual surgeon does with cortex: holds each tag in the fornix with the mouth up, draws it to the middle, and
 -- aspirates it there. Folds that run to the tip are let go. It sees the picture only. [mm]
 
-local instruments = require "surgeons.instruments"
+local aspirating = require "surgeons.aspirating"
 
 local speed, careful, strips = 7.0, 4.0, 4.0
 local sectors = 16
@@ -17,26 +17,9 @@ local holds_longest = 1.5   -- [s]
 local takes_longest = 2.0
 local most_passes = 3
 
-local function folds(seen) return seen.landmarks.capsule_folds and "folds" or nil end
-
-local function let_go(me)
-    me.turn(0)
-    me.pedal(1)
-    me.wait_until(function(seen) return not seen.landmarks.capsule_folds end, 2)
-end
-
 local function at(place, out, z)
     local across = math.max(0.1, math.sqrt(place[1] ^ 2 + place[2] ^ 2))
     return { place[1] / across * out, place[2] / across * out, z }
-end
-
-local function watched_wait(me, done, longest)
-    me.wait_until(function(seen) return done(seen) or (me.notices(folds) and true) end, longest)
-    if me.notices(folds) then
-        let_go(me)
-        return false
-    end
-    return true
 end
 
 -- Under a tag, so that the mouth meets it.
@@ -66,10 +49,14 @@ local function take(me, name)
     me.turn(roll)
     me.go(tip, careful)
     me.pedal(2)
-    if not watched_wait(me, function(seen) return seen.landmarks.cortex_at_tip end, holds_longest) then return end
-    if me.go(at(place, middle, middle_z), strips, folds) then return let_go(me) end
+    if not aspirating.wait_until(me, function(seen) return seen.landmarks.cortex_at_tip end, holds_longest) then
+        return
+    end
+    if me.go(at(place, middle, middle_z), strips, aspirating.folds) then return aspirating.let_go(me) end
     me.turn(0)
-    if not watched_wait(me, function(seen) return not seen.landmarks.cortex_at_tip end, takes_longest) then return end
+    if not aspirating.wait_until(me, function(seen) return not seen.landmarks.cortex_at_tip end, takes_longest) then
+        return
+    end
     me.pedal(1)
 end
 
@@ -82,11 +69,7 @@ end
 
 return function(me)
     me.wait_until(function(seen) return seen ~= nil end, 10)
-    local wound = me.see().landmarks.incision.position
-    me.take_up(instruments.outside(wound))
-    me.wait(0.5)
-    me.pedal(1)
-    me.go(wound, speed)
+    local wound = aspirating.come_to_wound(me, speed)
     me.go({ 0, -middle, middle_z }, speed)
     for _ = 1, most_passes do
         for i = 1, sectors do take(me, "cortex_" .. i) end
@@ -94,8 +77,5 @@ return function(me)
     end
     me.pedal(1)
     me.go({ 0, -1, 0.5 }, speed)
-    me.go(wound, speed)
-    me.go(instruments.outside(wound), speed)
-    me.put_down()
-    me.pedal(0)
+    aspirating.come_out(me, wound, speed)
 end

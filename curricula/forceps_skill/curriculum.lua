@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- A basic skill: the forceps go in closed, take bead after bead, carry it to the tray in the middle and let it go.
 
+local touch_events = require "touch_events"
+
 return exercise {
     title = "Forceps: take, carry, let go",
     version = 1,
@@ -64,26 +66,8 @@ return exercise {
             advice = "Close the jaws before you are in the wound, on the way in and on the way out.",
             items = { "G3", "G4" },
         },
-        error_event "Iris touched" {
-            when = "iris.touch",
-            recovered = "iris.gap_mm > 0.1",
-            deadline_s = 1,
-            near_miss_s = 0,
-            severity = "minor",
-            cue = "The pupil's edge moves with the instrument.",
-            advice = "Stop, draw the forceps back to the middle of the pupil, and look at the shaft.",
-            items = { "G5", "G4" },
-        },
-        error_event "Cornea touched" {
-            when = "forceps.endothelium_mm < 0.1 and forceps.tip_y_mm > -2.5",
-            recovered = "forceps.endothelium_mm > 0.5",
-            deadline_s = 1,
-            near_miss_s = 0,
-            severity = "minor",
-            cue = "Folds in the cornea around the tip.",
-            advice = "Lower the tip at once: endothelium does not grow again.",
-            items = { "G3", "G4" },
-        },
+        error_event "Iris touched" (touch_events.iris { items = { "G5", "G4" } }),
+        error_event "Cornea touched" (touch_events.cornea("forceps", { items = { "G3", "G4" } })),
     },
 
     time_limit_s = 240,

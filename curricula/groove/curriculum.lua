@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- One groove, sculpted into the middle of a cataract that lies free in its capsular bag.
 
+local touch_events = require "touch_events"
+
 return exercise {
     title = "Sculpting a groove",
     version = 1,
@@ -58,17 +60,8 @@ return exercise {
             items = { "T9", "G4" },
             evidence = { "groove.depth_share", "phaco.power", "reflex.tip" },
         },
-        error_event "Iris touched" {
-            when = "iris.touch",
-            recovered = "iris.gap_mm > 0.1",
-            deadline_s = 1,
-            near_miss_s = 0,
-            severity = "minor",
-            cue = "The pupil's edge moves with the instrument.",
-            advice = "Iris touched: stop, draw the instrument back to the middle of the pupil, and look at the shaft.",
-            items = { "G5", "G4" },
-            evidence = { "iris.gap_mm", "phaco.pedal" },
-        },
+        error_event "Iris touched" (touch_events.iris { items = { "G5", "G4" },
+            evidence = { "iris.gap_mm", "phaco.pedal" } }),
         error_event "Pushing the lens" {
             when = "lens.displacement_mm > 0.5",
             recovered = "lens.displacement_mm < 0.25",

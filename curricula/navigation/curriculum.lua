@@ -3,6 +3,7 @@
 -- circle.
 
 local targets = require "targets"
+local touch_events = require "touch_events"
 
 local near = "max(max(abs(probe.tip_x_mm - (%g)), abs(probe.tip_y_mm - (%g))), abs(probe.tip_z_mm - (%g)))"
 
@@ -85,26 +86,8 @@ return exercise {
             advice = "Stop, look, and go back to the circle the shortest way before you go on.",
             items = { "T8", "G4" },
         },
-        error_event "Iris touched" {
-            when = "iris.touch",
-            recovered = "iris.gap_mm > 0.1",
-            deadline_s = 1,
-            near_miss_s = 0,
-            severity = "minor",
-            cue = "The pupil's edge moves with the instrument.",
-            advice = "Stop, draw the instrument back to the middle of the pupil, and look at the shaft.",
-            items = { "G5", "G4" },
-        },
-        error_event "Cornea touched" {
-            when = "probe.endothelium_mm < 0.1 and probe.tip_y_mm > -2.5",
-            recovered = "probe.endothelium_mm > 0.5",
-            deadline_s = 1,
-            near_miss_s = 0,
-            severity = "minor",
-            cue = "Folds in the cornea around the tip.",
-            advice = "Lower the tip at once: endothelium does not grow again.",
-            items = { "G3", "G4" },
-        },
+        error_event "Iris touched" (touch_events.iris { items = { "G5", "G4" } }),
+        error_event "Cornea touched" (touch_events.cornea("probe", { items = { "G3", "G4" } })),
     },
 
     time_limit_s = 300,

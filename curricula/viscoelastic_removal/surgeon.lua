@@ -2,7 +2,7 @@
 -- What a virtual surgeon does with viscoelastic: aspirates over the optic until none shows, then past its edge behind
 -- it, and looks whether it still floats. It sees the picture only. [mm]
 
-local instruments = require "surgeons.instruments"
+local aspirating = require "surgeons.aspirating"
 local vector = require "surgeons.vector"
 
 local speed, careful = 6.0, 3.0
@@ -13,25 +13,15 @@ local inside = 1.6        -- how far out it aspirates there
 local longest = 25.0      -- [s]
 local most_passes = 3
 
-local function folds(seen) return seen.landmarks.capsule_folds and "folds" or nil end
-
 local function aspirate(me, done)
     me.pedal(2)
-    me.wait_until(function(seen) return done(seen) or (me.notices(folds) and true) end, longest)
-    if me.notices(folds) then
-        me.pedal(1)
-        me.wait_until(function(seen) return not seen.landmarks.capsule_folds end, 2)
-    end
+    aspirating.wait_until(me, done, longest)
 end
 
 return function(me)
     me.wait_until(function(seen) return seen and seen.landmarks.optic end, 10)
-    local wound = me.see().landmarks.incision.position
     local optic = me.see().landmarks.optic.position
-    me.take_up(instruments.outside(wound))
-    me.wait(0.5)
-    me.pedal(1)
-    me.go(wound, speed)
+    local wound = aspirating.come_to_wound(me, speed)
     me.go(vector.add(optic, { 0, 0.5, over }), speed)
     aspirate(me, function(seen) return not seen.landmarks.viscoelastic end)
     for _ = 1, most_passes do
@@ -47,8 +37,5 @@ return function(me)
         if not me.see().landmarks.optic_floats then break end
     end
     me.go(vector.add(optic, { 0, -1, over }), speed)
-    me.go(wound, speed)
-    me.go(instruments.outside(wound), speed)
-    me.put_down()
-    me.pedal(0)
+    aspirating.come_out(me, wound, speed)
 end

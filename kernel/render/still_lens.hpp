@@ -16,7 +16,8 @@ struct StillLens {
     std::array<LensZone, 3> zones;
 };
 
-/// What the first membrane with a support lies on, or the lens of an eye of which only the front takes part; none where solids show instead, or in a bare scene.
+/// What the first membrane with a support lies on, or the lens of an eye of which only the front takes part; none where
+/// solids show instead, or in a bare scene.
 std::optional<StillLens> still_lens(const Frame& frame);
 
 /// Appends the borders of its zones.

@@ -1,47 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The shaft carried sideways, with the tip where it is: the eye rolls after it.
+-- The eye rolls after a shaft that is carried sideways.
 
-local over_lens = { 0, 0, 2.6 }
+local rolled = require "globe_scenarios"
 
-local function come_in(t)
-    t.phaco:enter({ speed = 10 })
-    t.phaco:pedal(1)
-    t.phaco:move_to(over_lens, { speed = 12 })
-end
-
--- So far to the right of the wound that the shaft goes through [mm].
-local function carry(t, off)
-    t.phaco:move_to(over_lens, { seconds = 1, shaft = { off, -4.9, 0.3 } })
-    t:wait(0.6)
-end
-
-return scenarios {
-    scenario "eye rolled, shaft back to the wound" {
-        function(t)
-            come_in(t)
-            carry(t, 5)
-            t:expect_event("Eye rolled", { within = 1 })
-            t:expect("globe.corneal_deflection_mm > 0.3 and globe.excursion_mm > 2")
-            t.phaco:move_to(over_lens, { seconds = 1, shaft = "wound" })
-            t:expect_event("Eye rolled", { recovered = true, within = 2 })
-            t:expect("globe.enlargement_mm > 0.1")
-        end },
-
-    scenario "eye rolled, and held so" {
-        function(t)
-            come_in(t)
-            carry(t, 5)
-            t:expect_event("Eye rolled", { within = 1 })
-            t:expect_event("Eye rolled", { recovered = false, within = 5 })
-        end },
-
-    scenario "the tip goes from side to side about the wound" {
-        silent_twin_of = "Eye rolled",
-        function(t)
-            come_in(t)
-            t.phaco:move_to({ 2, 0, 2.6 }, { speed = 6 })
-            t.phaco:move_to({ -2, 0, 2.6 }, { speed = 6 })
-            carry(t, -1)
-            t:expect("globe.rotation_deg > 0.2 and globe.rotation_deg < 7")
-        end },
-}
+return scenarios(rolled(scenario))

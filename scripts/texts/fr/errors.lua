@@ -134,6 +134,8 @@ return {
     -- iris and cornea
     ["Iris touched"] = "Iris touché",
     ["The pupil's edge moves with the instrument."] = "Le bord de la pupille suit l'instrument.",
+    ["Iris touched: stop, draw the instrument back to the middle of the pupil, and look at the shaft."] =
+        "Iris touché : arrêtez, ramenez l'instrument au milieu de la pupille, et regardez la tige.",
     ["Iris in the tip"] = "Iris dans l'embout",
     ["The edge of the pupil runs into the tip."] = "Le bord de la pupille part dans l'embout.",
     ["Iris in the tip: let go of the pedal and wait until it slips off; do not pull."] =
