@@ -107,7 +107,8 @@ function words.line_here()
     return nil
 end
 
---- File and line of the innermost script that is not one of scripts/, such as "my_exercise/rubric.lua", 3.
+--- File and line of the innermost script that is not one of scripts/, such as "my_exercise/curriculum.lua", 3: where it
+--- calls, or requires a file that ends with `return f { ... }`.
 function words.outside()
     for level = 2, 24 do
         local _, message = pcall(error, "", level)

@@ -122,7 +122,7 @@ says "note: step 'work' is done at the first moment"
 curriculum "$good_step" "$good_event" 'texts = { fr = { T = "T", ["Upp."] = "Haut." } },'
 noted 'texts in fr: nothing here says "Upp." (did you mean "Up."?)'
 
-# A rubric of its own: where it is wrong, and what it names that is not there.
+# A rubric of its own: where it is required if it is wrong, and what it names that is not there.
 rubric() {
     cat >"$work/mine/own.lua" <<L
 local scoring = require "scoring"
@@ -132,7 +132,7 @@ L
     curriculum "$good_step" '' 'scoring = (require "own") { "S" },'
 }
 rubric "iris.touch" "coutn"
-expect 1 "mine/own.lua:2: item S, measure 'S.m': take = \"coutn\" is not allowed (did you mean count?)" "$rhexis" check "$work/mine"
+expect 1 "mine/curriculum.lua:7: item S, measure 'S.m': take = \"coutn\" is not allowed (did you mean count?)" "$rhexis" check "$work/mine"
 rubric "iris.tuoch" "count"
 noted "scoring: measure S.m of item S counts for nothing here: unknown measure 'iris.tuoch' (did you mean iris.touch"
 

@@ -21,7 +21,7 @@ tests() {
 tests steady_hand ""
 tests small_pupil "put right"
 tests two_wounds "hydrated"
-tests sudden_surge "foot up"
+tests sudden_surge "surge, foot up"
 
 # runs EXERCISE SURGEON SECONDS
 runs() {
