@@ -72,6 +72,60 @@ function rhexis_events.edge_lost(own)
     }, own)
 end
 
+-- The opening that is planned is 2 goal.radius_mm wide. With the usual 5.24 mm the limits are where T5 of the rubric has
+-- three points: 4.5 and 6.0 mm, and 0.5 mm beside the middle.
+local too_narrow = "rhexis.diameter_mm < 2 * goal.radius_mm - 0.74"
+local too_wide = "rhexis.diameter_mm > 2 * goal.radius_mm + 0.76"
+
+local shape = { "rhexis.diameter_mm", "rhexis.centre_offset_mm", "rhexis.circularity", "rhexis.overlap_deg" }
+
+--- The flap is off and the opening too narrow. Put right by a second cut from its rim that goes round in a spiral.
+function rhexis_events.too_small(own)
+    return with({
+        when = too_narrow,
+        recovered = "rhexis.diameter_mm >= 2 * goal.radius_mm - 0.5 and not rhexis.run_out",
+        deadline_s = 60,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "Beside the pupil and the marks on the forceps the opening is narrow.",
+        advice = "A narrow rim splits under the tip or the implant. Cut from the rim outwards, take hold of the new "
+            .. "flap, and lead it round in a spiral to the planned circle.",
+        evidence = shape,
+    }, own)
+end
+
+--- The flap is off and the opening too wide: nothing makes it narrower. Put right by having it recorded, so that lens
+--- and place of the optic are chosen by it. An exercise with this event has the request "Opening recorded".
+function rhexis_events.too_large(own)
+    return with({
+        when = too_wide,
+        recovered = "requested.opening_recorded",
+        deadline_s = 60,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The rim is close to the edge of the pupil, and will not lie before the optic.",
+        advice = "Have it recorded: the rim does not hold the optic all round. Choose the lens and where its optic "
+            .. "goes by that.",
+        evidence = shape,
+    }, own)
+end
+
+--- The flap is off and the opening beside the middle. Put right by a second cut on its near side, or by having it
+--- recorded where that would make it too wide.
+function rhexis_events.off_centre(own)
+    return with({
+        when = "rhexis.centre_offset_mm > 0.5",
+        recovered = "rhexis.centre_offset_mm <= 0.5 and not rhexis.run_out or requested.opening_recorded",
+        deadline_s = 60,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The rim is nearer to the pupil's edge on one side than on the other.",
+        advice = "Where the rim is near the middle, cut it outwards and lead a second flap along the planned circle. "
+            .. "Where that would make the opening too wide, have it recorded and place the optic by it.",
+        evidence = shape,
+    }, own)
+end
+
 --- The needle ploughs the cortex under the capsule.
 function rhexis_events.too_deep(own)
     return with({

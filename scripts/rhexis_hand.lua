@@ -14,6 +14,113 @@ end
 
 local place = rhexis_hand.place
 
+--- A place by its distance and angle from a middle that is so far to the surgeon's right of the axis [mm].
+function rhexis_hand.beside(aside, radius, angle, height, lift)
+    local a = math.rad(angle)
+    local x, y = aside + radius * math.cos(a), radius * math.sin(a)
+    return place(math.sqrt(x * x + y * y), math.deg(math.atan(y, x)), height, lift)
+end
+
+local beside = rhexis_hand.beside
+
+-- A function that tells places before the end of the tear, along a circle: so far ahead [mm], at a height. And the angle
+-- about the circle's middle at which the tear ends [degrees].
+local function before_end(t, circle)
+    local aside, lift = circle.aside or 0, t:value("lens.lift_mm")
+    local angle, radius = math.rad(t:value("rhexis.tip_angle_deg")), t:value("rhexis.tip_radius_mm")
+    local at_rest = math.sqrt((radius * math.cos(angle) - aside) ^ 2 + (radius * math.sin(angle)) ^ 2)
+    local x, y = t:value("rhexis.tip_x_mm") - aside, t:value("rhexis.tip_y_mm")
+    local now, out = math.deg(math.atan(y, x)), math.max(-0.3, math.min(circle.outwards or 0.35, circle.radius - at_rest))
+    local wanted = math.sqrt(x * x + y * y) + 0.1 + out
+    return now, function(ahead, height)
+        return beside(aside, wanted, now + math.deg(ahead / wanted), height, lift)
+    end
+end
+
+-- The needle, through the capsule anew just before the end of a tear.
+local function put_before(t, ahead)
+    t.cystotome:move_to(ahead(0.4, 0.3), { speed = 12 })
+    t.cystotome:move_to(ahead(0.4, -0.4), { speed = 4 })
+end
+
+-- Towards a place, no farther than a step of the way.
+local function step_towards(t, place, circle)
+    local step, from = 0.15, t.cystotome:tip()
+    local share = math.min(1, step / math.max(1e-6, math.sqrt((place[1] - from[1]) ^ 2 + (place[2] - from[2]) ^ 2)))
+    local to = {}
+    for i = 1, 3 do to[i] = from[i] + share * (place[i] - from[i]) end
+    return t.cystotome:move_to(to, { seconds = step / (circle.speed or 3), motion = "even", stop = circle.stop })
+end
+
+--- With the needle, its point under the capsule: draws the end of the tear round along a circle, against the clock, by
+--- so many degrees or until a condition holds; where it stays behind, the needle is put in anew before it. circle: {
+--- radius, aside = of its middle to the right of the axis [mm], by = [degrees], stop, speed = [mm/s], longest = [s] }.
+--- Returns whether the condition holds.
+function rhexis_hand.draw_round(t, circle)
+    local until_s = t:time_s() + (circle.longest or 15)
+    local gone, waits, last = 0, 0, nil
+    while gone < circle.by and t:time_s() < until_s and t:value("rhexis.tip_radius_mm") do
+        local angle, ahead = before_end(t, circle)
+        local on = last and (angle - last + 180) % 360 - 180 or 0
+        gone, last, waits = gone + on, angle, math.abs(on) > 0.5 and 0 or waits + 1
+        if waits > 8 then
+            t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+            put_before(t, ahead)
+            waits = 0
+        end
+        if step_towards(t, ahead(0.6 + 0.12 * waits, -0.4), circle) then return true end
+    end
+    return false
+end
+
+--- With the needle: through the capsule on a circle, at an angle about its middle, and round along it.
+function rhexis_hand.cut_circle(t, circle)
+    local lift = t:value("lens.lift_mm")
+    local function over(height) return beside(circle.aside or 0, circle.radius, circle.from or 0, height, lift) end
+    t.cystotome:enter({ speed = 20 })
+    t.cystotome:move_to(over(0.5), { speed = 12 })
+    t.cystotome:move_to(over(-0.4), { speed = 2 })
+    rhexis_hand.draw_round(t, circle)
+end
+
+--- The needle comes to the end of a tear, and leads it on along a circle.
+function rhexis_hand.cut_on(t, circle)
+    t.cystotome:enter({ speed = 20 })
+    t.cystotome:move_to({ 0, -1, 3 }, { speed = 20 })
+    local _, ahead = before_end(t, circle)
+    put_before(t, ahead)
+    return rhexis_hand.draw_round(t, circle)
+end
+
+-- Pierces the capsule outside the rim of an opening, as far from the axis [mm], at an angle [degrees], and cuts through
+-- the rim from there: a tear ends there then.
+local function notch(t, angle, radius)
+    local lift = t:value("lens.lift_mm")
+    t.cystotome:turn(90)  -- so that the slit runs towards the rim
+    t.cystotome:move_to(place(radius, angle, 0.3, lift), { speed = 12 })
+    t.cystotome:move_to(place(radius, angle, -0.4, lift), { speed = 6 })
+    t.cystotome:move_to(place(radius - 1.2, angle, -0.4, lift), { speed = 2, motion = "even",
+        stop = "rhexis.tip_radius_mm > 0" })
+    t.cystotome:turn(0)
+    t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+end
+
+--- A second cut from the rim of a closed opening: where the first left the end of a tear in it, or from a new notch.
+--- circle: as for draw_round, and where a notch is to be: at = angle [degrees], from = distance from the axis [mm].
+function rhexis_hand.cut_again(t, circle)
+    t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+    if not t:value("rhexis.tip_radius_mm") then notch(t, circle.at, circle.from) end
+    if not t:value("rhexis.tip_radius_mm") then return false end
+    local _, ahead = before_end(t, circle)
+    put_before(t, ahead)
+    return rhexis_hand.draw_round(t, circle)
+end
+
+function rhexis_hand.lift_out(t)
+    t.cystotome:move_by({ 0, 0, 1.2 }, { speed = 8 })
+    t.cystotome:withdraw({ speed = 20 })
+end
+
 --- With the needle: through the capsule, outwards to the planned circle, and a quarter of the way round along it.
 function rhexis_hand.begin_flap(t)
     t.cystotome:enter()

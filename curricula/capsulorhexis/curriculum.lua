@@ -47,7 +47,19 @@ return exercise {
             hint = "With the forceps: fold the flap over, take hold of it near the end of the tear, lead it round in "
                 .. "the plane of the capsule, and take hold anew before the tear is far from the jaws.",
         }),
-        step "withdraw" (rhexis_exercise.withdraw {}),
+        -- Who sees that the opening is not as planned has time to come back with the needle, or to have it recorded.
+        step "withdraw" (rhexis_exercise.withdraw {
+            hint = "Take the flap out with the forceps. Compare the opening with the plan before you leave.",
+            done = "instruments.out_s > 0 and (instruments.out_s > 7 or requested.opening_recorded or "
+                .. "(abs(rhexis.diameter_mm - 2 * goal.radius_mm - 0.01) < 0.75 and rhexis.centre_offset_mm <= 0.5))",
+        }),
+    },
+
+    requests = {
+        request "Opening recorded" {
+            meaning = "size and place of the opening go on record, and lens and place of the optic are chosen by them",
+            answer = "On record: the lens is chosen by it.",
+        },
     },
 
     errors = {
@@ -55,6 +67,9 @@ return exercise {
         error_event "Overfilled" (rhexis_events.overfilled { items = { "T3" } }),
         error_event "Tear runs out" (rhexis_events.runs_out { items = { "T4", "T5", "G4" } }),
         error_event "Edge lost" (rhexis_events.edge_lost { items = { "T5" } }),
+        error_event "Opening too small" (rhexis_events.too_small { items = { "T5", "T13" } }),
+        error_event "Opening too large" (rhexis_events.too_large { items = { "T5", "T13" } }),
+        error_event "Opening off-centre" (rhexis_events.off_centre { items = { "T5", "T13" } }),
         error_event "Needle too deep" (rhexis_events.too_deep { items = { "T4", "G4" } }),
         error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" } }),
     },
