@@ -45,6 +45,17 @@ return {
     ["The eye is hard, the iris bulges towards the wound."] = "L'œil est dur, l'iris bombe vers l'incision.",
     ["Too much: stop pressing, and let some out through the wound before you go on."] =
         "Trop : cessez d'appuyer, et laissez-en sortir par l'incision avant de continuer.",
+    ["Weak zonules declared"] = "Zonule fragile signalée",
+    ["the zonules are weak: hooks or a ring before the nucleus is touched"] =
+        "la zonule est fragile : crochets ou anneau avant de toucher au noyau",
+    ["Hooks and a ring are laid out."] = "Les crochets et un anneau sont préparés.",
+    ["Wrinkles at the puncture"] = "Plis à la ponction",
+    ["Spokes run out from the needle, and the lens sinks before the capsule is pierced."] =
+        "Des plis rayonnent autour de l'aiguille, et le cristallin s'enfonce avant que la capsule ne soit percée.",
+    ["Wrinkles at the puncture tell of weak zonules: say so, and have hooks or a ring ready before the nucleus is "
+        .. "touched."] =
+        "Des plis à la ponction trahissent une zonule fragile : signalez-le, et faites préparer des crochets ou un "
+            .. "anneau avant de toucher au noyau.",
     ["Tear runs out"] = "La déchirure file",
     ["The leading edge drifts outwards, and the flap hides where it hangs."] =
         "Le front de déchirure dérive en dehors, et le lambeau cache son attache.",

@@ -60,11 +60,16 @@ return exercise {
             meaning = "size and place of the opening go on record, and lens and place of the optic are chosen by them",
             answer = "On record: the lens is chosen by it.",
         },
+        request "Weak zonules declared" {
+            meaning = "the zonules are weak: hooks or a ring before the nucleus is touched",
+            answer = "Hooks and a ring are laid out.",
+        },
     },
 
     errors = {
         error_event "Underfilled" (rhexis_events.underfilled { items = { "T3", "T4" } }),
         error_event "Overfilled" (rhexis_events.overfilled { items = { "T3" } }),
+        error_event "Wrinkles at the puncture" (rhexis_events.wrinkles { items = { "T4", "T10" } }),
         error_event "Tear runs out" (rhexis_events.runs_out { items = { "T4", "T5", "G4" } }),
         error_event "Edge lost" (rhexis_events.edge_lost { items = { "T5" } }),
         error_event "Opening too small" (rhexis_events.too_small { items = { "T5", "T13" } }),

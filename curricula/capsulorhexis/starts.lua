@@ -13,12 +13,20 @@ local function nearly_round(radius, aside, speed)
     end }
 end
 
+local brittle = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = 0.2 }
+
 return starts {
     flap = { set = full, rhexis_hand.begin_flap },
     shallow = { set = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20,
         ["capsule.toughness"] = 0.6 }, rhexis_hand.begin_flap },
-    brittle = { set = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20,
-        ["capsule.toughness"] = 0.2 }, rhexis_hand.begin_flap },
+    brittle = { set = brittle, rhexis_hand.begin_flap },
+    lost = { set = brittle, function(t)
+        rhexis_hand.begin_flap(t)
+        t.forceps:enter({ speed = 20 })
+        rhexis_hand.lose_edge(t)
+        rhexis_hand.open_jaws(t)
+        t.forceps:withdraw({ speed = 20 })
+    end },
     narrow = nearly_round(1.85, 0),
     rather_narrow = nearly_round(2.35, 0),
     wide = nearly_round(3.15, 0),

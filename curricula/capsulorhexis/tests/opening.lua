@@ -22,7 +22,8 @@ return scenarios {
         function(t)
             finish(t, 1.85)
             t:expect_event("Opening too small")
-            rhexis_hand.cut_again(t, { at = 120, from = 2.8, radius = 2.4, by = 420, speed = 4.5,
+            t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+            rhexis_hand.cut_anew(t, { at = 120, from = 2.8, radius = 2.4, by = 420, speed = 4.5,
                 stop = "rhexis.diameter_mm > 4.5" })
             t:expect("rhexis.diameter_mm > 4.74")
             t:expect_event("Opening too small", { recovered = true, within = 0.1 })
@@ -81,7 +82,8 @@ return scenarios {
         function(t)
             finish(t, 2.6, 0.75)
             t:expect_event("Opening off-centre")
-            rhexis_hand.cut_again(t, { at = 120, from = 3.1, radius = 2.5, by = 200, speed = 4,
+            t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+            rhexis_hand.cut_anew(t, { at = 120, from = 3.1, radius = 2.5, by = 200, speed = 4,
                 stop = "rhexis.centre_offset_mm < 0.5" })
             t:expect_event("Opening off-centre", { recovered = true, within = 0.1 })
         end },
