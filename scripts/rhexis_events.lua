@@ -36,6 +36,23 @@ function rhexis_events.overfilled(own)
     }, own)
 end
 
+--- Spokes about the needle before it is through: zonules that hold the capsule loosely let it wrinkle where they would
+--- keep it taut (docs/tearing.md, "Needle"). Put right by saying so, before the nucleus is touched. An exercise with
+--- this event has the request "Weak zonules declared".
+function rhexis_events.wrinkles(own)
+    return with({
+        when = "not rhexis.opened and cystotome.wrinkled_share > 0.05",
+        recovered = "requested.weak_zonules_declared",
+        deadline_s = 30,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "Spokes run out from the needle, and the lens sinks before the capsule is pierced.",
+        advice = "Wrinkles at the puncture tell of weak zonules: say so, and have hooks or a ring ready before the "
+            .. "nucleus is touched.",
+        evidence = { "cystotome.wrinkled_share", "cystotome.force_mN", "lens.lift_mm" },
+    }, own)
+end
+
 --- The tear leaves the planned circle outwards. Put right when it has come back to it, or the opening is closed.
 function rhexis_events.runs_out(own)
     return with({
@@ -55,20 +72,76 @@ function rhexis_events.runs_out(own)
     }, own)
 end
 
---- The tear has come to the zonules. Nothing undoes that, and an opening whose edge is gone is never closed again: it
---- is put right when nobody pulls any more and the chamber is full, so that it goes no farther.
+--- The tear has come to the zonules, and nothing undoes that. Put right when nobody pulls any more and the chamber is
+--- full, so that it goes no farther, and then a new cut from the other end has met it: the flap is off.
 function rhexis_events.edge_lost(own)
     return with({
         when = "rhexis.run_out",
-        recovered = "not forceps.holding and 100 * viscoelastic.fill >= goal.fill_percent",
-        recovered_hold_s = 1,
-        deadline_s = 30,
+        recovered = {
+            "not forceps.holding and 100 * viscoelastic.fill >= goal.fill_percent",
+            "rhexis.loose_mm2 > 5",
+        },
+        deadline_s = 60,
         near_miss_s = 0,
         severity = "critical",
         cue = "The end of the tear is gone behind the iris.",
         advice = "Do not pull on: let go and fill the chamber. Then begin again from the other end of the cut and lead "
             .. "the new tear into the old one, gently, without pressing fluid under the edge.",
         evidence = { "rhexis.largest_radius_mm", "rhexis.torn_mm", "viscoelastic.fill" },
+    }, own)
+end
+
+-- The opening that is planned is 2 goal.radius_mm wide. With the usual 5.24 mm the limits are where T5 of the rubric
+-- has three points: 4.5 and 6.0 mm, and 0.5 mm beside the middle.
+local too_narrow = "not rhexis.run_out and rhexis.diameter_mm < 2 * goal.radius_mm - 0.74"
+local too_wide = "not rhexis.run_out and rhexis.diameter_mm > 2 * goal.radius_mm + 0.76"
+
+local shape = { "rhexis.diameter_mm", "rhexis.centre_offset_mm", "rhexis.circularity", "rhexis.overlap_deg" }
+
+--- The flap is off and the opening too narrow. Put right by a second cut from its rim that goes round in a spiral.
+function rhexis_events.too_small(own)
+    return with({
+        when = too_narrow,
+        recovered = "rhexis.diameter_mm >= 2 * goal.radius_mm - 0.5 and not rhexis.run_out",
+        deadline_s = 60,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "Beside the pupil and the marks on the forceps the opening is narrow.",
+        advice = "A narrow rim splits under the tip or the implant. Cut from the rim outwards, take hold of the new "
+            .. "flap, and lead it round in a spiral to the planned circle.",
+        evidence = shape,
+    }, own)
+end
+
+--- The flap is off and the opening too wide: nothing makes it narrower. Put right by having it recorded, so that lens
+--- and place of the optic are chosen by it. An exercise with this event has the request "Opening recorded".
+function rhexis_events.too_large(own)
+    return with({
+        when = too_wide,
+        recovered = "requested.opening_recorded",
+        deadline_s = 60,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The rim is close to the edge of the pupil, and will not lie before the optic.",
+        advice = "Have it recorded: the rim does not hold the optic all round. Choose the lens and where its optic "
+            .. "goes by that.",
+        evidence = shape,
+    }, own)
+end
+
+--- The flap is off and the opening beside the middle. Put right by a second cut on its near side, or by having it
+--- recorded where that would make it too wide.
+function rhexis_events.off_centre(own)
+    return with({
+        when = "not rhexis.run_out and rhexis.centre_offset_mm > 0.5",
+        recovered = "rhexis.centre_offset_mm <= 0.5 and not rhexis.run_out or requested.opening_recorded",
+        deadline_s = 60,
+        near_miss_s = 0,
+        severity = "minor",
+        cue = "The rim is nearer to the pupil's edge on one side than on the other.",
+        advice = "Where the rim is near the middle, cut it outwards and lead a second flap along the planned circle. "
+            .. "Where that would make the opening too wide, have it recorded and place the optic by it.",
+        evidence = shape,
     }, own)
 end
 

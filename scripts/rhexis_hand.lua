@@ -14,6 +14,135 @@ end
 
 local place = rhexis_hand.place
 
+--- A place by its distance and angle from a middle that is so far to the surgeon's right of the axis [mm].
+function rhexis_hand.beside(aside, radius, angle, height, lift)
+    local a = math.rad(angle)
+    local x, y = aside + radius * math.cos(a), radius * math.sin(a)
+    return place(math.sqrt(x * x + y * y), math.deg(math.atan(y, x)), height, lift)
+end
+
+local beside = rhexis_hand.beside
+
+-- A function that tells places before the end of the tear, along a circle: so far ahead [mm], at a height. And the
+-- angle about the circle's middle at which the tear ends [degrees].
+local function before_end(t, circle)
+    local aside, lift = circle.aside or 0, t:value("lens.lift_mm")
+    local angle, radius = math.rad(t:value("rhexis.tip_angle_deg")), t:value("rhexis.tip_radius_mm")
+    local at_rest = math.sqrt((radius * math.cos(angle) - aside) ^ 2 + (radius * math.sin(angle)) ^ 2)
+    local x, y = t:value("rhexis.tip_x_mm") - aside, t:value("rhexis.tip_y_mm")
+    local now = math.deg(math.atan(y, x))
+    local out = math.max(-0.3, math.min(circle.outwards or 0.35, circle.radius - at_rest))
+    local wanted = math.sqrt(x * x + y * y) + 0.1 + out
+    return now, function(ahead, height)
+        return beside(aside, wanted, now + (circle.sense or 1) * math.deg(ahead / wanted), height, lift)
+    end
+end
+
+-- The needle, through the capsule anew just before the end of a tear.
+local function put_before(t, ahead)
+    t.cystotome:move_to(ahead(0.4, 0.3), { speed = 12 })
+    t.cystotome:move_to(ahead(0.4, -0.4), { speed = 4 })
+end
+
+-- Towards a place, no farther than a step of the way.
+local function step_towards(t, goal, circle)
+    local step, from = 0.15, t.cystotome:tip()
+    local share = math.min(1, step / math.max(1e-6, math.sqrt((goal[1] - from[1]) ^ 2 + (goal[2] - from[2]) ^ 2)))
+    local to = {}
+    for i = 1, 3 do to[i] = from[i] + share * (goal[i] - from[i]) end
+    return t.cystotome:move_to(to, { seconds = step / (circle.speed or 3), motion = "even", stop = circle.stop })
+end
+
+--- With the needle, its point under the capsule: draws the end of the tear round along a circle by so many degrees, or
+--- until a condition holds; where it stays behind, the needle is put in anew before it. circle: { radius, aside = of
+--- its middle to the right of the axis [mm], sense = 1 against the clock or -1 with it, by = [degrees], stop, speed =
+--- [mm/s], outwards = most that it leads outwards [mm], patience = steps without progress before the needle is put in
+--- anew, longest = [s] }. Returns whether the condition holds.
+function rhexis_hand.draw_round(t, circle)
+    local until_s = t:time_s() + (circle.longest or 15)
+    local gone, waits, last = 0, 0, nil
+    while gone < circle.by and t:time_s() < until_s and t:value("rhexis.tip_radius_mm") do
+        local angle, ahead = before_end(t, circle)
+        local on = last and (circle.sense or 1) * ((angle - last + 180) % 360 - 180) or 0
+        gone, last, waits = gone + on, angle, math.abs(on) > 0.5 and 0 or waits + 1
+        if waits > (circle.patience or 8) then
+            t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+            put_before(t, ahead)
+            waits = 0
+        end
+        if step_towards(t, ahead(0.6 + 0.12 * math.min(8, waits), -0.4), circle) then return true end
+    end
+    return false
+end
+
+--- With the needle: through the capsule on a circle, at an angle about its middle, and round along it.
+function rhexis_hand.cut_circle(t, circle)
+    local lift = t:value("lens.lift_mm")
+    local function over(height) return beside(circle.aside or 0, circle.radius, circle.from or 0, height, lift) end
+    t.cystotome:enter({ speed = 20 })
+    t.cystotome:move_to(over(0.5), { speed = 12 })
+    t.cystotome:move_to(over(-0.4), { speed = 2 })
+    rhexis_hand.draw_round(t, circle)
+end
+
+--- The needle comes to the end of a tear, and leads it on along a circle.
+function rhexis_hand.cut_on(t, circle)
+    t.cystotome:enter({ speed = 20 })
+    t.cystotome:move_to({ 0, -1, 3 }, { speed = 20 })
+    local _, ahead = before_end(t, circle)
+    put_before(t, ahead)
+    return rhexis_hand.draw_round(t, circle)
+end
+
+-- Pierces the capsule outside the rim of an opening, as far from the axis [mm], at an angle [degrees], and cuts
+-- through the rim from there: a tear ends there then. Returns whether one does.
+local function notch(t, angle, radius)
+    local lift = t:value("lens.lift_mm")
+    local function ends_here(eye)
+        local now = eye.rhexis.tip_angle_deg
+        return now ~= nil and math.abs((now - angle + 180) % 360 - 180) < 20
+    end
+    t.cystotome:turn(90)  -- so that the slit runs towards the rim
+    t.cystotome:move_to(place(radius, angle, 0.3, lift), { speed = 12 })
+    t.cystotome:move_to(place(radius, angle, -0.4, lift), { speed = 6 })
+    local done = t.cystotome:move_to(place(radius - 1.2, angle, -0.4, lift), { speed = 2, motion = "even",
+        stop = ends_here })
+    t.cystotome:turn(0)
+    t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+    return done
+end
+
+--- A second cut from the rim of a closed opening, round along a circle. The needle is in the eye. circle: as for
+--- draw_round, with at = angle [degrees] and from = distance from the axis [mm] where the needle goes in.
+function rhexis_hand.cut_anew(t, circle)
+    t.cystotome:move_to(place(circle.from, circle.at, 0.8, t:value("lens.lift_mm")), { speed = 12 })
+    if not notch(t, circle.at, circle.from) then return false end
+    local _, ahead = before_end(t, circle)
+    put_before(t, ahead)
+    return rhexis_hand.draw_round(t, circle)
+end
+
+--- A new cut from the other end of a tear that the needle began: it goes in outside that end, cuts from there with the
+--- clock, and draws the new end of the tear round. circle: as for draw_round, with at = angle [degrees] and from =
+--- distance from the axis [mm] where the needle goes in.
+function rhexis_hand.cut_from_other_end(t, circle)
+    local lift, way = t:value("lens.lift_mm"), {}
+    t.cystotome:enter({ speed = 20 })
+    t.cystotome:move_to(place(circle.from, circle.at, 0.4, lift), { speed = 15 })
+    t.cystotome:move_to(place(circle.from, circle.at, -0.4, lift), { speed = 6 })
+    for i = 1, 6 do
+        way[i] = place(circle.from + (circle.radius - circle.from) * i / 6, circle.at - 10 * i, -0.4, lift)
+    end
+    t.cystotome:path(way, { speed = 2.5, motion = "even" })
+    circle.sense, circle.patience = -1, circle.patience or 20
+    return rhexis_hand.draw_round(t, circle)
+end
+
+function rhexis_hand.lift_out(t)
+    t.cystotome:move_by({ 0, 0, 1.2 }, { speed = 8 })
+    t.cystotome:withdraw({ speed = 20 })
+end
+
 --- With the needle: through the capsule, outwards to the planned circle, and a quarter of the way round along it.
 function rhexis_hand.begin_flap(t)
     t.cystotome:enter()
@@ -72,12 +201,29 @@ function rhexis_hand.pull(t, ahead, aside, stop)
     return t.forceps:move_to(rhexis_hand.by_tear(t, ahead, aside, 0.2), { speed = 2, motion = "even", stop = stop })
 end
 
---- With the cannula, until the chamber is full.
-function rhexis_hand.fill(t)
+--- Pulls the tear outwards until it has come to the zonules: held near its end, and led forwards and towards the angle
+--- of the chamber, again and again. The forceps are in the eye.
+function rhexis_hand.lose_edge(t)
+    for pull = 1, 8 do
+        local radius, angle, lift = rhexis_hand.tear_end(t)
+        rhexis_hand.take_hold(t, 0.2, 0.2)
+        t:expect("forceps.holding")
+        t.forceps:move_to(place(radius - 0.2, angle + 3, 0.3 + lift), { speed = 2 })
+        local to = place(4.6, angle + 30 + 10 * ((pull - 1) % 3), 0)
+        if t.forceps:move_to({ to[1], to[2], 2.4 }, { speed = 2, motion = "even", stop = "rhexis.run_out" }) then
+            break
+        end
+        rhexis_hand.open_jaws(t)
+    end
+end
+
+--- With the cannula, until the chamber is full. given: { to = how full it is to be, press = on the syringe, 0 to 1 }.
+function rhexis_hand.fill(t, given)
+    local wanted = given or {}
     t.cannula:enter({ speed = 20 })
     t.cannula:move_to({ 0, -1.5, 3 + t:value("lens.lift_mm") }, { speed = 12 })
-    t.cannula:jaw(0.7)
-    t:wait_until("viscoelastic.fill > 0.98", 20)
+    t.cannula:jaw(wanted.press or 0.7)
+    t:wait_until("viscoelastic.fill > " .. (wanted.to or 0.98), 20)
     t.cannula:jaw(0)
     t.cannula:withdraw({ speed = 20 })
 end

@@ -30,7 +30,12 @@ return {
         "À la pince : rabattez le lambeau, saisissez-le près de l'extrémité de la déchirure, menez-le en rond "
             .. "dans le plan de la capsule, et reprenez-le avant que la déchirure ne s'éloigne des mors.",
     ["Leave the eye"] = "Sortir de l'œil",
-    ["Take the flap out with the forceps."] = "Retirez le lambeau à la pince.",
+    ["Take the flap out with the forceps. Compare the opening with the plan before you leave."] =
+        "Retirez le lambeau à la pince. Comparez l'ouverture au plan avant de sortir.",
+    ["Opening recorded"] = "Ouverture notée",
+    ["size and place of the opening go on record, and lens and place of the optic are chosen by them"] =
+        "la taille et la place de l'ouverture sont notées, l'implant et la place de l'optique choisis d'après elles",
+    ["On record: the lens is chosen by it."] = "C'est noté : l'implant est choisi en conséquence.",
     ["Underfilled"] = "Chambre insuffisamment remplie",
     ["The chamber is shallow, the lens comes forward, and the capsule is domed."] =
         "La chambre est étroite, le cristallin avance et la capsule est bombée.",
@@ -40,6 +45,17 @@ return {
     ["The eye is hard, the iris bulges towards the wound."] = "L'œil est dur, l'iris bombe vers l'incision.",
     ["Too much: stop pressing, and let some out through the wound before you go on."] =
         "Trop : cessez d'appuyer, et laissez-en sortir par l'incision avant de continuer.",
+    ["Weak zonules declared"] = "Zonule fragile signalée",
+    ["the zonules are weak: hooks or a ring before the nucleus is touched"] =
+        "la zonule est fragile : crochets ou anneau avant de toucher au noyau",
+    ["Hooks and a ring are laid out."] = "Les crochets et un anneau sont préparés.",
+    ["Wrinkles at the puncture"] = "Plis à la ponction",
+    ["Spokes run out from the needle, and the lens sinks before the capsule is pierced."] =
+        "Des plis rayonnent autour de l'aiguille, et le cristallin s'enfonce avant que la capsule ne soit percée.",
+    ["Wrinkles at the puncture tell of weak zonules: say so, and have hooks or a ring ready before the nucleus is "
+        .. "touched."] =
+        "Des plis à la ponction trahissent une zonule fragile : signalez-le, et faites préparer des crochets ou un "
+            .. "anneau avant de toucher au noyau.",
     ["Tear runs out"] = "La déchirure file",
     ["The leading edge drifts outwards, and the flap hides where it hangs."] =
         "Le front de déchirure dérive en dehors, et le lambeau cache son attache.",
@@ -53,6 +69,27 @@ return {
         .. "the new tear into the old one, gently, without pressing fluid under the edge."] =
         "Ne tirez plus : lâchez et remplissez la chambre. Repartez ensuite de l'autre bout de l'incision et "
             .. "menez doucement la nouvelle déchirure dans l'ancienne, sans injecter de liquide sous le bord.",
+    ["Opening too small"] = "Ouverture trop petite",
+    ["Beside the pupil and the marks on the forceps the opening is narrow."] =
+        "Comparée à la pupille et aux repères de la pince, l'ouverture est étroite.",
+    ["A narrow rim splits under the tip or the implant. Cut from the rim outwards, take hold of the new flap, "
+        .. "and lead it round in a spiral to the planned circle."] =
+        "Un bord étroit se fend sous la sonde ou l'implant. Incisez à partir du bord, saisissez le nouveau "
+            .. "lambeau, et menez-le en spirale jusqu'au cercle prévu.",
+    ["Opening too large"] = "Ouverture trop grande",
+    ["The rim is close to the edge of the pupil, and will not lie before the optic."] =
+        "Le bord est proche de celui de la pupille, et ne recouvrira pas l'optique.",
+    ["Have it recorded: the rim does not hold the optic all round. Choose the lens and where its optic goes by "
+        .. "that."] =
+        "Faites-le noter : le bord ne tient pas l'optique sur tout son tour. Choisissez l'implant et la place de "
+            .. "son optique en conséquence.",
+    ["Opening off-centre"] = "Ouverture décentrée",
+    ["The rim is nearer to the pupil's edge on one side than on the other."] =
+        "Le bord est plus près de celui de la pupille d'un côté que de l'autre.",
+    ["Where the rim is near the middle, cut it outwards and lead a second flap along the planned circle. Where "
+        .. "that would make the opening too wide, have it recorded and place the optic by it."] =
+        "Là où le bord est près du centre, incisez-le en dehors et menez un second lambeau le long du cercle "
+            .. "prévu. Si l'ouverture en devenait trop grande, faites-le noter et placez l'optique en conséquence.",
     ["Needle too deep"] = "Aiguille trop profonde",
     ["White shreds of cortex rise around the needle."] =
         "Des lambeaux blancs de cortex montent autour de l'aiguille.",

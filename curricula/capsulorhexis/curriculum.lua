@@ -47,14 +47,34 @@ return exercise {
             hint = "With the forceps: fold the flap over, take hold of it near the end of the tear, lead it round in "
                 .. "the plane of the capsule, and take hold anew before the tear is far from the jaws.",
         }),
-        step "withdraw" (rhexis_exercise.withdraw {}),
+        -- Who sees that the opening is not as planned has time to come back with the needle, or to have it recorded.
+        step "withdraw" (rhexis_exercise.withdraw {
+            hint = "Take the flap out with the forceps. Compare the opening with the plan before you leave.",
+            done = "instruments.out_s > 0 and (instruments.out_s > 7 or requested.opening_recorded or "
+                .. "(abs(rhexis.diameter_mm - 2 * goal.radius_mm - 0.01) < 0.75 and rhexis.centre_offset_mm <= 0.5))",
+        }),
+    },
+
+    requests = {
+        request "Opening recorded" {
+            meaning = "size and place of the opening go on record, and lens and place of the optic are chosen by them",
+            answer = "On record: the lens is chosen by it.",
+        },
+        request "Weak zonules declared" {
+            meaning = "the zonules are weak: hooks or a ring before the nucleus is touched",
+            answer = "Hooks and a ring are laid out.",
+        },
     },
 
     errors = {
         error_event "Underfilled" (rhexis_events.underfilled { items = { "T3", "T4" } }),
         error_event "Overfilled" (rhexis_events.overfilled { items = { "T3" } }),
+        error_event "Wrinkles at the puncture" (rhexis_events.wrinkles { items = { "T4", "T10" } }),
         error_event "Tear runs out" (rhexis_events.runs_out { items = { "T4", "T5", "G4" } }),
         error_event "Edge lost" (rhexis_events.edge_lost { items = { "T5" } }),
+        error_event "Opening too small" (rhexis_events.too_small { items = { "T5", "T13" } }),
+        error_event "Opening too large" (rhexis_events.too_large { items = { "T5", "T13" } }),
+        error_event "Opening off-centre" (rhexis_events.off_centre { items = { "T5", "T13" } }),
         error_event "Needle too deep" (rhexis_events.too_deep { items = { "T4", "G4" } }),
         error_event "Iris touched" (rhexis_events.iris_touched { items = { "G5", "G4" } }),
     },

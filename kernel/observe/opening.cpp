@@ -2,6 +2,7 @@
 #include "observe/opening.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -223,10 +224,21 @@ std::vector<Vec3> between_tips(const TriMesh& mesh, const std::vector<TearTip>& 
     return farthest;
 }
 
+/// Area of the triangles that do not hang at the outer edge any more.
+double loose_area(const TriMesh& mesh, const std::vector<std::uint8_t>& attached) {
+    double sum = 0.0;
+    for (const std::array<int, 3>& n : mesh.triangles) {
+        if (attached[at(n[0])] == 0) {
+            sum += triangle_area(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]);
+        }
+    }
+    return sum;
+}
+
 /// The stretches that follow openings of what still hangs at the outer edge.
 std::vector<Stretch> open_edges(const MembraneSheet& sheet, const std::vector<std::vector<int>>& loops,
-                                const std::vector<std::uint8_t>& outer, bool& run_out) {
-    const std::vector<std::uint8_t> attached = attached_nodes(sheet, outer);
+                                const std::vector<std::uint8_t>& outer, const std::vector<std::uint8_t>& attached,
+                                bool& run_out) {
     const auto is_outer = [&outer](int node) { return outer[at(node)] != 0; };
     std::vector<Stretch> stretches;
     for (const std::vector<int>& loop : loops) {
@@ -316,7 +328,9 @@ TornOpening find_opening(const MembraneSheet& start, const MembraneState& state)
     const std::vector<std::vector<int>> loops = boundary_loops(mesh, state.sheet->neighbours);
     const std::vector<std::uint8_t> outer = outer_nodes(start.mesh, before, static_cast<int>(mesh.nodes.size()));
     TornOpening opening;
-    const std::vector<Stretch> stretches = open_edges(*state.sheet, loops, outer, opening.run_out);
+    const std::vector<std::uint8_t> attached = attached_nodes(*state.sheet, outer);
+    const std::vector<Stretch> stretches = open_edges(*state.sheet, loops, outer, attached, opening.run_out);
+    opening.loose = loose_area(mesh, attached);
     opening.torn = std::max(0.0, 0.5 * (boundary_length(mesh, loops) - boundary_length(start.mesh, before)));
     const Stretch* const chosen = longest_of(mesh, stretches);
     if (chosen == nullptr) {

@@ -14,6 +14,7 @@ struct TornOpening {
     bool closed = false;      ///< its edge goes round a piece that came loose, of more than 2 mm^2
     bool run_out = false;     ///< some tear of the sheet has reached its outer edge
     double torn = 0.0;        ///< length of all tears of the sheet at rest [mm]
+    double loose = 0.0;       ///< area at rest of what has come off what hangs at the outer edge [mm^2]
     int tip = -1;             ///< the leading one, index into the state's tips; -1: none is left at this opening
     std::vector<int> lip;     ///< nodes of the flap's edge, from the leading tip on for 2 mm; empty without a tip
     std::vector<int> margin;  ///< likewise of the other edge of the tear, that of what stays

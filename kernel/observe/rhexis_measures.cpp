@@ -60,6 +60,10 @@ public:
             {"rhexis.puncture_radius_mm", "mm", "Distance of the first of them from the axis. Nothing before it."});
         schema.push_back({"zonules.strain", "1", "Strain of the most stretched zonule, over how it was at the start."});
         schema.push_back({"zonules.peak_strain", "1", "Its greatest value so far."});
+        schema.push_back({"rhexis.loose_mm2", "mm^2", "Area of all that has come off the anterior capsule."});
+        schema.push_back({"rhexis.tip_x_mm", "mm",
+                          "Where that tip lies now, drawn by whatever pulls: to the surgeon's right of the axis."});
+        schema.push_back({"rhexis.tip_y_mm", "mm", "Likewise: away from the surgeon."});
     }
 
     void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
@@ -86,6 +90,11 @@ public:
         values[17] = zonule_strain(input.world.membranes[membrane_], state);
         memory[0] = std::max(memory[0], values[17]);
         values[18] = memory[0];
+        values[19] = shape.loose_area;
+        const bool ends = !shape.lip.empty();
+        const Vec3& tip = state.position[ends ? static_cast<std::size_t>(shape.lip[0]) : 0];
+        values[20] = ends ? tip.x() : RhexisShape::none;
+        values[21] = ends ? tip.y() : RhexisShape::none;
     }
 
 private:

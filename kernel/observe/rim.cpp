@@ -147,6 +147,7 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     shape.closed = opening.closed;
     shape.run_out = opening.run_out;
     shape.length = opening.torn;
+    shape.loose_area = opening.loose;
     shape.lip = opening.lip;
     shape.margin = opening.margin;
     if (!opening.exists) {

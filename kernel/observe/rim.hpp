@@ -21,6 +21,7 @@ struct RhexisShape {
     bool closed = false;           ///< what it goes round has come loose from what hangs at the outer edge
     bool run_out = false;          ///< some tear has passed where the zonules insert, or reached the sheet's outer edge
     double length = 0.0;           ///< of all tears of the sheet, along them [mm]
+    double loose_area = 0.0;       ///< of all that has come off what hangs at the outer edge [mm^2]
     double turned = 0.0;           ///< angle about the axis that the tear has gone round, 0 to 2 pi (closed) [rad]
     double tip_radius = none;      ///< of the leading tip from the axis [mm]; none once no tip is left
     double tip_angle = none;       ///< of the leading tip about the axis, from +x towards +y, -pi to pi [rad]

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The needle's way under the capsule. The front of the lens is 1.84 mm over its middle where it goes in.
+-- The needle's way through the capsule and under it. The front of the lens is 1.84 mm over its middle where it goes in.
 
 local full = { ["viscoelastic.fill"] = 1 }
 
@@ -10,7 +10,42 @@ local function pierce(t, z)
     t.cystotome:move_to({ 0.89, -0.16, z }, { speed = 2 })
 end
 
+local function zonules(share) return { ["viscoelastic.fill"] = 1, ["zonules.strength"] = share } end
+
+-- Slowly down, until it is through.
+local function puncture(t)
+    t.cystotome:enter({ speed = 20 })
+    t.cystotome:move_to({ 0.89, -0.16, 2.2 }, { speed = 12 })
+    t.cystotome:move_to({ 0.89, -0.16, 1.2 }, { speed = 2, motion = "even", stop = "rhexis.opened" })
+    t:expect("rhexis.opened")
+end
+
 return scenarios {
+    scenario "wrinkles at the puncture, and weak zonules declared" {
+        set = zonules(0.1),
+        function(t)
+            puncture(t)
+            t:expect_event("Wrinkles at the puncture")
+            t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 8 })
+            t:request("Weak zonules declared")
+            t:expect_event("Wrinkles at the puncture", { recovered = true, within = 0.2 })
+        end },
+
+    scenario "wrinkles at the puncture, and nothing said" {
+        set = zonules(0.1),
+        function(t)
+            puncture(t)
+            t:expect_event("Wrinkles at the puncture", { recovered = false, within = 32 })
+        end },
+
+    scenario "zonules less than half as stiff, which the puncture does not show" {
+        set = zonules(0.3),
+        silent_twin_of = "Wrinkles at the puncture",
+        function(t)
+            puncture(t)
+            t:wait(0.5)
+        end },
+
     scenario "needle deep in the cortex, and lifted" {
         set = full,
         function(t)

@@ -23,14 +23,6 @@ local function take_hold(t, behind, inside)
     return radius, angle, lift
 end
 
--- From near the end of the tear outwards and forwards, towards the angle of the chamber, so far ahead [degrees].
-local function pull_outwards(t, ahead, stop)
-    local radius, angle, lift = take_hold(t, 0.2, 0.2)
-    t.forceps:move_to(place(radius - 0.2, angle + 3, 0.3 + lift), { speed = 2 })
-    local to = place(4.6, angle + ahead, 0)
-    return t.forceps:move_to({ to[1], to[2], 2.4 }, { speed = 2, motion = "even", stop = stop })
-end
-
 local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhexis.tip_radius_mm > 3.37"
 
 local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
@@ -66,10 +58,7 @@ end
 -- Pulled on outwards, again and again.
 local function lose_edge(t)
     come_in(t)
-    for pull = 1, 8 do
-        if pull_outwards(t, 30 + 10 * ((pull - 1) % 3), "rhexis.run_out") then break end
-        open_jaws(t)
-    end
+    rhexis_hand.lose_edge(t)
     t:wait(0.05)
     t:expect_event("Edge lost")
 end
@@ -130,15 +119,18 @@ return scenarios {
         start = "brittle",
         function(t)
             lose_edge(t)
-            t:expect_event("Edge lost", { recovered = false, within = 32 })
+            t:expect_event("Edge lost", { recovered = false, within = 62 })
         end },
 
-    scenario "the edge is lost, the flap is let go, and the chamber filled" {
+    scenario "the edge is lost: the chamber is filled, and a new cut from the other end meets the tear" {
         set = brittle,
-        start = "brittle",
+        start = "lost",
         function(t)
-            lose_edge(t)
-            refill(t)
-            t:expect_event("Edge lost", { recovered = true, within = 3 })
+            t:wait(0.05)
+            t:expect_event("Edge lost")
+            rhexis_hand.fill(t, { to = 0.92, press = 1 })
+            rhexis_hand.cut_from_other_end(t, { at = 20, from = 2.9, radius = 2.6, by = 360, longest = 6,
+                stop = "rhexis.loose_mm2 > 5" })
+            t:expect_event("Edge lost", { recovered = true, within = 0.1 })
         end },
 }

@@ -27,6 +27,7 @@ void check_round(const Cut& cut, const Vec2& centre, double share_of_diameter) {
     CHECK(std::abs(shape.mean_diameter / 5.2 - 1.0) < share_of_diameter);
     CHECK((shape.centre - centre).norm() < 0.05);
     CHECK(shape.flap_area == doctest::Approx(pi * 2.6 * 2.6).epsilon(2.0 * share_of_diameter));
+    CHECK(shape.loose_area == doctest::Approx(shape.flap_area).epsilon(0.1));  // of a dome, and seen along the axis
     CHECK(shape.largest_radius == doctest::Approx(2.6 + centre.norm()).epsilon(0.1));
     CHECK(shape.smallest_radius == doctest::Approx(2.6 - centre.norm()).epsilon(0.1));
 }
@@ -68,6 +69,7 @@ TEST_SUITE("rim") {
         CHECK_FALSE(shape.closed);
         CHECK_FALSE(shape.run_out);
         CHECK(shape.length == 0.0);
+        CHECK(shape.loose_area == 0.0);
         CHECK(shape.turned == 0.0);
         CHECK(shape.flap_area == 0.0);
         for (const double number : {shape.tip_radius, shape.tip_heading, shape.largest_radius, shape.smallest_radius,
