@@ -85,6 +85,19 @@ void append_pictures(json& list, const json& report, double since_s, const DoneP
     append_shifted(list, own, since_s, part.id);
 }
 
+/// What is the same in every part, from the last one that told it.
+json told_by_parts(const std::vector<json>& reports) {
+    json told = json::object();
+    for (const json& report : reports) {
+        for (const char* key : {"language", "mode", "hints", "orientation"}) {
+            if (report.contains(key)) {
+                told[key] = report.at(key);
+            }
+        }
+    }
+    return told;
+}
+
 /// Work of all parts; what is simulated in several counts once, with the sum of its time.
 class Work {
 public:
@@ -156,6 +169,7 @@ Result<WholeReport> report_of_parts(const OperationOptions& options, const std::
     Work work;
     WholeSeries series;
     std::vector<json> all_series;
+    std::vector<json> reports;
     std::size_t moments = 0;
     for (const DonePart& part : parts) {
         const Result<json> report = read_object(part.folder + "/report.json");
@@ -171,6 +185,7 @@ Result<WholeReport> report_of_parts(const OperationOptions& options, const std::
         work.add(report.value());
         moments += own_series.value().at("time_s").size();
         all_series.push_back(own_series.value());
+        reports.push_back(report.value());
     }
     const std::size_t stride = std::max<std::size_t>(1, (moments + most_moments - 1) / most_moments);
     double since_s = 0.0;
@@ -187,6 +202,7 @@ Result<WholeReport> report_of_parts(const OperationOptions& options, const std::
     input.result = parts.empty() ? json::object() : parts.back().left;
     input.result.erase("carried");
     input.result.erase("fingerprint");
+    input.result.update(told_by_parts(reports));
     input.result["title"] = options.operation.identity.at("title");
     input.result["summary"] = options.operation.summary;
     input.result["objectives"] = options.operation.objectives;

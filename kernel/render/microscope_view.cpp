@@ -67,12 +67,14 @@ Vec3 caught_edge(const Frame& frame) {
     return {direction.x(), direction.y(), come};
 }
 
+constexpr double most_flap = 3.5;  ///< of Descemet's membrane, that is drawn: more lies rolled up [mm]
+
 /// How far Descemet's membrane hangs from a wound towards the axis. [mm]
 double flap_of(const Frame& frame) {
     double flap = 0.0;
     if (frame.wounds) {
         for (const Wound& wound : frame.wounds->wounds) {
-            flap = std::max(flap, wound.peel);
+            flap = std::max(flap, std::min(wound.peel, most_flap));
         }
     }
     return flap;
@@ -130,7 +132,7 @@ void set_wounds(const Program& program, const Frame& frame) {
         swelling = Vec2(main.cut ? main.swelling : 0.0, side.cut ? side.swelling : 0.0);
         fluid = Vec2(main.fluid > least ? std::min(most, 1.3 * ball_radius(main.fluid)) : 0.0,
                      side.fluid > least ? std::min(most, 1.3 * ball_radius(side.fluid)) : 0.0);
-        peel = Vec2(main.peel, side.peel);
+        peel = Vec2(std::min(main.peel, most_flap), std::min(side.peel, most_flap));
         stitches = Vec2(main.sutures, side.sutures);
     }
     program.set("wound_peel", peel);
