@@ -238,10 +238,8 @@ std::string placed(const std::string& path, const std::string& line, const Conte
         return line;
     }
     std::filesystem::path given = std::filesystem::path(path).lexically_normal();
-    if (given.filename() == "curriculum.lua") {
-        given = given.parent_path();
-    } else if (!given.has_filename()) {
-        given = given.parent_path();  // "my_exercise/"
+    if (given.filename() == "curriculum.lua" || !given.has_filename()) {
+        given = given.parent_path();  // of "my_exercise/curriculum.lua" and "my_exercise/"
     }
     const std::string own =
         files.value().chunk.ends_with("/curriculum.lua") ? files.value().id + "/" : files.value().chunk + ":";
