@@ -39,10 +39,11 @@ return scenarios {
         end },
 
     scenario "opened in a shallow chamber, and left so" {
+        recover_within_s = 3,
         set = chamber(0.6),
         function(t)
             pierce(t)
-            t:expect_event("Underfilled", { recovered = false, within = 32 })
+            t:expect_event("Underfilled", { recovered = false, within = 4 })
         end },
 
     scenario "opened in a chamber that is nearly full" {
@@ -64,12 +65,13 @@ return scenarios {
         end },
 
     scenario "pressed too long, and the wound closed over it" {
+        recover_within_s = 3,
         set = chamber(1),
         function(t)
             bring_cannula(t)
             inject(t, "viscoelastic.pressure_mmhg > 62")
             t.cannula:withdraw({ speed = 20 })
-            t:expect_event("Overfilled", { recovered = false, within = 31 })
+            t:expect_event("Overfilled", { recovered = false, within = 4 })
         end },
 
     scenario "pressed a little too long" {

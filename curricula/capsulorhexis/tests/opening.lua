@@ -30,12 +30,13 @@ return scenarios {
         end },
 
     scenario "too small, and left so" {
+        recover_within_s = 3,
         set = full,
         start = "narrow",
         function(t)
             finish(t, 1.85)
             rhexis_hand.lift_out(t)
-            t:expect_event("Opening too small", { recovered = false, within = 62 })
+            t:expect_event("Opening too small", { recovered = false, within = 4 })
         end },
 
     scenario "rather small" {
@@ -59,12 +60,13 @@ return scenarios {
         end },
 
     scenario "too large, and nothing said" {
+        recover_within_s = 3,
         set = full,
         start = "wide",
         function(t)
             finish(t, 3.15)
             rhexis_hand.lift_out(t)
-            t:expect_event("Opening too large", { recovered = false, within = 62 })
+            t:expect_event("Opening too large", { recovered = false, within = 4 })
         end },
 
     scenario "rather large" {
@@ -89,12 +91,13 @@ return scenarios {
         end },
 
     scenario "off-centre, and left so" {
+        recover_within_s = 3,
         set = full,
         start = "aside",
         function(t)
             finish(t, 2.6, 0.75)
             rhexis_hand.lift_out(t)
-            t:expect_event("Opening off-centre", { recovered = false, within = 62 })
+            t:expect_event("Opening off-centre", { recovered = false, within = 4 })
         end },
 
     scenario "a little off-centre" {

@@ -105,21 +105,23 @@ return scenarios {
         end },
 
     scenario "the tear runs out, and one lets it" {
+        recover_within_s = 3,
         set = shallow,
         start = "shallow",
         function(t)
             run_out(t)
             open_jaws(t)
             t.forceps:withdraw({ speed = 20 })
-            t:expect_event("Tear runs out", { recovered = false, within = 62 })
+            t:expect_event("Tear runs out", { recovered = false, within = 4 })
         end },
 
     scenario "one pulls on: the edge is lost" {
+        recover_within_s = 3,
         set = brittle,
         start = "brittle",
         function(t)
             lose_edge(t)
-            t:expect_event("Edge lost", { recovered = false, within = 62 })
+            t:expect_event("Edge lost", { recovered = false, within = 4 })
         end },
 
     scenario "the edge is lost: the chamber is filled, and a new cut from the other end meets the tear" {

@@ -28,11 +28,12 @@ return scenarios {
         end },
 
     scenario "pressed too long, and the wound closed over it" {
+        recover_within_s = 3,
         set = full,
         function(t)
             press_until(t, 62)
             t.cannula:withdraw({ speed = 20 })
-            t:expect_event("Overfilled", { recovered = false, within = 31 })
+            t:expect_event("Overfilled", { recovered = false, within = 4 })
         end },
 
     scenario "iris touched, put right" {

@@ -61,11 +61,12 @@ return scenarios {
         end },
 
     scenario "pulled in the shallow chamber: the edge is lost" {
+        recover_within_s = 3,
         function(t)
             t.forceps:enter({ speed = 20 })
             pull_on(t)
-            t:expect_event("Pulled in a shallow chamber", { recovered = false, within = 32 })
-            t:expect_event("Edge lost", { recovered = false, within = 62 })
+            t:expect_event("Pulled in a shallow chamber", { recovered = false, within = 4 })
+            t:expect_event("Edge lost", { recovered = false, within = 4 })
         end },
 
     scenario "the edge is lost: let go, filled, and a new cut from the other end that meets the tear" {
