@@ -167,6 +167,7 @@ return {
     ["Nucleus: cracking or chopping with safe phaco of segments"] =
         "Noyau : fracture ou chop et phaco sûre des segments",
     ["the nucleus is not divided."] = "le noyau n'est pas divisé.",
+    ["no groove is sculpted."] = "aucun sillon n'est sculpté.",
     ["Nucleus that still bridges the groove"] = "Noyau qui ponte encore le sillon",
     ["Go back with both tips into the lower third, next to where the halves still hang together."] =
         "Revenez des deux pointes dans le tiers inférieur, là où les moitiés tiennent encore.",
