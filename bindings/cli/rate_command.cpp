@@ -78,7 +78,7 @@ Status film(const Recording& recording, const std::string& folder) {
     if (!book) {
         return Error{book.error().text(), "", "--no-video makes the form without a replay"};
     }
-    const Status filmed = film_recording(recording, book.value(), false, false);
+    Status filmed = film_recording(recording, book.value(), false, false);
     std::error_code ignored;
     fs::remove(folder + "/frames", ignored);  // it is empty
     return filmed;
