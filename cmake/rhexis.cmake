@@ -6,10 +6,10 @@ add_library(rhexis_flags INTERFACE)
 target_compile_options(rhexis_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast -Werror)
 
-# rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME as one static library.
+# rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME and below as one static library.
 function(rhexis_kernel_folder name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(rhexis_${name} STATIC ${sources})
     target_include_directories(rhexis_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/kernel>

@@ -10,7 +10,7 @@
 #include "lua/objects.hpp"
 #include "lua/selection.hpp"
 #include "lua/stack.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
 
 namespace rhexis::lua {
 namespace {

@@ -10,7 +10,7 @@ inline constexpr double pascal_per_mmhg = 133.322;                              
 inline constexpr double mm3_s_per_ml_min = 1000.0 / 60.0;                                     ///< [mm^3/s]
 inline constexpr double resistance_per_mmhg_min_per_ml = pascal_per_mmhg / mm3_s_per_ml_min;  ///< [Pa s/mm^3]
 
-/// Constant while a scene runs. check() in physics/chamber_flow.hpp has the ranges.
+/// Constant while a scene runs. check() in physics/fluid/chamber_flow.hpp has the ranges.
 struct ChamberModel {
     /// Volume per pressure of the eye at 50 mmHg [mm^3/Pa]: 1 / (K P) with K = 0.0126 / mm^3 [Pallikaris2005].
     double eye_compliance = 1.6 / pascal_per_mmhg;

@@ -164,20 +164,6 @@ void measure_volumes(const SolidModel& lens, ColumnFill& fill) {
 
 }  // namespace
 
-Vec2 ColumnGrid::centre(int index) const {
-    const int row = index / count;
-    return {origin + (index % count) * cell, origin + row * cell};
-}
-
-int ColumnGrid::cell_at(const Vec2& place) const {
-    const double x = std::floor((place.x() - origin) / cell + 0.5);
-    const double y = std::floor((place.y() - origin) / cell + 0.5);
-    if (!(x >= 0.0 && y >= 0.0 && x < count && y < count)) {
-        return -1;
-    }
-    return static_cast<int>(y) * count + static_cast<int>(x);
-}
-
 ColumnGrid make_columns(const SolidModel& lens, double cell) {
     ColumnGrid grid;
     lay_out_grid(lens, cell, grid);

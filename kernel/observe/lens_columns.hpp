@@ -29,9 +29,15 @@ struct ColumnGrid {
     std::vector<double> back;             ///< per cell: back surface [mm]; NaN outside the lens
 
     [[nodiscard]] int cells() const { return count * count; }
-    [[nodiscard]] Vec2 centre(int index) const;
+    [[nodiscard]] Vec2 centre(int index) const {
+        return {origin + (index % count) * cell, origin + (index / count) * cell};
+    }
     /// The cell that holds a place, or -1 outside the grid.
-    [[nodiscard]] int cell_at(const Vec2& place) const;
+    [[nodiscard]] int cell_at(const Vec2& place) const {
+        const double x = (place.x() - origin) / cell + 0.5;
+        const double y = (place.y() - origin) / cell + 0.5;
+        return x >= 0.0 && y >= 0.0 && x < count && y < count ? static_cast<int>(y) * count + static_cast<int>(x) : -1;
+    }
     [[nodiscard]] bool inside(int index) const { return index >= 0 && first[index] != first[index + 1]; }
     [[nodiscard]] double thickness(int index) const { return front[index] - back[index]; }
 };

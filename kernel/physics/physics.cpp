@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/physics.hpp"
-#include "physics/lids_motion.hpp"
+#include "physics/anatomy/lids_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/index.hpp"
-#include "physics/aspiration.hpp"
-#include "physics/bag_motion.hpp"
-#include "physics/bead_motion.hpp"
-#include "physics/capsule_wall.hpp"
-#include "physics/crack.hpp"
-#include "physics/debris_motion.hpp"
-#include "physics/fluid_step.hpp"
-#include "physics/globe_roll.hpp"
-#include "physics/membrane_stepper.hpp"
-#include "physics/puncture.hpp"
-#include "physics/rim_rupture.hpp"
-#include "physics/sculpt.hpp"
-#include "physics/shell_carry.hpp"
-#include "physics/shell_motion.hpp"
-#include "physics/shell_tools.hpp"
-#include "physics/solid_stepper.hpp"
-#include "physics/tear_tip.hpp"
-#include "physics/viscoelastic_fill.hpp"
+#include "physics/anatomy/bag_motion.hpp"
+#include "physics/anatomy/capsule_wall.hpp"
+#include "physics/anatomy/globe_roll.hpp"
+#include "physics/anatomy/zonule_loss.hpp"
+#include "physics/fluid/aspiration.hpp"
+#include "physics/fluid/bead_motion.hpp"
+#include "physics/fluid/debris_motion.hpp"
+#include "physics/fluid/fluid_step.hpp"
+#include "physics/fluid/viscoelastic_fill.hpp"
+#include "physics/membrane/membrane_stepper.hpp"
+#include "physics/membrane/puncture.hpp"
+#include "physics/membrane/rim_rupture.hpp"
+#include "physics/membrane/tear_tip.hpp"
+#include "physics/shell/shell_carry.hpp"
+#include "physics/shell/shell_motion.hpp"
+#include "physics/shell/shell_tools.hpp"
+#include "physics/solid/crack.hpp"
+#include "physics/solid/sculpt.hpp"
+#include "physics/solid/solid_stepper.hpp"
 #include "physics/world_check.hpp"
-#include "physics/zonule_loss.hpp"
 
 namespace rhexis {
 

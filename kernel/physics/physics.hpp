@@ -12,8 +12,8 @@
 #include "flow/step_outcome.hpp"
 #include "flow/tool.hpp"
 #include "flow/world.hpp"
-#include "physics/membrane_solve.hpp"
-#include "physics/shell_contact_settings.hpp"
+#include "physics/membrane/membrane_solve.hpp"
+#include "physics/shell/shell_contact_settings.hpp"
 
 namespace rhexis {
 

@@ -8,8 +8,8 @@
 #include "base/clock.hpp"
 #include "base/index.hpp"
 #include "base/numbers.hpp"
-#include "physics/shell_energy.hpp"
-#include "physics/shell_motion.hpp"
+#include "physics/shell/shell_energy.hpp"
+#include "physics/shell/shell_motion.hpp"
 #include "session/build_world.hpp"
 #include "session/denormals.hpp"
 

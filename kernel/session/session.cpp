@@ -9,7 +9,7 @@
 #include "input/sample_check.hpp"
 #include "observe/observer.hpp"
 #include "physics/physics.hpp"
-#include "physics/shell_carry.hpp"
+#include "physics/shell/shell_carry.hpp"
 #include "session/build_world.hpp"
 #include "session/denormals.hpp"
 #include "session/recording.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "physics/chamber_flow.hpp"
+#include "physics/fluid/chamber_flow.hpp"
 #include "session/settings.hpp"
 #include "topology/come_apart.hpp"
 #include "topology/remove.hpp"

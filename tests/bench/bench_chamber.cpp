@@ -2,7 +2,7 @@
 #include "bench/bench_chamber.hpp"
 
 #include "bench/timing.hpp"
-#include "physics/chamber_flow.hpp"
+#include "physics/fluid/chamber_flow.hpp"
 #include "scenes/surge.hpp"
 
 namespace rhexis::bench {

@@ -4,7 +4,7 @@
 #include "base/rng.hpp"
 #include "bench/methods/matrix_free_product.hpp"
 #include "bench/timing.hpp"
-#include "physics/explicit_solid.hpp"
+#include "physics/solid/explicit_solid.hpp"
 #include "scenes/bodies.hpp"
 
 namespace rhexis::bench {

@@ -8,7 +8,7 @@
 #include "base/clock.hpp"
 #include "bench/methods/kernel_factor.hpp"
 #include "bench/methods/split_solver.hpp"
-#include "physics/tear_tip.hpp"
+#include "physics/membrane/tear_tip.hpp"
 #include "scenes/split_run.hpp"
 
 namespace rhexis::bench {

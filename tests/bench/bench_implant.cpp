@@ -8,8 +8,8 @@
 #include "base/index.hpp"
 #include "bench/bench_shell.hpp"
 #include "eye/implant.hpp"
-#include "physics/shell_statics.hpp"
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_statics.hpp"
+#include "physics/shell/shell_stepper.hpp"
 #include "scenes/shells.hpp"
 
 namespace rhexis::bench {

@@ -7,8 +7,8 @@
 
 #include "base/clock.hpp"
 #include "bench/bench_shell.hpp"
-#include "physics/shell_energy.hpp"
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_energy.hpp"
+#include "physics/shell/shell_stepper.hpp"
 #include "scenes/shells.hpp"
 
 namespace rhexis::bench {

@@ -11,7 +11,7 @@
 #include "bench/methods/linear_step.hpp"
 #include "bench/methods/matrix_free_product.hpp"
 #include "bench/timing.hpp"
-#include "physics/implicit_solid.hpp"
+#include "physics/solid/implicit_solid.hpp"
 
 namespace rhexis::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/clock.hpp"
-#include "physics/shell_statics.hpp"
+#include "physics/shell/shell_statics.hpp"
 #include "scenes/shell_problems.hpp"
 
 namespace rhexis::bench {

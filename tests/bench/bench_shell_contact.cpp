@@ -10,8 +10,8 @@
 #include "base/index.hpp"
 #include "bench/bench_shell.hpp"
 #include "eye/implant.hpp"
-#include "physics/shell_energy.hpp"
-#include "physics/shell_motion.hpp"
+#include "physics/shell/shell_energy.hpp"
+#include "physics/shell/shell_motion.hpp"
 #include "scenes/shell_contacts.hpp"
 
 namespace rhexis::bench {

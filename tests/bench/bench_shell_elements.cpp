@@ -7,7 +7,7 @@
 #include "base/clock.hpp"
 #include "bench/bench_shell.hpp"
 #include "bench/methods/nine_term_plate.hpp"
-#include "physics/shell_statics.hpp"
+#include "physics/shell/shell_statics.hpp"
 #include "scenes/shell_problems.hpp"
 
 namespace rhexis::bench {

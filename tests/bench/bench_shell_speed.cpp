@@ -10,8 +10,8 @@
 #include "bench/timing.hpp"
 #include "math/cholesky.hpp"
 #include "math/pcg.hpp"
-#include "physics/factor_preconditioner.hpp"
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_stepper.hpp"
+#include "physics/solve/factor_preconditioner.hpp"
 #include "scenes/shells.hpp"
 
 namespace rhexis::bench {

@@ -6,8 +6,8 @@
 
 #include "base/clock.hpp"
 #include "base/threads.hpp"
-#include "physics/explicit_solid.hpp"
-#include "physics/implicit_solid.hpp"
+#include "physics/solid/explicit_solid.hpp"
+#include "physics/solid/implicit_solid.hpp"
 
 namespace rhexis::bench {
 namespace {

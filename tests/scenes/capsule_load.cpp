@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/index.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
 
 namespace rhexis::scenes {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flow/solid.hpp"
-#include "physics/explicit_solid.hpp"
+#include "physics/solid/explicit_solid.hpp"
 #include "scenes/measures.hpp"
 
 namespace rhexis::scenes {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "flow/shell.hpp"
-#include "physics/shell_contact.hpp"
-#include "physics/shell_motion.hpp"
-#include "physics/shell_stepper.hpp"
-#include "physics/shell_tools.hpp"
+#include "physics/shell/shell_contact.hpp"
+#include "physics/shell/shell_motion.hpp"
+#include "physics/shell/shell_stepper.hpp"
+#include "physics/shell/shell_tools.hpp"
 
 namespace rhexis::scenes {
 

@@ -2,7 +2,7 @@
 #include "scenes/measures.hpp"
 
 #include "base/rng.hpp"
-#include "physics/solid_share.hpp"
+#include "physics/solid/solid_share.hpp"
 
 namespace rhexis::scenes {
 

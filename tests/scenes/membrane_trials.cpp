@@ -10,7 +10,7 @@
 #include "base/index.hpp"
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
 #include "scenes/membranes.hpp"
 
 namespace rhexis::scenes {

@@ -8,7 +8,7 @@
 
 #include "base/result.hpp"
 #include "flow/membrane.hpp"
-#include "physics/membrane_stepper.hpp"
+#include "physics/membrane/membrane_stepper.hpp"
 
 namespace rhexis::scenes {
 

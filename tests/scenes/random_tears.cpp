@@ -9,7 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/rng.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "scenes/sheet_accounts.hpp"
 #include "tools/rhexis_tools.hpp"

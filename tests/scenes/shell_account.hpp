@@ -2,7 +2,7 @@
 // Where the energy of a touching shell goes over many steps.
 #pragma once
 
-#include "physics/shell_energy.hpp"
+#include "physics/shell/shell_energy.hpp"
 #include "scenes/shell_contacts.hpp"
 
 namespace rhexis::scenes {

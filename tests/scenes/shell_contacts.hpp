@@ -3,8 +3,8 @@
 #pragma once
 
 #include "flow/shell.hpp"
-#include "physics/shell_contact.hpp"
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_contact.hpp"
+#include "physics/shell/shell_stepper.hpp"
 
 namespace rhexis::scenes {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mesh/io.hpp"
-#include "physics/shell_statics.hpp"
+#include "physics/shell/shell_statics.hpp"
 #include "scenes/bodies.hpp"
 
 namespace rhexis::scenes {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/chamber_flow.hpp"
+#include "physics/fluid/chamber_flow.hpp"
 
 namespace rhexis::scenes {
 namespace {

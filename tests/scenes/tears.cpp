@@ -7,7 +7,7 @@
 
 #include "base/index.hpp"
 #include "mesh/shapes.hpp"
-#include "physics/tear_tip.hpp"
+#include "physics/membrane/tear_tip.hpp"
 
 namespace rhexis::scenes {
 namespace {

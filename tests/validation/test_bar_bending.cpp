@@ -9,8 +9,8 @@
 
 #include "base/index.hpp"
 #include "energy/corotational_tet.hpp"
-#include "physics/explicit_solid.hpp"
-#include "physics/solid_share.hpp"
+#include "physics/solid/explicit_solid.hpp"
+#include "physics/solid/solid_share.hpp"
 #include "scenes/bodies.hpp"
 #include "scenes/measures.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "observe/implant_place.hpp"
-#include "physics/shell_motion.hpp"
+#include "physics/shell/shell_motion.hpp"
 #include "session/build_world.hpp"
 #include "session/implant_fold.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_stepper.hpp"
 #include "scenes/shells.hpp"
 
 using namespace rhexis;

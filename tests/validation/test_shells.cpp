@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "physics/shell_statics.hpp"
+#include "physics/shell/shell_statics.hpp"
 #include "scenes/shell_problems.hpp"
 #include "scenes/shells.hpp"
 

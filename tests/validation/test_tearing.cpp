@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mesh/shapes.hpp"
-#include "physics/tear_tip.hpp"
+#include "physics/membrane/tear_tip.hpp"
 #include "scenes/tears.hpp"
 
 using namespace rhexis;

@@ -8,7 +8,7 @@
 #include "bench/methods/kernel_factor.hpp"
 #include "bench/methods/updown_factor.hpp"
 #include "math/cholesky.hpp"
-#include "physics/factor_preconditioner.hpp"
+#include "physics/solve/factor_preconditioner.hpp"
 
 namespace rhexis::bench {
 namespace {

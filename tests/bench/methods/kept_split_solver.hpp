@@ -6,7 +6,7 @@
 
 #include "bench/methods/split_solver.hpp"
 #include "math/linear_kernel.hpp"
-#include "physics/factor_preconditioner.hpp"
+#include "physics/solve/factor_preconditioner.hpp"
 
 namespace rhexis::bench {
 

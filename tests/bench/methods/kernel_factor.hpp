@@ -4,7 +4,7 @@
 
 #include "bench/methods/split_system.hpp"
 #include "math/pcg.hpp"
-#include "physics/factor_preconditioner.hpp"
+#include "physics/solve/factor_preconditioner.hpp"
 
 namespace rhexis::bench {
 

@@ -15,7 +15,7 @@
 #include "math/packed_factor.hpp"
 #include "math/pcg.hpp"
 #include "math/rotation.hpp"
-#include "physics/elastic_assembly.hpp"
+#include "physics/solid/elastic_assembly.hpp"
 
 namespace rhexis::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include "bench/methods/matrix_free_product.hpp"
 
 #include "energy/corotational_tet.hpp"
-#include "physics/solid_share.hpp"
+#include "physics/solid/solid_share.hpp"
 
 namespace rhexis::bench {
 

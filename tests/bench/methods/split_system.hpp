@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "physics/coupled_matrix.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
+#include "physics/solve/coupled_matrix.hpp"
 
 namespace rhexis::bench {
 

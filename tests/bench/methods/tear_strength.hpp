@@ -3,7 +3,7 @@
 // stress in the triangles at a tip grows without end as they get smaller.
 #pragma once
 
-#include "physics/tear_tip.hpp"
+#include "physics/membrane/tear_tip.hpp"
 
 namespace rhexis::bench {
 

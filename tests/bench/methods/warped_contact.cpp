@@ -11,9 +11,9 @@
 
 #include "base/index.hpp"
 #include "math/rotation.hpp"
-#include "physics/shell_body.hpp"
-#include "physics/shell_pose.hpp"
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_body.hpp"
+#include "physics/shell/shell_pose.hpp"
+#include "physics/shell/shell_stepper.hpp"
 
 namespace rhexis::bench {
 namespace {

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "flow/world.hpp"
-#include "physics/implicit_step.hpp"
+#include "physics/solve/implicit_step.hpp"
 
 namespace rhexis::bench {
 

@@ -8,7 +8,7 @@
 #include "eye/anatomy.hpp"
 #include "eye/capsular_bag.hpp"
 #include "eye/posterior_capsule.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
 
 using namespace rhexis;

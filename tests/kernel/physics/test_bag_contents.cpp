@@ -5,9 +5,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "physics/bag_contents.hpp"
-#include "physics/fluid_step.hpp"
-#include "physics/hydrodissection_flow.hpp"
+#include "physics/anatomy/bag_contents.hpp"
+#include "physics/fluid/fluid_step.hpp"
+#include "physics/fluid/hydrodissection_flow.hpp"
 #include "tools/ia_tip.hpp"
 #include "tools/rhexis_tools.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/roots.hpp"
-#include "physics/capsule_wall.hpp"
+#include "physics/anatomy/capsule_wall.hpp"
 #include "physics/physics.hpp"
 #include "tools/phaco_tip.hpp"
 

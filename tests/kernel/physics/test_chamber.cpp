@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/rng.hpp"
-#include "physics/chamber_flow.hpp"
+#include "physics/fluid/chamber_flow.hpp"
 #include "scenes/surge.hpp"
 
 using namespace rhexis;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "math/block_matrix.hpp"
-#include "physics/coupled_matrix.hpp"
+#include "physics/solve/coupled_matrix.hpp"
 
 using namespace rhexis;
 

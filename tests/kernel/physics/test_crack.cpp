@@ -7,8 +7,8 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/shapes.hpp"
-#include "physics/crack.hpp"
 #include "physics/physics.hpp"
+#include "physics/solid/crack.hpp"
 #include "topology/come_apart.hpp"
 
 using namespace rhexis;

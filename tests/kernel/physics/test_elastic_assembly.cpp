@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/index.hpp"
-#include "physics/elastic_assembly.hpp"
+#include "physics/solid/elastic_assembly.hpp"
 
 #include <doctest/doctest.h>
 

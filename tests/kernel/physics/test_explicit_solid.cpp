@@ -12,10 +12,10 @@
 #include "energy/corotational.hpp"
 #include "energy/corotational_tet.hpp"
 #include "energy/nodal_pressure.hpp"
-#include "physics/explicit_groups.hpp"
-#include "physics/explicit_solid.hpp"
-#include "physics/solid_share.hpp"
-#include "physics/stable_step.hpp"
+#include "physics/solid/explicit_groups.hpp"
+#include "physics/solid/explicit_solid.hpp"
+#include "physics/solid/solid_share.hpp"
+#include "physics/solid/stable_step.hpp"
 #include "scenes/bodies.hpp"
 
 using namespace rhexis;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/globe_roll.hpp"
+#include "physics/anatomy/globe_roll.hpp"
 
 using namespace rhexis;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "physics/implicit_solid.hpp"
+#include "physics/solid/implicit_solid.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
-#include "physics/solid_share.hpp"
+#include "physics/solid/solid_share.hpp"
 #include "scenes/measures.hpp"
 
 using namespace rhexis;

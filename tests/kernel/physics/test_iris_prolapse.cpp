@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "physics/iris_prolapse.hpp"
+#include "physics/anatomy/iris_prolapse.hpp"
 
 using namespace rhexis;
 

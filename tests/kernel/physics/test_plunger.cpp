@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "physics/plunger.hpp"
+#include "physics/shell/plunger.hpp"
 #include "scenes/injection.hpp"
 #include "scenes/shell_contacts.hpp"
 

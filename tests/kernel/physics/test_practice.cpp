@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "physics/bead_motion.hpp"
-#include "physics/lids_motion.hpp"
+#include "physics/anatomy/lids_motion.hpp"
+#include "physics/fluid/bead_motion.hpp"
 
 using namespace rhexis;
 

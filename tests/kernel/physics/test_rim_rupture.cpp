@@ -7,7 +7,7 @@
 #include "eye/anatomy.hpp"
 #include "eye/capsular_bag.hpp"
 #include "eye/empty_bag.hpp"
-#include "physics/rim_rupture.hpp"
+#include "physics/membrane/rim_rupture.hpp"
 #include "topology/tear.hpp"
 
 using namespace rhexis;

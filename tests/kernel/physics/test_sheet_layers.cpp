@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
-#include "physics/membrane_body.hpp"
+#include "physics/membrane/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "tools/rhexis_tools.hpp"
 

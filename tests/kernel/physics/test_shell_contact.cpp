@@ -8,7 +8,7 @@
 
 #include "base/rng.hpp"
 #include "math/rotation.hpp"
-#include "physics/shell_motion.hpp"
+#include "physics/shell/shell_motion.hpp"
 #include "scenes/shell_contacts.hpp"
 #include "support/finite_difference.hpp"
 

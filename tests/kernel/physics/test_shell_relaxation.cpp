@@ -7,9 +7,9 @@
 #include <string>
 
 #include "base/index.hpp"
-#include "physics/shell_energy.hpp"
-#include "physics/shell_statics.hpp"
-#include "physics/shell_stepper.hpp"
+#include "physics/shell/shell_energy.hpp"
+#include "physics/shell/shell_statics.hpp"
+#include "physics/shell/shell_stepper.hpp"
 #include "scenes/shell_problems.hpp"
 
 using namespace rhexis;

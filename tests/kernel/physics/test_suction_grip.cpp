@@ -3,9 +3,9 @@
 
 #include <numeric>
 
-#include "physics/aspiration.hpp"
+#include "physics/fluid/aspiration.hpp"
+#include "physics/fluid/suction_grip.hpp"
 #include "physics/physics.hpp"
-#include "physics/suction_grip.hpp"
 #include "scenes/bodies.hpp"
 #include "tools/phaco_tip.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Layers of a shell that stick to each other.
-#include "physics/tack.hpp"
+#include "physics/shell/tack.hpp"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mesh/shapes.hpp"
-#include "physics/tear_tip.hpp"
+#include "physics/membrane/tear_tip.hpp"
 
 using namespace rhexis;
 

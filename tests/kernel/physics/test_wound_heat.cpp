@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "flow/chamber.hpp"
-#include "physics/chamber_flow.hpp"
-#include "physics/wound_heat.hpp"
+#include "physics/anatomy/wound_heat.hpp"
+#include "physics/fluid/chamber_flow.hpp"
 
 using namespace rhexis;
 

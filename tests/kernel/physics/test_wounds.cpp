@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "flow/world.hpp"
-#include "physics/chamber_flow.hpp"
-#include "physics/fluid_step.hpp"
+#include "physics/fluid/chamber_flow.hpp"
+#include "physics/fluid/fluid_step.hpp"
 #include "tools/wound_tools.hpp"
 
 using namespace rhexis;

@@ -7,8 +7,8 @@
 
 #include "eye/capsular_bag.hpp"
 #include "mesh/half_ellipsoids.hpp"
-#include "physics/bag_motion.hpp"
-#include "physics/zonule_loss.hpp"
+#include "physics/anatomy/bag_motion.hpp"
+#include "physics/anatomy/zonule_loss.hpp"
 
 using namespace rhexis;
 

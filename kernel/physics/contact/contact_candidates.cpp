@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/contact/contact_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "math/longest.hpp"
+#include "physics/contact/tool_shape.hpp"
+#include "physics/fluid/mouth.hpp"
+
+namespace rhexis {
+
+namespace {
+
+// Stiffness of a contact in units of what the tissue at the vertex offers. A shorter step makes everything stiffer, so
+// the contact may be, up to `stiffest`, where it passes for rigid; at longer steps the solver's work decides.
+constexpr double tool_factor = 10.0;  ///< at reference_step
+constexpr double wall_factor = 5.0;   ///< bags and planes: wide contacts at low pressure
+constexpr double stiffest = 100.0;
+constexpr double reference_step = 0.01;  ///< [s]
+
+constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this needs no anchor [mm]
+constexpr double sunk = 0.1;       ///< [mm]
+constexpr double resolved = 0.38;  ///< radius of the thinnest part that cannot slip between vertices, in their size
+constexpr double reach = 0.2;      ///< candidates are sought this far beyond what can move in a step [mm]
+
+double spring_stiffness(const SurfaceVertex& vertex, ContactPartner partner, double dt) {
+    const double factor = (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt;
+    return std::min(factor, stiffest) * vertex.stiffness;
+}
+
+/// A partner with what the search needs to know of it.
+struct Partner {
+    ContactPartner kind = ContactPartner::tool;
+    int index = 0;
+    double friction = 0.0;
+    Pose pose;      ///< at the start of the step
+    Box box;        ///< tools: only vertices inside count
+    double margin;  ///< bags and planes: only vertices nearer than this count [mm]
+};
+
+std::vector<Partner> partners_of(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
+                                 double moved, double least_radius, const Box& solid) {
+    std::vector<Partner> partners;
+    double pushed = moved;
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (!tools[i].present) {
+            continue;
+        }
+        Partner partner{ContactPartner::tool,
+                        static_cast<int>(i),
+                        model.tools[i].friction,
+                        tools[i].previous_pose,
+                        swept_box(model.tools[i], tools[i]),
+                        0.0};
+        const double thicker = std::max(0.0, least_radius - thinnest(model.tools[i]));
+        const double around = moved + thicker + (state.tips[i].hold > 0.0 ? kept_seal : reach);
+        partner.box.low -= Vec3::Constant(around);
+        partner.box.high += Vec3::Constant(around);
+        if ((partner.box.low.array() > solid.high.array()).any() ||
+            (partner.box.high.array() < solid.low.array()).any()) {
+            continue;
+        }
+        partners.push_back(partner);
+        pushed += travel(model.tools[i], tools[i]);
+    }
+    for (std::size_t i = 0; i < model.bags.size(); ++i) {
+        partners.push_back(
+            {ContactPartner::bag, static_cast<int>(i), model.bags[i].friction, state.bags[i].pose, {}, reach + pushed});
+    }
+    for (std::size_t i = 0; i < model.planes.size(); ++i) {
+        partners.push_back(
+            {ContactPartner::plane, static_cast<int>(i), model.planes[i].friction, Pose{}, {}, reach + pushed});
+    }
+    for (std::size_t i = 0; i < model.domes.size(); ++i) {
+        partners.push_back(
+            {ContactPartner::dome, static_cast<int>(i), model.domes[i].friction, Pose{}, {}, reach + pushed});
+    }
+    return partners;
+}
+
+std::tuple<int, int, ContactPartner, int> key(const ContactMemory& memory) {
+    return {memory.solid, memory.vertex, memory.partner, memory.partner_index};
+}
+
+/// Takes over the anchor of a contact that touched at the end of the last step.
+void recall(const std::vector<ContactMemory>& memory, int solid, int vertex, ContactCandidate& candidate) {
+    ContactMemory wanted;
+    wanted.solid = solid;
+    wanted.vertex = vertex;
+    wanted.partner = candidate.partner;
+    wanted.partner_index = candidate.index;
+    const std::vector<ContactMemory>::const_iterator found =
+        std::lower_bound(memory.begin(), memory.end(), wanted,
+                         [](const ContactMemory& a, const ContactMemory& b) { return key(a) < key(b); });
+    if (found != memory.end() && key(*found) == key(wanted)) {
+        candidate.anchor = found->anchor;
+        candidate.force = found->force;
+        candidate.touching = true;
+    }
+}
+
+/// Distance before the mouth of a tool at which a candidate lies, by its gap; infinite if it lies elsewhere.
+double before_mouth(const ContactCandidate& candidate, int tool, const Mouth& mouth, double radius) {
+    if (candidate.partner != ContactPartner::tool || candidate.index != tool) {
+        return HUGE_VAL;
+    }
+    const Vec3 from_mouth = candidate.start - mouth.centre;
+    const double along = mouth.facing.dot(from_mouth);
+    const bool before = along > -seal && from_mouth.squaredNorm() - along * along < radius * radius;
+    return before ? candidate.start_gap : HUGE_VAL;
+}
+
+/// Suction holds what lies before the mouth and nearest to it, each vertex by the same part.
+void share_suction(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
+                   ContactCandidates& candidates) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const double hold = state.tips[i].hold;
+        if (!(hold > 0.0)) {
+            continue;
+        }
+        const Mouth mouth = tip_mouth(model.tools[i]);
+        const double radius = model.tools[i].bore_radius + seal;
+        double farthest = kept_seal - seal;
+        for (const ContactCandidate& candidate : candidates) {
+            farthest = std::min(farthest, before_mouth(candidate, static_cast<int>(i), mouth, radius));
+        }
+        farthest = std::max(0.0, farthest) + seal;
+        const auto held = [&](const ContactCandidate& candidate) {
+            return before_mouth(candidate, static_cast<int>(i), mouth, radius) < farthest;
+        };
+        const double count = static_cast<double>(std::count_if(candidates.begin(), candidates.end(), held));
+        for (ContactCandidate& candidate : candidates) {
+            if (held(candidate)) {
+                candidate.hold = hold / count;
+                // what bulges into the bore is held sideways by its rim; ultrasound shakes it off
+                candidate.grip = tools[i].power > 0.0 ? 0.0 : candidate.hold;
+            }
+        }
+    }
+}
+
+/// Cortex that still adheres to the capsule bears pull and shear over the area of its vertex; where it came off, what
+/// stays behind bears a little shear.
+void set_adhesion(const WorldModel& model, const WorldState& state, const ContactSurface& surface,
+                  ContactCandidates& candidates) {
+    for (ContactCandidate& candidate : candidates) {
+        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
+        if (candidate.partner != ContactPartner::bag || vertex.nodes[1] >= 0) {
+            continue;
+        }
+        const BagModel& bag = model.bags[candidate.index];
+        const double area = vertex.size * vertex.size;
+        candidate.grip = surface.in_pieces() ? 0.0 : bag.film * area;  // fluid gets between the pieces and the capsule
+        const std::vector<std::uint8_t>& adherent = state.bags[candidate.index].adherent;
+        if (!adherent.empty() && adherent[vertex.nodes[0]] != 0) {
+            candidate.hold = bag.adhesion * area;
+            candidate.grip = candidate.hold;
+        }
+    }
+}
+
+/// Beyond the wall by more than contact ever lets a point sink in: it left through the opening.
+bool left_bag(const Partner& partner, const Vec3& point, const SurfaceDistance& gap) {
+    return partner.kind == ContactPartner::bag && gap.distance < -sunk && partner.pose.to_body(point).z() > 0.0;
+}
+
+/// Behind a hole there is no wall to touch.
+bool over_hole(const WorldState& state, ContactPartner partner, const Vec3& local) {
+    return partner == ContactPartner::bag && state.capsule && within_hole(*state.capsule, local);
+}
+
+}  // namespace
+
+Pose PartnerPoses::of(ContactPartner partner, int index) const {
+    switch (partner) {
+        case ContactPartner::tool:
+            return tools[index];
+        case ContactPartner::bag:
+            return bags[index];
+        case ContactPartner::plane:
+        case ContactPartner::support:
+        case ContactPartner::dome:
+        case ContactPartner::tube:
+        case ContactPartner::layer:
+        case ContactPartner::sheet:
+        case ContactPartner::jaws:
+            break;
+    }
+    return Pose{};
+}
+
+void place_tools(std::span<const ToolState> tools, double s, PartnerPoses& poses) {
+    poses.tools.resize(tools.size());
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        poses.tools[i] = pose_within(tools[i], s);
+    }
+}
+
+SurfaceDistance measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose,
+                            const Vec3& point) {
+    return distance_to(rigid_partners(model), candidate.partner, candidate.index, pose, point,
+                       {candidate.least_radius, candidate.outside});
+}
+
+bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
+    // The gap changes by no more than the point moves in the partner's frame.
+    const double slack = candidate.start_gap - apart;
+    return slack > 0.0 && (pose.to_body(point) - candidate.start).squaredNorm() < slack * slack;
+}
+
+void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
+                     double dt, const ContactSurface& surface, ContactCandidates& candidates) {
+    candidates.clear();
+    const std::vector<Vec3>& nodes = state.solids[solid].position;
+    Box box;
+    double largest = 0.0;
+    for (const SurfaceVertex& vertex : surface.vertices()) {
+        box.add(point_of(vertex, nodes), 0.0);
+        largest = std::max(largest, vertex.size);
+    }
+    const double moved = 2.0 * longest(state.solids[solid].velocity) * dt;
+    const std::vector<Partner> partners = partners_of(model, state, tools, moved, resolved * largest, box);
+    for (std::size_t v = 0; v < surface.vertices().size(); ++v) {
+        const SurfaceVertex& vertex = surface.vertices()[v];
+        const Vec3 point = point_of(vertex, nodes);
+        for (const Partner& partner : partners) {
+            const bool tool = partner.kind == ContactPartner::tool;
+            // Inside a convex wall, the middle of two points is inside if they are.
+            if (tool ? !partner.box.holds(point) : vertex.between) {
+                continue;
+            }
+            ContactCandidate candidate;
+            candidate.vertex = static_cast<int>(v);
+            candidate.partner = partner.kind;
+            candidate.index = partner.index;
+            candidate.least_radius = resolved * vertex.size;
+            SurfaceDistance start = measure_gap(model, candidate, partner.pose, point);
+            candidate.outside = left_bag(partner, point, start);
+            if (candidate.outside) {
+                start = {-start.distance, -start.normal};
+            }
+            if (!tool && start.distance > partner.margin) {
+                continue;
+            }
+            candidate.spring.friction = partner.friction;
+            candidate.start = partner.pose.to_body(point);
+            if (over_hole(state, partner.kind, candidate.start)) {
+                continue;
+            }
+            candidate.start_gap = start.distance;
+            candidate.anchor = candidate.start;
+            recall(state.memory, solid, vertex.vertex, candidate);
+            candidates.push_back(candidate);
+        }
+    }
+    share_suction(model, state, tools, candidates);
+    set_adhesion(model, state, surface, candidates);
+}
+
+void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags) {
+    for (const ContactCandidate& candidate : candidates) {
+        if (candidate.hold > 0.0 && candidate.partner == ContactPartner::bag && candidate.sliding) {
+            bags[candidate.index].adherent[surface.vertices()[candidate.vertex].nodes[0]] = 0;
+        }
+    }
+}
+
+void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates) {
+    for (ContactCandidate& candidate : candidates) {
+        candidate.spring.stiffness = spring_stiffness(surface.vertices()[candidate.vertex], candidate.partner, dt);
+    }
+}
+
+void report_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid, double dt,
+                     ContactSet& contacts) {
+    for (const ContactCandidate& candidate : candidates) {
+        if (candidate.impulse.isZero(0.0)) {
+            continue;
+        }
+        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
+        Contact contact;
+        contact.solid = solid;
+        contact.nodes = {vertex.nodes[0], vertex.nodes[1], -1};
+        contact.weights = {vertex.weight, vertex.nodes[1] < 0 ? 0.0 : vertex.weight, 0.0};
+        contact.partner = candidate.partner;
+        contact.partner_index = candidate.index;
+        contact.point = candidate.point;
+        contact.normal = candidate.normal;
+        contact.gap = candidate.gap;
+        contact.force = candidate.impulse / dt;
+        contact.sliding = candidate.sliding;
+        contacts.push_back(contact);
+    }
+}
+
+void remember_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid,
+                       std::vector<ContactMemory>& memory) {
+    for (const ContactCandidate& candidate : candidates) {
+        if (candidate.touching) {
+            memory.push_back({solid, surface.vertices()[candidate.vertex].vertex, candidate.partner, candidate.index,
+                              candidate.anchor, candidate.force});
+        }
+    }
+}
+
+}  // namespace rhexis

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/contact/implicit_contact.hpp"
+
+namespace rhexis {
+
+namespace {
+
+struct Touch {
+    SurfaceDistance gap = nothing_near();
+    SpringResponse response;
+};
+
+/// No force if apart.
+Touch touch(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
+            bool edge_slides) {
+    Touch found;
+    if (surely_apart(candidate, pose, point)) {
+        return found;
+    }
+    found.gap = measure_gap(model, candidate, pose, point);
+    if (found.gap.distance < 0.0) {
+        found.response = spring_contact(candidate.spring, found.gap.distance, found.gap.normal,
+                                        point - pose.to_world(candidate.anchor), edge_slides);
+    }
+    return found;
+}
+
+/// Leaves as much of the offset as friction can hold.
+void move_anchor(const Touch& now, const Pose& pose, const Vec3& point, ContactCandidate& candidate) {
+    if (!candidate.touching) {
+        candidate.anchor = pose.to_body(point);
+    } else if (now.response.sliding) {
+        const Vec3 offset = point - pose.to_world(candidate.anchor);
+        const Vec3 tangential = offset - now.gap.normal.dot(offset) * now.gap.normal;
+        candidate.anchor = pose.to_body(point - project_on_disc(tangential, now.response.stretch));
+    }
+}
+
+}  // namespace
+
+void contact_terms(const WorldModel& model, const ContactSurface& surface, const ContactCandidates& candidates,
+                   const std::vector<Vec3>& positions, const PartnerPoses& poses, bool edge_slides,
+                   std::vector<ContactTerm>& terms) {
+    for (const ContactCandidate& candidate : candidates) {
+        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
+        const Vec3 point = point_of(vertex, positions);
+        const Pose pose = poses.of(candidate.partner, candidate.index);
+        const Touch now = touch(model, candidate, pose, point, edge_slides);
+        if (!(now.gap.distance < 0.0)) {
+            continue;
+        }
+        ContactTerm term;
+        term.nodes = {vertex.nodes[0], vertex.nodes[1], -1};
+        term.weights = {vertex.weight, vertex.nodes[1] < 0 ? 0.0 : vertex.weight, 0.0};
+        if (candidate.partner == ContactPartner::bag) {
+            term.body = candidate.index;
+            term.arm = point - pose.position;
+        }
+        term.force = now.response.force;
+        term.stiffness = now.response.stiffness;
+        terms.push_back(term);
+    }
+}
+
+void settle_contacts(const WorldModel& model, const ContactSurface& surface, const std::vector<Vec3>& positions,
+                     const PartnerPoses& poses, double dt, ContactCandidates& candidates) {
+    for (ContactCandidate& candidate : candidates) {
+        const Vec3 point = point_of(surface.vertices()[candidate.vertex], positions);
+        const Pose pose = poses.of(candidate.partner, candidate.index);
+        const Touch now = touch(model, candidate, pose, point, true);
+        candidate.touching = now.gap.distance < 0.0;
+        candidate.force = now.response.force;
+        move_anchor(now, pose, point, candidate);
+        if (candidate.touching) {
+            candidate.impulse += dt * now.response.force;
+            candidate.point = point;
+            candidate.normal = now.gap.normal;
+            candidate.gap = now.gap.distance;
+            candidate.sliding = now.response.sliding;
+        }
+    }
+}
+
+}  // namespace rhexis

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: contact as stiff springs inside the Newton iterations of an implicit step.
+#pragma once
+
+#include "physics/contact/contact_candidates.hpp"
+#include "physics/solve/contact_term.hpp"
+
+namespace rhexis {
+
+/// Forces and stiffness of all contacts at an iterate, appended to `terms`. positions: coarse nodes; poses: at the end
+/// of the substep.
+void contact_terms(const WorldModel& model, const ContactSurface& surface, const ContactCandidates& candidates,
+                   const std::vector<Vec3>& positions, const PartnerPoses& poses, bool edge_slides,
+                   std::vector<ContactTerm>& terms);
+
+/// Ends a substep of dt [s]: sums impulses and moves the anchors of what slid or is apart.
+void settle_contacts(const WorldModel& model, const ContactSurface& surface, const std::vector<Vec3>& positions,
+                     const PartnerPoses& poses, double dt, ContactCandidates& candidates);
+
+}  // namespace rhexis

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/membrane/membrane_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/index.hpp"
+#include "math/cholesky.hpp"
+
+namespace rhexis {
+namespace {
+
+using elastic_kernel::Mode;
+
+TrianglePoints points_of(const std::vector<Vec3>& nodes, const TriMesh& mesh, int triangle) {
+    const std::array<int, 3>& n = mesh.triangles[at(triangle)];
+    return {nodes[at(n[0])], nodes[at(n[1])], nodes[at(n[2])]};
+}
+
+BlockPattern pattern_by(const TriMesh& mesh, const std::vector<int>& row_of) {
+    std::vector<int> first{0};
+    std::vector<int> rows;
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        for (const int node : triangle) {
+            rows.push_back(row_of[at(node)]);
+        }
+        first.push_back(static_cast<int>(rows.size()));
+    }
+    return block_pattern(static_cast<int>(mesh.nodes.size()), first, rows);
+}
+
+std::vector<int> inverse(const std::vector<int>& order) {
+    std::vector<int> result(order.size());
+    for (int i = 0; i < static_cast<int>(order.size()); ++i) {
+        result[at(order[at(i)])] = i;
+    }
+    return result;
+}
+
+/// The old order with each new node right behind the last of the old ones that it touches.
+std::vector<int> with_new_nodes(const std::vector<int>& old_order, const std::vector<int>& old_row,
+                                const TriMesh& mesh) {
+    std::vector<std::pair<int, int>> place;  // row to stand behind, node
+    for (int node = static_cast<int>(old_order.size()); node < static_cast<int>(mesh.nodes.size()); ++node) {
+        place.emplace_back(-1, node);
+    }
+    for (const std::array<int, 3>& triangle : mesh.triangles) {
+        for (const int node : triangle) {
+            if (at(node) < old_order.size()) {
+                continue;
+            }
+            int& row = place[at(node) - old_order.size()].first;
+            for (const int other : triangle) {
+                row = at(other) < old_row.size() ? std::max(row, old_row[at(other)]) : row;
+            }
+        }
+    }
+    std::stable_sort(place.begin(), place.end());
+    std::vector<int> order;
+    std::size_t next = 0;
+    for (int row = -1; row < static_cast<int>(old_order.size()); ++row) {
+        if (row >= 0) {
+            order.push_back(old_order[at(row)]);
+        }
+        for (; next < place.size() && place[next].first == row; ++next) {
+            order.push_back(place[next].second);
+        }
+    }
+    return order;
+}
+
+struct SpringPull {
+    Vec3 force = Vec3::Zero();
+    Mat3 stiffness = Mat3::Zero();  ///< positive semidefinite
+};
+
+SpringPull pull_of(const NodeSpring& spring, double lift, const Vec3& x) {
+    SpringPull pull;
+    const Vec3 way = spring.anchor + (spring.on_support ? lift : 0.0) * Vec3::UnitZ() - x;
+    if (spring.slack == 0.0) {
+        return {spring.stiffness * way, spring.stiffness * Mat3::Identity()};
+    }
+    const double length = way.norm();
+    const double stretch = length - spring.slack;
+    if (!(stretch > 0.0) || !(length > 0.0)) {
+        return pull;
+    }
+    const Vec3 along = way / length;
+    pull.force = spring.stiffness * stretch * along;
+    pull.stiffness = spring.stiffness *
+                     (along * along.transpose() + stretch / length * (Mat3::Identity() - along * along.transpose()));
+    return pull;
+}
+
+}  // namespace
+
+PlaneFrame frame_of(const TriMesh& mesh, int triangle) { return plane_frame(points_of(mesh.nodes, mesh, triangle)); }
+
+MembraneTriangle membrane_triangle(const MembraneModel& model, const MembraneSheet& sheet, int triangle,
+                                   const PlaneFrame& frame) {
+    const TrianglePoints rest = points_of(sheet.mesh.nodes, sheet.mesh, triangle);
+    const Vec2 fibre = frame.to_plane(sheet.fibre[at(triangle)]).normalized();
+    return {shape_gradients(rest, frame), triangle_area(rest[0], rest[1], rest[2]) * sheet.thickness[at(triangle)],
+            sheet.stiffness[at(triangle)] * plane_stiffness(model.material, fibre), model.slack_share};
+}
+
+std::vector<MembraneTriangle> membrane_triangles(const MembraneModel& model, const MembraneSheet& sheet) {
+    std::vector<MembraneTriangle> result;
+    result.reserve(sheet.mesh.triangles.size());
+    for (int t = 0; t < static_cast<int>(sheet.mesh.triangles.size()); ++t) {
+        result.push_back(membrane_triangle(model, sheet, t, frame_of(sheet.mesh, t)));
+    }
+    return result;
+}
+
+TrianglePoints points_now(const MembraneState& state, int triangle) {
+    return points_of(state.position, state.sheet->mesh, triangle);
+}
+
+double elastic_energy(const MembraneModel& model, const MembraneState& state) {
+    double sum = 0.0;
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+        sum += triangles[at(t)].volume * membrane_state(triangles[at(t)], points_now(state, t)).energy;
+    }
+    return sum;
+}
+
+Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const std::vector<int>& nodes) {
+    std::vector<std::uint8_t> wanted(state.position.size(), 0);
+    for (const int node : nodes) {
+        wanted[at(node)] = 1;
+    }
+    Vec3 sum = Vec3::Zero();
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(model, *state.sheet);
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+        TrianglePoints force;
+        membrane_forces(triangles[at(t)], points_now(state, t), force);
+        for (std::size_t a = 0; a < 3; ++a) {
+            sum += wanted[at(state.sheet->mesh.triangles[at(t)][a])] != 0 ? force[a] : Vec3(Vec3::Zero());
+        }
+    }
+    return sum;
+}
+
+MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
+                           const MembraneBody* before, const membrane_kernel::Kernel& kernel)
+    : ElasticBody(model.damping_mass, model.damping_stiffness),
+      model_(&model),
+      sheet_(std::move(sheet)),
+      kernel_(&kernel) {
+    number_rows(before);
+    hang();
+    pack();
+    weigh();
+}
+
+void MembraneBody::number_rows(const MembraneBody* before) {
+    const TriMesh& mesh = sheet_->mesh;
+    std::vector<int> same(mesh.nodes.size());
+    for (int i = 0; i < static_cast<int>(same.size()); ++i) {
+        same[at(i)] = i;
+    }
+    // with fewer nodes an earlier state has been gone back to, and there is no order to keep
+    if (before == nullptr || before->node_of_.size() > mesh.nodes.size()) {
+        node_of_ = elimination_order(pattern_by(mesh, same));
+    } else {
+        node_of_ = postordered(pattern_by(mesh, same), with_new_nodes(before->node_of_, before->row_of_, mesh));
+    }
+    row_of_ = inverse(node_of_);
+    pattern_ = pattern_by(mesh, row_of_);
+    moves_.resize(mesh.nodes.size());
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        moves_[at(row_of_[at(node)])] = is_fixed(*model_, *sheet_, node) ? 0 : 1;
+    }
+}
+
+/// Copies of a node share its spring.
+void MembraneBody::hang() {
+    const std::vector<int>& origin = sheet_->origin;
+    for (const NodeSpring& spring : model_->springs) {
+        const std::ptrdiff_t copies = std::count(origin.begin(), origin.end(), spring.node);
+        for (int node = 0; node < static_cast<int>(origin.size()); ++node) {
+            if (origin[at(node)] == spring.node) {
+                springs_.push_back(spring);
+                springs_.back().node = row_of_[at(node)];
+                springs_.back().stiffness /= static_cast<double>(copies);
+            }
+        }
+    }
+}
+
+/// Corners by ascending row, so that their pairs are in the upper triangle.
+std::array<std::size_t, 3> MembraneBody::by_rows(std::size_t triangle) const {
+    const std::array<int, 3>& nodes = sheet_->mesh.triangles[triangle];
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return row_of_[at(nodes[a])] < row_of_[at(nodes[b])]; });
+    return order;
+}
+
+/// Lays the triangles out for the kernel.
+void MembraneBody::pack() {
+    const TriMesh& mesh = sheet_->mesh;
+    const std::vector<MembraneTriangle> triangles = membrane_triangles(*model_, *sheet_);
+    groups_ = static_cast<int>((triangles.size() + membrane_kernel::lanes - 1) / membrane_kernel::lanes);
+    data_.assign(at(groups_ * membrane_kernel::numbers * membrane_kernel::lanes), 0.0);
+    index_.assign(at(groups_ * membrane_kernel::places * membrane_kernel::lanes), 0);
+    volume_.clear();
+    for (std::size_t t = 0; t < at(groups_ * membrane_kernel::lanes); ++t) {
+        const std::size_t group = t / membrane_kernel::lanes;
+        const std::size_t lane = t % membrane_kernel::lanes;
+        int* const places = index_.data() + group * membrane_kernel::places * membrane_kernel::lanes + lane;
+        if (t >= triangles.size()) {
+            for (std::size_t k = 3; k < membrane_kernel::places; ++k) {
+                places[k * membrane_kernel::lanes] = 9 * pattern_.blocks();  // dropped
+            }
+            continue;
+        }
+        const std::array<std::size_t, 3> order = by_rows(t);
+        pack_numbers(triangles[t], order,
+                     data_.data() + group * membrane_kernel::numbers * membrane_kernel::lanes + lane);
+        std::array<int, 3> rows{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            rows[a] = row_of_[at(mesh.triangles[t][order[a]])];
+        }
+        pack_places(rows, places);
+        volume_.push_back(triangles[t].volume);
+    }
+}
+
+void MembraneBody::pack_numbers(const MembraneTriangle& triangle, const std::array<std::size_t, 3>& order, double* to) {
+    const auto put = [&to](double value) {
+        *to = value;
+        to += membrane_kernel::lanes;
+    };
+    for (const std::size_t a : order) {
+        put(triangle.gradient[a].x());
+        put(triangle.gradient[a].y());
+    }
+    put(triangle.volume);
+    for (Eigen::Index row = 0; row < 3; ++row) {
+        for (Eigen::Index column = row; column < 3; ++column) {
+            put(triangle.stiffness(row, column));
+        }
+    }
+    put(triangle.rest);
+}
+
+void MembraneBody::pack_places(const std::array<int, 3>& rows, int* to) const {
+    const auto put = [&to](int value) {
+        *to = value;
+        to += membrane_kernel::lanes;
+    };
+    for (const int row : rows) {
+        put(row);
+    }
+    for (std::size_t b = 0; b < 3; ++b) {
+        for (std::size_t a = 0; a <= b; ++a) {
+            const bool moving = moves_[at(rows[a])] != 0 && moves_[at(rows[b])] != 0;
+            put(9 * (moving ? pattern_.slot(rows[a], rows[b]) : pattern_.blocks()));
+        }
+    }
+}
+
+void MembraneBody::weigh() {
+    mass_.inertia.assign(node_of_.size(), 0.0);
+    for (std::size_t t = 0; t < volume_.size(); ++t) {
+        for (const int node : sheet_->mesh.triangles[t]) {
+            mass_.inertia[at(row_of_[at(node)])] += model_->density * volume_[t] / 3.0;
+        }
+    }
+    mass_.weight.assign(node_of_.size(), 0.0);  // a capsule floats
+}
+
+double MembraneBody::springs_on_support(const std::vector<Vec3>& position) const {
+    double sum = 0.0;
+    for (const NodeSpring& spring : springs_) {
+        sum -= spring.on_support ? pull_of(spring, lift_, position[at(node_of_[at(spring.node)])]).force.z() : 0.0;
+    }
+    return sum;
+}
+
+membrane_kernel::Task MembraneBody::task(const std::vector<double>& position, std::vector<double>& force) const {
+    force.assign(3 * node_of_.size() + 1, 0.0);
+    membrane_kernel::Task task;
+    task.data = data_.data();
+    task.index = index_.data();
+    task.groups = groups_;
+    task.position = position.data();
+    task.force = force.data();
+    return task;
+}
+
+void MembraneBody::forces(const std::vector<double>& position, std::vector<double>& force) {
+    kernel_->assemble(task(position, force));
+    for (const NodeSpring& spring : springs_) {
+        const std::size_t row = at(spring.node);
+        Eigen::Map<Vec3>(force.data() + 3 * row) +=
+            pull_of(spring, lift_, Eigen::Map<const Vec3>(position.data() + 3 * row)).force;
+    }
+}
+
+void MembraneBody::forces_and_stiffness(const std::vector<double>& position, Mode mode, double scale,
+                                        std::vector<double>& force, BlockValues& stiffness) {
+    clear_upper(pattern_, stiffness);
+    membrane_kernel::Task task = this->task(position, force);
+    task.mode = mode == Mode::consistent ? membrane_kernel::Mode::consistent : membrane_kernel::Mode::definite;
+    task.scale = scale;
+    task.stiffness = stiffness.data();
+    kernel_->assemble(task);
+    for (const NodeSpring& spring : springs_) {
+        const int row = spring.node;
+        const SpringPull pull = pull_of(spring, lift_, Eigen::Map<const Vec3>(position.data() + 3 * at(row)));
+        Eigen::Map<Vec3>(force.data() + 3 * at(row)) += pull.force;
+        if (moves_[at(row)] != 0) {
+            add_block(stiffness, pattern_.diagonal[at(row)], scale * pull.stiffness);
+        }
+    }
+}
+
+}  // namespace rhexis

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <immintrin.h>
+
+#include "physics/shell/shell_kernel.hpp"
+
+#define RHEXIS_WIDTH 4
+namespace rhexis::shell_kernel {
+namespace {
+#include "physics/shell/shell_kernel.ipp"
+constexpr Kernel kernel{"avx2", assemble};
+}  // namespace
+const Kernel* avx2() { return &kernel; }
+}  // namespace rhexis::shell_kernel

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/shell/shell_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/index.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr double near_in_thicknesses = 1.5;  // half a turn at the tightest takes pi / 2 along the middle
+constexpr double skin = 0.2;                 // how far beyond its reach a search looks [mm]
+
+using Edges = std::vector<std::vector<std::pair<int, double>>>;
+
+Edges edges_of(const TriMesh& mesh) {
+    Edges edges(mesh.nodes.size());
+    for (const std::array<int, 3>& n : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = n[k];
+            const int b = n[(k + 1) % 3];
+            const double length = (mesh.nodes[at(a)] - mesh.nodes[at(b)]).norm();
+            edges[at(a)].emplace_back(b, length);
+            edges[at(b)].emplace_back(a, length);
+        }
+    }
+    return edges;
+}
+
+/// Nodes within `reach` of the starts along edges, ascending, by letting distances fall until none does.
+std::vector<int> within(const Edges& edges, const std::array<int, 3>& starts, double reach,
+                        std::vector<double>& distance) {
+    std::vector<int> found(starts.begin(), starts.end());
+    for (const int start : starts) {
+        distance[at(start)] = 0.0;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        for (const auto& [other, length] : edges[at(found[i])]) {
+            const double along = distance[at(found[i])] + length;
+            if (along < reach && along < distance[at(other)]) {
+                distance[at(other)] = along;
+                found.push_back(other);
+            }
+        }
+    }
+    for (const int node : found) {
+        distance[at(node)] = HUGE_VAL;
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+}  // namespace
+
+ShellLayers::ShellLayers(const ShellModel& model) : model_(&model) { find_near(edges_of(model.mesh)); }
+
+void ShellLayers::find_near(const Edges& edges) {
+    std::vector<double> distance(model_->mesh.nodes.size(), HUGE_VAL);
+    for (std::size_t t = 0; t < model_->mesh.triangles.size(); ++t) {
+        near_.push_back(within(edges, model_->mesh.triangles[t], near_in_thicknesses * model_->thickness[t], distance));
+    }
+}
+
+/// By how much two places may have come nearer to each other since the last search: what all share does not count.
+double ShellLayers::closed_since(const std::vector<Vec3>& points) const {
+    if (points_.size() != points.size()) {
+        return HUGE_VAL;
+    }
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        mean += points[i] - points_[i];
+    }
+    mean /= static_cast<double>(points.size());
+    double square = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        square = std::max(square, (points[i] - points_[i] - mean).squaredNorm());
+    }
+    return 2.0 * std::sqrt(square);
+}
+
+void ShellLayers::look(const ShellSamples& on, const std::vector<Vec3>& points, double gap) {
+    closed_ = closed_since(points);
+    if (closed_ < skin && gap == gap_) {
+        return;
+    }
+    closed_ = 0.0;
+    boxes_.assign(model_->mesh.triangles.size(), Box{});
+    halves_.assign(boxes_.size(), 0.0);
+    for (std::size_t f = 0; f < on.facets.size(); ++f) {
+        const std::size_t t = f / at(on.facets_each);
+        for (std::size_t k = 0; k < 3; ++k) {
+            boxes_[t].add(points[at(on.facets[f][k])], 0.0);
+            halves_[t] = std::max(halves_[t], 0.5 * on.corners[f][k].thickness);
+        }
+    }
+    thickest_ = *std::max_element(halves_.begin(), halves_.end());
+    points_ = points;
+    gap_ = gap;
+    grid_.fill(boxes_);
+    candidates_.clear();
+    first_.assign(1, 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        find(points[i], on.samples[i].place);
+        first_.push_back(static_cast<int>(candidates_.size()));
+    }
+}
+
+/// Adds what comes near a place to the candidates.
+void ShellLayers::find(const Vec3& point, const ShellPlace& place) {
+    const double around = 0.5 * place.thickness + gap_ + skin;
+    const std::size_t start = candidates_.size();
+    grid_.near(point, around + thickest_, [&](int t) {
+        const std::vector<int>& near = near_[at(t)];
+        const double own = around + halves_[at(t)];
+        const double square = square_to(boxes_[at(t)], point);
+        if (square <= own * own && std::none_of(place.nodes.begin(), place.nodes.end(), [&](int n) {
+                return n >= 0 && std::binary_search(near.begin(), near.end(), n);
+            })) {
+            candidates_.push_back({t, std::sqrt(square) - own + skin});
+        }
+    });
+    std::sort(candidates_.begin() + static_cast<std::ptrdiff_t>(start), candidates_.end(),
+              [](const Candidate& a, const Candidate& b) { return a.triangle < b.triangle; });
+}
+
+}  // namespace rhexis

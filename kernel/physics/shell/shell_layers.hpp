@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: which triangles of a shell can meet which places of it, layers of what is folded or rolled.
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "flow/shell.hpp"
+#include "physics/contact/box_grid.hpp"
+#include "physics/shell/shell_samples.hpp"
+
+namespace rhexis {
+
+class ShellLayers {
+public:
+    /// The model must outlive this.
+    explicit ShellLayers(const ShellModel& model);
+
+    /// Where samples of the shell are now. What it found before is kept until two of them may have come nearer to each
+    /// other by more than it looked beyond `gap`.
+    void look(const ShellSamples& on, const std::vector<Vec3>& points, double gap);
+
+    struct Candidate {
+        int triangle;
+        double spare;  ///< how much farther away than the gap it was at the last search, at least [mm]; less: nearer
+    };
+    /// Triangles whose surface may come within that gap of a sample's before the next search, ascending; but none that
+    /// is near it along the surface: closer than one and a half times its thickness, by edges, or of the same nodes.
+    [[nodiscard]] std::span<const Candidate> near(std::size_t sample) const {
+        return {candidates_.data() + first_[sample], candidates_.data() + first_[sample + 1]};
+    }
+    /// No two samples have come nearer to each other since the last search by more than that [mm].
+    [[nodiscard]] double closed() const { return closed_; }
+    /// Half the thickness of a triangle where it is thickest [mm].
+    [[nodiscard]] double half(int triangle) const { return halves_[static_cast<std::size_t>(triangle)]; }
+
+private:
+    void find_near(const std::vector<std::vector<std::pair<int, double>>>& edges);
+    [[nodiscard]] double closed_since(const std::vector<Vec3>& points) const;
+    void find(const Vec3& point, const ShellPlace& place);
+
+    const ShellModel* model_;
+    std::vector<std::vector<int>> near_;  ///< per triangle: nodes near it, ascending
+    // of the last search
+    std::vector<Box> boxes_;  ///< of triangles
+    std::vector<double> halves_;
+    double thickest_ = 0.0;  ///< half [mm]
+    std::vector<Vec3> points_;
+    double gap_ = 0.0;
+    std::vector<int> first_;  ///< per sample and one more: into candidates_
+    std::vector<Candidate> candidates_;
+    double closed_ = 0.0;
+    BoxGrid grid_;
+};
+
+}  // namespace rhexis

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Inside physics: linear solves of similar systems, one after the other, by conjugate gradients with a factor that is
+// kept while that pays. When it is made anew depends on counts alone, never on a clock.
+#pragma once
+
+#include <vector>
+
+#include "math/pcg.hpp"
+#include "physics/solve/factor_preconditioner.hpp"
+
+namespace rhexis {
+
+class KeptSolver {
+public:
+    KeptSolver(const BlockPattern& pattern, const linear_kernel::Kernel& kernel) : factor_(pattern, kernel) {}
+
+    struct Outcome {
+        int iterations = 0;
+        double residual = 0.0;  ///< |b - A x|, absolute
+        bool converged = false;
+        bool factored = false;
+    };
+
+    /// x = A^-1 b until |b - A x| <= tolerance (absolute). single_only: else not converged.
+    Outcome solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
+                  std::span<double> x, bool single_only = false);
+
+    /// Forgets the factor and what was learned of its use: the next solve is as that of a new solver.
+    void drop();
+    /// The next solve makes a new factor.
+    void expect_change() { due_ = true; }
+
+private:
+    [[nodiscard]] bool due(const CoupledMatrix& matrix) const;
+    bool renew(const CoupledMatrix& matrix, FactorPreconditioner::Precision precision, bool single_only,
+               Outcome& outcome);
+    PcgResult run(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
+                  std::span<double> x, bool started);
+
+    FactorPreconditioner factor_;
+    PcgWork work_;
+    bool due_ = true;
+    int solves_ = 0;      ///< with the kept factor
+    int iterations_ = 0;  ///< in all of them
+    int last_ = 0;        ///< in the last one
+    int first_ = 0;       ///< in the first one
+};
+
+}  // namespace rhexis
