@@ -6,7 +6,8 @@ add_library(rhexis_flags INTERFACE)
 target_compile_options(rhexis_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast -Werror)
 
-# rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME and below as one static library.
+# rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME and below as one static
+# library.
 function(rhexis_kernel_folder name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -39,6 +40,9 @@ function(rhexis_test_folder name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/test_*.cpp)
   if(NOT sources)
     return()
+  endif()
+  if(CMAKE_BUILD_TYPE STREQUAL "Sanitize" AND ARG_LABELS MATCHES "slow|long")
+    return()  # only the quick ones run sanitized
   endif()
   add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
   target_link_libraries(test_${name} PRIVATE rhexis_flags rhexis_test_support ${ARG_LIBRARIES})
