@@ -40,6 +40,7 @@ local part_rules = {
     settings = { kind = "table", default = {} },
     goals = { kind = "table", default = {} },
     time_limit_s = { kind = "number", from = 1, to = 7200 },
+    step_s = { kind = "number", from = 0.001, to = 0.02 },  -- the exercise's if missing
 }
 
 local operation_rules = {
@@ -68,6 +69,10 @@ operation.part = language.declaration("part", part_rules, function(part)
         end
         settings_check.name(setting, part.line, ("part '%s': begins_with: "):format(part.name))
         part.begins[setting] = expression.parse(text, where)
+    end
+    if part.continues and part.step_s then
+        words.fail(words.where("step_s", part.line),
+            ("part '%s' continues the one before it, whose step_s is its own as well"):format(part.name))
     end
 end)
 
@@ -195,6 +200,7 @@ function operation.join(wanted, index, exercise, before, live)
     set_goals(exercise, part)
     exercise.tissues = part.tissues or exercise.tissues
     exercise.instruments = part.instruments or exercise.instruments
+    exercise.step_s = part.step_s or exercise.step_s
     if part.continues and before.scene then continue_scene(exercise, before.scene, live) end
     exercise.time_limit_s = part.time_limit_s or exercise.time_limit_s
     exercise.mode = wanted.mode

@@ -42,6 +42,10 @@ RUNS = [
     ("viscoelastic_removal", None),
     ("set_up", None),
     ("forceps_skill", None),
+    ("navigation", None),
+    ("surge", None),
+    ("dropped_fragment", None),
+    ("posterior_capsule_rupture", None),
 ]
 
 

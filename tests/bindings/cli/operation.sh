@@ -41,7 +41,7 @@ return operation {
     patient = { age = 70 },
     parts = {
         part "fill" { exercise = "../fill" },
-        part "look" { exercise = "../look",
+        part "look" { exercise = "../look", step_s = 0.02,
             begins_with = { ["viscoelastic.fill"] = "viscoelastic.fill - 0.1" } },
         part "look again" { exercise = "../look", continues = true,
             settings = { ["viscoelastic.fill"] = 1 } },
@@ -67,6 +67,10 @@ assert abs(looked - (filled - 0.1)) < 0.02, (filled, looked)
 assert abs(again - looked) < 0.02, (looked, again)   # the state goes on, whatever the setting says
 whole = json.load(open(f"{sys.argv[1]}/report.json"))
 parts = [json.load(open(f"{sys.argv[1]}/{part['folder']}/report.json")) for part in whole["parts"]]
+steps = [len(json.load(open(f"{sys.argv[1]}/{part['folder']}/series.json"))["time_s"]) / part["duration_s"]
+         for part in whole["parts"]]
+assert steps[1] < 0.7 * steps[0], steps  # the part's own step, and of what continues it
+assert steps[2] < 0.7 * steps[0], steps
 assert abs(whole["duration_s"] - sum(part["duration_s"] for part in parts)) < 1e-9
 assert whole["steps"][1]["start_s"] >= whole["steps"][0]["end_s"], whole["steps"]
 items = {item["id"]: item for item in whole["osacss"]["items"]}
@@ -144,6 +148,13 @@ return operation { title = "Wrong", parts = { part "fill" { exercise = "../fill"
 L
 wrong "part 'a' is the first: it has nothing to continue" <<'L'
 return operation { title = "Wrong", parts = { part "a" { exercise = "../fill", continues = true } } }
+L
+wrong "part 'b' continues the one before it, whose step_s is its own as well" <<'L'
+return operation { title = "Wrong", parts = { part "a" { exercise = "../fill" },
+    part "b" { exercise = "../look", continues = true, step_s = 0.02 } } }
+L
+wrong "part 'a': step_s = 0.1 is out of range (0.001 to 0.02)" <<'L'
+return operation { title = "Wrong", parts = { part "a" { exercise = "../fill", step_s = 0.1 } } }
 L
 wrong "part 'b': there is no part 'c' before it" <<'L'
 return operation { title = "Wrong", parts = { part "a" { exercise = "../fill" },
