@@ -228,6 +228,15 @@ function language.read_patient(given)
     return patient
 end
 
+--- What a good performance needs: a positive number by name.
+function language.read_reference(given)
+    for _, name in ipairs(words.keys(given)) do
+        fields.check_value({ kind = "number", from = 1e-9 }, given[name], words.where(name, words.line_of("reference")),
+            "reference: " .. name)
+    end
+    return given
+end
+
 local function check_steps_of_events(result, known)
     for _, event in ipairs(result.errors) do
         for _, name in ipairs(event.steps or {}) do
@@ -312,6 +321,7 @@ function language.exercise(given)
     result.settings = language.flatten(result.settings, "", {})
     settings_check.all(result.settings, words.line_of("settings"), "settings: ")
     result.goals, result.goal_rules = read_goals(result.goals)
+    result.reference = language.read_reference(result.reference)
     local known = language.check_list(result.steps, "step", "steps")
     if #result.steps == 0 then words.fail(words.where("steps"), "an exercise needs at least one step") end
     language.check_list(result.errors, "error_event", "errors")

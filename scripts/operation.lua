@@ -91,6 +91,7 @@ function operation.operation(given)
     result.kind = "operation"
     result.patient = language.read_patient(result.patient)
     result.settings = language.flatten(result.settings, "", {})
+    result.reference = language.read_reference(result.reference)
     language.check_list(result.parts, "part", "parts")
     if #result.parts == 0 then words.fail(words.where("parts"), "an operation needs at least one part") end
     if result.scoring and not result.scoring.rubric then

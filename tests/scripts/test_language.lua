@@ -132,6 +132,14 @@ local levels = [[goals = { depth_mm = { 1, from = 0, to = 5 } }, patient = { pup
         hard = { patient = { pupil_mm = 5 }, time_limit_s = 60, mode = "exam" },
     },]]
 
+case("what a good performance needs are positive numbers", function()
+    fails(function() support.demo({ rest = 'reference = { path_mm = "far" },' }) end, "demo/curriculum.lua:",
+        "reference: path_mm")
+    fails(function() support.demo({ rest = "reference = { path_mm = { 7 } }," }) end, "reference: path_mm")
+    fails(function() support.demo({ rest = "reference = { path_mm = 0 }," }) end, "out of range")
+    equal(support.demo({ rest = "reference = { path_mm = 7 }," }).reference.path_mm, 7)
+end)
+
 case("a level changes patient, goals, time and mode; what is set besides goes before it", function()
     local exercise = support.demo({ rest = levels })
     equal(exercise.patient.pupil_mm, 7)
