@@ -43,6 +43,7 @@ RUNS = [
     ("set_up", None),
     ("forceps_skill", None),
     ("navigation", None),
+    ("overfilled_chamber", None),
     ("surge", None),
     ("dropped_fragment", None),
     ("posterior_capsule_rupture", None),
