@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What a virtual surgeon does with an eye that is too hard: presses the lip of the side port aside with a spatula, for
--- as long as viscoelastic is known to come, and once more. It sees the picture only: no measure, no event, no score. [mm]
+-- What a virtual surgeon does with an eye that is too hard: presses the lip of the side port aside with a spatula
+-- for as long as viscoelastic is known to come, and once more. It sees the picture, no measure, event or score. [mm]
 
 local instruments = require "surgeons.instruments"
 local vector = require "surgeons.vector"
