@@ -2,7 +2,7 @@
 -- Cortex held in the fornix, drawn to the middle and aspirated.
 
 local function enter(t)
-    t.ia_tip:enter()
+    t.ia_tip:enter { speed = 20 }
     t.ia_tip:pedal(1)
     t.ia_tip:move_to({ 0, -0.5, -0.3 }, { speed = 10 })
 end
@@ -40,7 +40,7 @@ return scenarios {
             enter(t)
             take(t, 11)
             t:expect("cortex.left_percent > 10")
-            t.ia_tip:withdraw { speed = 12 }
+            t.ia_tip:withdraw { speed = 20 }
             t:wait(0.1)
             t:expect_event("Cortex left")
             enter(t)

@@ -6,23 +6,25 @@ local came = { capsule = { hole_mm = 2.5 }, vitreous = { hyaloid = 0, front_mm3 
     tamponade = { fill = 0.3 } }
 local hole = { 0.4, 0.8, -1.5 }
 
+local quick = 30  -- where nothing depends on it [mm/s]
+
 local function inject(t, name, place, seconds)
-    t[name]:enter { through = "side_port" }
-    t[name]:move_to(place, { speed = 15 })
+    t[name]:enter { through = "side_port", speed = quick }
+    t[name]:move_to(place, { speed = quick })
     t[name]:jaw(1)
     t:wait(seconds)
     t[name]:jaw(0)
-    t[name]:withdraw { speed = 15 }
+    t[name]:withdraw { speed = quick }
 end
 
-local function cover(t) inject(t, "cannula", hole, 3) end
-local function make_white(t) inject(t, "triamcinolone", { 0, 0.8, 1 }, 0.6) end
+local function cover(t, seconds) inject(t, "cannula", hole, seconds or 3) end
+local function make_white(t, seconds) inject(t, "triamcinolone", { 0, 0.8, 1 }, seconds or 0.8) end
 
 -- Cuts before the hole, then along the strand to the wound.
 local function cut(t)
-    t.cutter:enter()
+    t.cutter:enter { speed = quick }
     t.cutter:pedal(1)
-    t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 10 })
+    t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 15 })
     t.cutter:pedal(3)
     t:wait_until("vitreous.front_mm3 < 0.3", 8)
     t.cutter:move_to({ 0.3, -4.4, 2.3 }, { speed = 5, stop = "vitreous.wound_mm3 < 0.1" })
@@ -36,12 +38,12 @@ return scenarios {
         function(t)
             t:wait(0.1)
             t:expect_event("Vitreous")
-            make_white(t)
+            make_white(t, 0.5)
             t:expect("vitreous.marked_share > 0.8")
             cover(t)
             cut(t)
-            cover(t)
-            t.cutter:withdraw()
+            cover(t, 1)
+            t.cutter:withdraw { speed = quick }
             make_white(t)
             t:expect_event("Vitreous", { recovered = true, within = 2 })
             t:expect_no_event("Vitreous pulled")
@@ -56,7 +58,7 @@ return scenarios {
             cover(t)
             cut(t)
             cover(t)
-            t.cutter:withdraw()
+            t.cutter:withdraw { speed = quick }
             t:expect_event("Vitreous", { recovered = false, within = 4 })
         end },
 
@@ -114,11 +116,11 @@ return scenarios {
         set = { tamponade = { fill = 0.6 } },
         silent_twin_of = "Vitreous",
         function(t)
-            t.phaco:enter()
+            t.phaco:enter { speed = quick }
             t.phaco:pedal(1)
             t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
             cover(t)
-            t.phaco:withdraw()
+            t.phaco:withdraw { speed = quick }
             make_white(t)
             t:expect("vitreous.front_mm3 <= 0 and vitreous.checked_ml > 0.01")
         end },

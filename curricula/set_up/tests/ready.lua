@@ -52,7 +52,7 @@ return scenarios {
             t:expect("lids.opening > 0.9")
             test_pedal(t, 3)
             t:expect("lids.pedal_tested")
-            t.phaco:withdraw()
+            t.phaco:withdraw { speed = 30 }
             t.microscope:centre()
             t:request("Settings confirmed")
             t:request("Side confirmed")
