@@ -5,15 +5,19 @@
 #include <filesystem>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "base/hash.hpp"
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
+#include "cli/operation.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "cli/study_result.hpp"
 #include "lua/curriculum_files.hpp"
+#include "lua/operation_script.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -26,6 +30,7 @@ constexpr const char* help =
     "  rhexis study part_exercises              tables, and runs/study-part_exercises/\n"
     "  rhexis study part_exercises --resume     without the attempts that are there already\n"
     "  rhexis study my_study.json --jobs 2 --out DIR\n"
+    "  rhexis study full_operations             whole operations: hours\n"
     "\n"
     "DIR receives study.json, study.md and a folder per attempt with report and recording. The numbers that the "
     "groups\n"
@@ -44,16 +49,21 @@ struct StudyJob {
     std::string folder;
     json fingerprint;
     Start start{};
+    std::optional<Operation> operation{};  ///< in place of an exercise
     StudyRun run;
     std::string error{};
 };
 
+std::string hash_of_curriculum(const std::string& name, const Context& context) {
+    const Result<CurriculumFiles> files = find_curriculum(name, context.root);
+    return files ? files.value().sha256 : "";
+}
+
 /// What decides how an attempt goes.
 json fingerprint_of(const StudyPlan& plan, const StudyExercise& exercise, const std::string& group, std::uint64_t seed,
                     const Context& context) {
-    const Result<CurriculumFiles> files = find_curriculum(exercise.exercise, context.root);
     const Result<std::string> scripts = hash_of_scripts(context.root + "/scripts");
-    return {{"exercise", files ? files.value().sha256 : ""},
+    return {{"exercise", hash_of_curriculum(exercise.exercise, context)},
             {"scripts", scripts ? scripts.value() : ""},
             {"start", exercise.start},
             {"set", exercise.set},
@@ -85,24 +95,44 @@ std::vector<StudyJob> jobs_of(const StudyPlan& plan, const std::string& out, con
     return jobs;
 }
 
+/// Loads each exercise with each surgeon and makes its start.
+Result<Start> try_exercise(const StudyPlan& plan, const StudyExercise& exercise, const Context& context) {
+    for (const std::string& group : plan.groups) {
+        const Result<ExerciseHost> host =
+            ExerciseHost::load({exercise.exercise, group, plan.first_seed, exercise.set, context.root});
+        if (!host) {
+            return host.error();
+        }
+    }
+    return find_start({exercise.exercise, exercise.start, exercise.set, context.root, true});
+}
+
 /// The start of each exercise, made once, and the exercises with their surgeons loaded once: mistakes show before the
-/// first attempt.
+/// first attempt. An operation begins with its first part; what its parts are decides how an attempt goes, too.
 Status prepare(const StudyPlan& plan, std::vector<StudyJob>& jobs, const Context& context) {
     for (const StudyExercise& exercise : plan.exercises) {
-        for (const std::string& group : plan.groups) {
-            const Result<ExerciseHost> host =
-                ExerciseHost::load({exercise.exercise, group, plan.first_seed, exercise.set, context.root});
-            if (!host) {
-                return host.error();
-            }
+        const Result<std::optional<Operation>> operation = load_operation(exercise.exercise, context.root);
+        if (!operation) {
+            return operation.error();
         }
-        const Result<Start> start = find_start({exercise.exercise, exercise.start, exercise.set, context.root, true});
+        if (operation.value() && !exercise.start.empty()) {
+            return Error{"start is for exercises, and " + exercise.exercise + " is an operation", plan.name, "none"};
+        }
+        const Result<Start> start = operation.value() ? Result<Start>(Start{}) : try_exercise(plan, exercise, context);
         if (!start) {
             return start.error();
+        }
+        json parts = json::array();
+        for (const OperationPart& part : operation.value() ? operation.value()->parts : std::vector<OperationPart>{}) {
+            parts.push_back(hash_of_curriculum(part.exercise, context));
         }
         for (StudyJob& job : jobs) {
             if (job.exercise == &exercise) {
                 job.start = start.value();
+                job.operation = operation.value();
+                if (job.operation) {
+                    job.fingerprint["parts"] = parts;
+                }
             }
         }
     }
@@ -121,7 +151,17 @@ bool take_up(StudyJob& job) {
     return job.run.report.is_object();
 }
 
-void run_job(const StudyPlan& plan, StudyJob& job, const Context& context) {
+/// Report and script error of an attempt at an exercise or operation. What is whole of an operation stays.
+Result<std::pair<json, std::string>> run_either(const StudyJob& job, const AttemptOptions& options, bool resume) {
+    if (job.operation) {
+        const Result<OperationResult> whole = operate({*job.operation, options, "", "", resume});
+        return whole ? Result(std::pair(whole.value().report, whole.value().script_error)) : whole.error();
+    }
+    const Result<AttemptResult> alone = attempt(options);
+    return alone ? Result(std::pair(alone.value().report, alone.value().script_error)) : alone.error();
+}
+
+void run_job(const StudyPlan& plan, StudyJob& job, const Context& context, bool resume) {
     AttemptOptions options;
     options.exercise = {job.exercise->exercise, job.run.group, job.run.seed, job.exercise->set, context.root};
     options.folder = job.folder;
@@ -129,13 +169,14 @@ void run_job(const StudyPlan& plan, StudyJob& job, const Context& context) {
     options.drawing = Drawing::none;
     options.limit_s = plan.limit_s;
     options.quiet = true;
-    const Result<AttemptResult> result = attempt(options);
+    Result<std::pair<json, std::string>> result = run_either(job, options, resume);
     if (!result) {
         job.error = result.error().text();
         return;
     }
-    job.error = result.value().script_error;
-    job.run.report = result.value().report;
+    auto [report, script_error] = std::move(result).value();
+    job.run.report = std::move(report);
+    job.error = std::move(script_error);
     const Status marked = write_whole_file(job.folder + done_file, job.fingerprint.dump() + "\n");
     if (!marked && job.error.empty()) {
         job.error = marked.error().text();
@@ -153,7 +194,7 @@ Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyO
     const auto work = [&] {
         for (std::size_t i = next++; i < jobs.size() && !stop; i = next++) {
             if (!given.resume || !take_up(jobs[i])) {
-                run_job(plan, jobs[i], context);
+                run_job(plan, jobs[i], context, given.resume);
             }
             const std::lock_guard lock(mutex);
             ++finished;

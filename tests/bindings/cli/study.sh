@@ -55,6 +55,22 @@ a, b = (json.load(open(f)) for f in ('before.json', 'study/study.json'))
 a.pop('cpu_s'), b.pop('cpu_s')
 assert a == b" || fail "a resumed study finds something else"
 
+# An operation in place of an exercise.
+mkdir twice
+cat >twice/curriculum.lua <<'L'
+return operation { title = "Twice", scoring = osacss { "T3" }, parts = {
+    part "fill" { exercise = "../fill" }, part "once more" { exercise = "../fill" } } }
+L
+plan whole <<'J'
+{"title": "Whole", "groups": ["a"], "seeds": [1, 1], "limit_s": 5, "exercises": [{"exercise": "twice"}]}
+J
+expect 0 "" "$rhexis" study whole.json --out whole
+says "1 of 1"
+rm whole/1-twice-a-1/study_run.json
+touch -d '2000-01-01' whole/1-twice-a-1/parts/01_fill/recording.rhx
+expect 0 "" "$rhexis" study whole.json --out whole --resume
+[ whole/1-twice-a-1/parts/01_fill/recording.rhx -ot whole.json ] || fail "a part that was there was done again"
+
 wrong() {  # TEXT: the study on stdin is refused so
     plan wrong
     expect 2 "$1" "$rhexis" study wrong.json --out never
@@ -66,6 +82,7 @@ wrong 'wrong.json: title: is missing (a text)' <<<'{"groups": ["a"], "seeds": [1
 wrong 'seeds: [2,1] ([first, last], at most 1000)' <<<'{"title": "x", "groups": ["a"], "seeds": [2, 1], "exercises": [{"exercise": "fill"}]}'
 wrong "seed: is no field of a study (did you mean seeds?)" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 2], "seed": 1, "exercises": [{"exercise": "fill"}]}'
 wrong "exercise 1: starts: is no field of a study (did you mean start?)" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 2], "exercises": [{"exercise": "fill", "starts": "x"}]}'
+wrong "start is for exercises, and twice is an operation" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 1], "exercises": [{"exercise": "twice", "start": "begin"}]}'
 wrong "there is no surgeon 'e'" <<<'{"title": "x", "groups": ["e"], "seeds": [1, 2], "exercises": [{"exercise": "fill"}]}'
 wrong "there is no curriculum 'fil'" <<<'{"title": "x", "groups": ["a"], "seeds": [1, 2], "exercises": [{"exercise": "fil"}]}'
 finished
