@@ -2,11 +2,10 @@
 # Flags and the two functions that every folder's CMakeLists.txt uses.
 
 # -ffp-contract=off: the same result with and without fused multiply-add, so one state hash for every x86-64 build.
+# -Werror not under sanitizers: what they put in makes the compiler warn of values that are set on every way there is.
 add_library(rhexis_flags INTERFACE)
 target_compile_options(rhexis_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-  -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast)
-# Not under sanitizers: what they put in makes the compiler warn of values that are set on every way there is.
-target_compile_options(rhexis_flags INTERFACE $<$<NOT:$<CONFIG:Sanitize>>:-Werror>)
+  -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<$<NOT:$<CONFIG:Sanitize>>:-Werror>)
 
 # rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME and below as one static
 # library.

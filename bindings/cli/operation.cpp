@@ -140,14 +140,13 @@ private:
 
     /// What decides how a part goes: besides what was asked for, all scripts.
     [[nodiscard]] json fingerprint(std::size_t index) const {
-        const Result<CurriculumFiles> files = find_curriculum(part(index).exercise, options_.attempt.exercise.root);
         const Result<std::string> scripts = hash_of_scripts(options_.attempt.exercise.root + "/scripts");
         const ExerciseOptions& all = options_.attempt.exercise;
         return {{"operation", options_.operation.identity},
                 {"part", part(index).id},
                 {"surgeon", all.surgeon},
                 {"seed", all.seed},
-                {"exercise", files ? files.value().sha256 : ""},
+                {"exercise", hash_of_curriculum(part(index).exercise, all.root)},
                 {"scripts", scripts ? scripts.value() : ""},
                 {"set", set_for(options_, part(index))}};
     }

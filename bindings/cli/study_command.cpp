@@ -54,16 +54,11 @@ struct StudyJob {
     std::string error{};
 };
 
-std::string hash_of_curriculum(const std::string& name, const Context& context) {
-    const Result<CurriculumFiles> files = find_curriculum(name, context.root);
-    return files ? files.value().sha256 : "";
-}
-
 /// What decides how an attempt goes.
 json fingerprint_of(const StudyPlan& plan, const StudyExercise& exercise, const std::string& group, std::uint64_t seed,
                     const Context& context) {
     const Result<std::string> scripts = hash_of_scripts(context.root + "/scripts");
-    return {{"exercise", hash_of_curriculum(exercise.exercise, context)},
+    return {{"exercise", hash_of_curriculum(exercise.exercise, context.root)},
             {"scripts", scripts ? scripts.value() : ""},
             {"start", exercise.start},
             {"set", exercise.set},
@@ -124,7 +119,7 @@ Status prepare(const StudyPlan& plan, std::vector<StudyJob>& jobs, const Context
         }
         json parts = json::array();
         for (const OperationPart& part : operation.value() ? operation.value()->parts : std::vector<OperationPart>{}) {
-            parts.push_back(hash_of_curriculum(part.exercise, context));
+            parts.push_back(hash_of_curriculum(part.exercise, context.root));
         }
         for (StudyJob& job : jobs) {
             if (job.exercise == &exercise) {

@@ -102,6 +102,11 @@ bool is_scenario_file(const std::string& path) {
            (file.parent_path().filename() == "tests" || file.stem().string().ends_with("_test"));
 }
 
+std::string hash_of_curriculum(const std::string& name, const std::string& root) {
+    const Result<CurriculumFiles> files = find_curriculum(name, root);
+    return files ? files.value().sha256 : "";
+}
+
 Result<std::string> hash_of_scripts(const std::string& folder) { return hash_of(folder, scripts_below(folder)); }
 
 Result<std::string> read_script(const std::string& path) {

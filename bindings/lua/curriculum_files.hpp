@@ -22,6 +22,9 @@ struct CurriculumFiles {
 /// names when there is none.
 Result<CurriculumFiles> find_curriculum(const std::string& name, const std::string& root);
 
+/// Of what find_curriculum finds; "" when it fails.
+std::string hash_of_curriculum(const std::string& name, const std::string& root);
+
 /// SHA-256 over names and contents of all .lua files below a folder, tests left out.
 Result<std::string> hash_of_scripts(const std::string& folder);
 
