@@ -20,7 +20,7 @@ using bench::BenchCase;
 using bench::BenchOptions;
 using nlohmann::json;
 
-constexpr const char* help =
+constexpr const char* bench_help =
     "Without a name all are run.\n"
     "\n"
     "  rhexis bench --list\n"
@@ -138,7 +138,7 @@ int bench(const BenchArguments& given) {
 
 void add_bench(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("bench", "Run benchmarks");
-    command->footer(help);
+    command->footer(bench_help);
     auto given = std::make_shared<BenchArguments>();
     command->add_option("name", given->names, "Which ones");
     command->add_flag("--list", given->list, "Name them");

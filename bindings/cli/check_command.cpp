@@ -16,7 +16,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* check_help =
     "Loads each exercise with its starts and scenario tests, builds its scene and lets it watch a moment of it, so "
     "that "
     "wrong names, values and syntax show.\n"
@@ -287,7 +287,7 @@ int check(const std::vector<std::string>& paths, const Context& context) {
 
 void add_check(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("check", "Find the mistakes in exercises, by file and line");
-    command->footer(help);
+    command->footer(check_help);
     auto paths = std::make_shared<std::vector<std::string>>();
     command->add_option("path", *paths, "Exercises: folders, files, or names in curricula/")->required();
     command->callback([paths, &context] { context.status = check(*paths, context); });

@@ -18,7 +18,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* fold_help =
     "Forceps tuck the haptics onto the optic, the wings of the cartridge roll the lens round them and close to the\n"
     "bore. What is printed: energy in the lens's springs, deepest penetration of the stage over thickness, steps that\n"
     "did not balance. Takes a minute or two.\n"
@@ -43,7 +43,7 @@ std::optional<double> number_in(const std::string& text) {
 }
 
 /// KEY=NUMBER of implant or cartridge. A nozzle that nobody names is as wide as the bore.
-Result<std::map<std::string, double>> settings_of(const std::vector<std::string>& pairs) {
+Result<std::map<std::string, double>> fold_settings(const std::vector<std::string>& pairs) {
     std::map<std::string, double> settings;
     for (const std::string& pair : pairs) {
         const Result<std::pair<std::string, std::string>> one = key_and_value(pair, "fold", "cartridge.bore_mm=2.6");
@@ -135,7 +135,7 @@ Status run(ImplantFold& fold, Album* album) {
 }
 
 int fold(const FoldArguments& given) {
-    const Result<std::map<std::string, double>> settings = settings_of(given.set);
+    const Result<std::map<std::string, double>> settings = fold_settings(given.set);
     if (!settings) {
         return complain(settings.error());
     }
@@ -174,7 +174,7 @@ int fold(const FoldArguments& given) {
 
 void add_fold(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("fold", "Fold an implant into a cartridge, as a state to start from");
-    command->footer(help);
+    command->footer(fold_help);
     auto given = std::make_shared<FoldArguments>();
     command->add_option("--out", given->out, "State file to write (.rhxs)")->required();
     command->add_option("--pictures", given->pictures, "Folder for pictures of the stages");

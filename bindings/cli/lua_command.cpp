@@ -8,7 +8,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* lua_help =
     "The script runs with your own rights (files, programs, network): it is not sandboxed, as exercises are. Beside "
     "Lua's\n"
     "libraries it finds rhexis.mesh, rhexis.scene, rhexis.render and rhexis.eye, and its arguments in `arg` and "
@@ -36,7 +36,7 @@ int run_lua(const LuaArguments& given) {
 
 void add_lua(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("lua", "Run your own Lua script with the kernel's modules (not sandboxed)");
-    command->footer(help);
+    command->footer(lua_help);
     auto given = std::make_shared<LuaArguments>();
     command->add_option("file", given->file, "The script")->required();
     command->add_option("arg", given->arguments, "Its arguments");

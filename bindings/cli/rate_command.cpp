@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* help =
+constexpr const char* rate_help =
     "Makes a folder to hand to a rater: for each recording a replay on video and a form with the twenty items of\n"
     "OSACSS, in an order by chance, without name, group, score or date. The form works without a network and saves a\n"
     "file of answers. With --answers these are stored beside the attempt, for rhexis records agreement.\n"
@@ -192,7 +192,7 @@ int store_answers(const RateOptions& given) {
 
 void add_rate(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("rate", "Have recordings rated by people who do not know whose they are");
-    command->footer(help);
+    command->footer(rate_help);
     auto given = std::make_shared<RateOptions>();
     command->add_option("recordings", given->recordings, "Recordings, or folders of runs")->required();
     command->add_option("--out", given->out, "New folder for the rater")->capture_default_str();

@@ -15,7 +15,7 @@ using records::Attempt;
 using records::AttemptState;
 using records::Store;
 
-constexpr const char* help =
+constexpr const char* records_help =
     "Attempts are stored by rhexis run EXERCISE --trainee PSEUDONYM, and nothing is without it.\n"
     "\n"
     "  rhexis run groove --surgeon b --trainee P07 --cohort 2026 --arm simulator\n"
@@ -95,7 +95,7 @@ Result<records::Gates> gates_of(const RecordsOptions& given, const Context& cont
 
 void add_records(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("records", "Attempts of trainees: lists, learning curves, gates, export");
-    command->footer(help);
+    command->footer(records_help);
     command->require_subcommand(1);
     command->fallthrough();
     auto given = std::make_shared<RecordsOptions>();

@@ -14,7 +14,7 @@ namespace {
 using records::Attempt;
 using records::AttemptState;
 
-std::string score_of(const Attempt& attempt) {
+std::string score_text(const Attempt& attempt) {
     if (attempt.state != AttemptState::finished) {
         return state_name(attempt.state);
     }
@@ -28,7 +28,7 @@ std::string score_of(const Attempt& attempt) {
 
 void print_line(const Attempt& a) {
     std::printf("%-8s  %-16s  %-12s  %-20s  %-20s  %s\n", a.id.substr(0, 8).c_str(), a.begun.substr(0, 16).c_str(),
-                a.trainee.pseudonym.c_str(), a.exercise.c_str(), score_of(a).c_str(),
+                a.trainee.pseudonym.c_str(), a.exercise.c_str(), score_text(a).c_str(),
                 a.state == AttemptState::interrupted ? a.folder.c_str()
                 : a.completed                        ? "completed"
                                                      : "");
@@ -67,7 +67,7 @@ void print_attempt(const Attempt& a) {
     std::printf("  exercise   version %g, %s\n", a.version, a.sha256.c_str());
     std::printf("  hand       %s, seed %llu\n", a.surgeon.c_str(), static_cast<unsigned long long>(a.seed));
     std::printf("  folder     %s\n", a.folder.c_str());
-    std::printf("  score      %s\n", score_of(a).c_str());
+    std::printf("  score      %s\n", score_text(a).c_str());
     if (a.state != AttemptState::finished) {
         std::printf("  recording  %s/recording.rhx.part, as far as it came\n", a.folder.c_str());
         return;

@@ -19,7 +19,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* replay_help =
     "Without an option it says what the recording holds.\n"
     "\n"
     "  rhexis replay runs/groove-expert-1 --verify           simulate again, compare every step\n"
@@ -144,7 +144,7 @@ int film(const Recording& recording, const ReplayOptions& given, nlohmann::json&
     return done;
 }
 
-void print(const nlohmann::json& out) {
+void print_found(const nlohmann::json& out) {
     print_description(out);
     for (const char* key : {"verdict", "score", "video"}) {
         if (out.contains(key)) {
@@ -244,7 +244,7 @@ int replay(ReplayOptions given, const Context& context) {
     if (given.json) {
         std::cout << out.dump(2) << '\n';
     } else {
-        print(out);
+        print_found(out);
     }
     return status;
 }
@@ -288,7 +288,7 @@ int replay_whole(const ReplayOptions& given, const std::vector<std::string>& par
 
 void add_replay(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("replay", "Verify, judge again or film a recording");
-    command->footer(help);
+    command->footer(replay_help);
     auto given = std::make_shared<ReplayOptions>();
     command->add_option("recording", given->recording, "A recording (.rhx), or the folder of a run")->required();
     command->add_flag("--verify", given->verify, "Simulate again and compare the state after every step");

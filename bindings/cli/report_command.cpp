@@ -11,7 +11,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* report_help =
     "Makes report.html again from report.json, series.json and frames/ of a run.\n"
     "\n"
     "  rhexis report runs/groove-expert-1\n"
@@ -70,7 +70,7 @@ int report(const ReportOptions& given, const Context& context) {
 
 void add_report(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("report", "Make report.html again from a run's folder");
-    command->footer(help);
+    command->footer(report_help);
     auto given = std::make_shared<ReportOptions>();
     command->add_option("run_dir", given->folder, "Folder that rhexis run wrote")->required();
     command

@@ -21,7 +21,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* run_help =
     "Runs an exercise without a window and leaves report, pictures and recording in a folder.\n"
     "\n"
     "  rhexis run groove\n"
@@ -70,7 +70,7 @@ struct RunOptions {
     KeepOptions keep;
 };
 
-Result<std::map<std::string, std::string>> settings_of(const RunOptions& given, const std::string& root) {
+Result<std::map<std::string, std::string>> given_settings(const RunOptions& given, const std::string& root) {
     std::map<std::string, std::string> set;
     if (!given.patient.empty()) {
         const Result<Patient> patient = read_patient(given.patient);
@@ -296,7 +296,7 @@ int run(RunOptions given, const Context& context) {
     if (!status) {
         return complain(status.error());
     }
-    Result<std::map<std::string, std::string>> set = settings_of(given, context.root);
+    Result<std::map<std::string, std::string>> set = given_settings(given, context.root);
     if (!set) {
         return complain(set.error());
     }
@@ -367,7 +367,7 @@ int run(RunOptions given, const Context& context) {
 
 void add_run(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("run", "Run an exercise headless, by a virtual surgeon");
-    command->footer(help);
+    command->footer(run_help);
     auto given = std::make_shared<RunOptions>();
     command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
     command->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, none or random")

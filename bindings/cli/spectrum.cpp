@@ -44,7 +44,7 @@ double density_at(const std::vector<double>& values, double hz, double step_s) {
     return 2.0 * std::norm(sum) * step_s / (0.375 * static_cast<double>(values.size()));
 }
 
-double rounded(double value) { return std::round(100.0 * value) / 100.0; }
+double hundredths(double value) { return std::round(100.0 * value) / 100.0; }
 
 }  // namespace
 
@@ -101,7 +101,7 @@ nlohmann::json Spectra::json() const {
         nlohmann::json um = nlohmann::json::array();
         for (int i = 0; i < frequencies; ++i) {
             hz.push_back(first_hz + spacing_hz * i);
-            um.push_back(rounded(1e3 * std::sqrt(tip.density[static_cast<std::size_t>(i)] / tip.windows)));
+            um.push_back(hundredths(1e3 * std::sqrt(tip.density[static_cast<std::size_t>(i)] / tip.windows)));
         }
         result[tip.name] = {{"hz", hz}, {"um_per_sqrt_hz", um}, {"windows", tip.windows}};
     }

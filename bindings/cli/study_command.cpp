@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* help =
+constexpr const char* study_help =
     "Virtual surgeons of each group attempt each exercise with each seed; studies/NAME.json says which.\n"
     "\n"
     "  rhexis study part_exercises              tables, and runs/study-part_exercises/\n"
@@ -257,7 +257,7 @@ int study(const StudyOptions& given, const Context& context) {
 
 void add_study(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("study", "Compare groups of virtual surgeons");
-    command->footer(help);
+    command->footer(study_help);
     auto given = std::make_shared<StudyOptions>();
     command->add_option("study", given->study, "File, or name of one in studies/")->required();
     command->add_option("--out", given->out, "Folder for everything [runs/study-NAME]");

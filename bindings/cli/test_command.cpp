@@ -19,7 +19,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* test_help =
     "A scenario test leads instruments from place to place and says what must come of it (docs/scenarios.md).\n"
     "\n"
     "  rhexis test groove                          the tests of an exercise in curricula/\n"
@@ -246,7 +246,7 @@ int test(const TestOptions& given, const Context& context) {
 
 void add_test(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("test", "Run scenario tests of exercises");
-    command->footer(help);
+    command->footer(test_help);
     auto given = std::make_shared<TestOptions>();
     command->add_option("path", given->paths, "Scenario files, folders, or names in curricula/")->required();
     command->add_option("--junit", given->junit, "Write the results to this file as JUnit XML");

@@ -10,7 +10,7 @@
 namespace rhexis::cli {
 namespace {
 
-double rounded(double value) { return std::round(value * 1e5) / 1e5; }
+double five_places(double value) { return std::round(value * 1e5) / 1e5; }
 
 /// Elements behind a part of the profile: a body's coarse tetrahedra or triangles, else those of all bodies.
 std::size_t elements_of(const WorldModel& world, const std::string& part) {
@@ -52,9 +52,9 @@ nlohmann::json Timing::performance(double simulated_s) const {
     const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
     const std::size_t p99 = static_cast<std::size_t>(std::max(0.0, std::ceil(0.99 * count) - 1.0));
     return {{"steps", sorted.size()},
-            {"cpu_s_per_s", simulated_s > 0.0 ? rounded(cpu_s_ / simulated_s) : 0.0},
-            {"mean_step_ms", sorted.empty() ? 0.0 : rounded(sum / count)},
-            {"p99_step_ms", sorted.empty() ? 0.0 : rounded(sorted[p99])},
+            {"cpu_s_per_s", simulated_s > 0.0 ? five_places(cpu_s_ / simulated_s) : 0.0},
+            {"mean_step_ms", sorted.empty() ? 0.0 : five_places(sum / count)},
+            {"p99_step_ms", sorted.empty() ? 0.0 : five_places(sorted[p99])},
             {"rollbacks", rollbacks_}};
 }
 
@@ -62,7 +62,7 @@ nlohmann::json simulated_parts(const Session& session) {
     nlohmann::json parts = nlohmann::json::array();
     for (const auto& [name, part] : session.profile().parts) {
         parts.push_back(
-            {{"part", name}, {"elements", elements_of(session.world(), name)}, {"cpu_s", rounded(part.cpu_s)}});
+            {{"part", name}, {"elements", elements_of(session.world(), name)}, {"cpu_s", five_places(part.cpu_s)}});
     }
     return parts;
 }

@@ -11,7 +11,7 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* help =
+constexpr const char* words_help =
     "Measures are those of the exercise's own tissues and instruments; settings are all that there are. Words after "
     "the\n"
     "exercise choose the lines that hold all of them.\n"
@@ -82,7 +82,7 @@ int words(const WordsArguments& given, const Context& context) {
 void add_words(CLI::App& app, Context& context) {
     CLI::App* command =
         app.add_subcommand("words", "Every measure, setting and item that an exercise may name, with its meaning");
-    command->footer(help);
+    command->footer(words_help);
     auto given = std::make_shared<WordsArguments>();
     command->add_option("exercise", given->exercise, "Folder, file, or name of one in curricula/")->required();
     command->add_option("word", given->chosen, "Only lines that hold all of these");

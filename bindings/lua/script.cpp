@@ -13,7 +13,7 @@
 namespace rhexis {
 namespace {
 
-void print_line(std::string_view line) {
+void print_message(std::string_view line) {
     std::fwrite(line.data(), 1, line.size(), stdout);
     std::fputc('\n', stdout);
 }
@@ -41,7 +41,7 @@ LuaOptions state_options(const ScriptOptions& options) {
     lua.kind = LuaKind::script;
     lua.limits = {0, 0, 0.0};
     lua.seed = options.seed;
-    lua.print = options.print ? options.print : print_line;
+    lua.print = options.print ? options.print : print_message;
     return lua;
 }
 

@@ -13,7 +13,9 @@ namespace rhexis {
 namespace {
 
 /// What print() of a plan shows. Not on standard output: that belongs to results and reports.
-void print_line(std::string_view line) { std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data()); }
+void print_surgeon_line(std::string_view line) {
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+}
 
 void push_quaternion(lua_State* L, const Quat& q) {
     lua_createtable(L, 4, 0);
@@ -89,7 +91,7 @@ Result<SurgeonScript> SurgeonScript::load(const std::string& name, const Curricu
                                           const std::string& root, std::uint64_t seed) {
     LuaOptions options;
     options.seed = surgeon_seed(seed);
-    options.print = print_line;
+    options.print = print_surgeon_line;
     options.folders = {{root + "/scripts", "scripts"}, {files.folder, files.id}};
     Result<LuaState> state = LuaState::create(std::move(options));
     if (!state) {

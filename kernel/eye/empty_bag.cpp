@@ -28,12 +28,12 @@ constexpr double rupture_strain = 0.35;
 constexpr double at_posterior_pole = 0.0035;  ///< thickness [Barraquer2006] [mm]
 /// Of the zonules at rest [mm]. Proposal: without the lens that it was drawn over the bag gives way to most of their
 /// tension. With it the opening is 3 % wider than it was torn.
-constexpr double zonule_stretch = 0.15;
+constexpr double hollow_bag_stretch = 0.15;
 /// With which the vitreous holds the posterior capsule, per area [uN/mm^3]: that of a whole lens, 60 mN/mm, over its
 /// area. Proposal.
 constexpr double vitreous_bed = 900.0;
 
-double across(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
+double from_axis(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
 
 /// A quarter of an ellipse from the equator to a pole, by length.
 class Meridian {
@@ -159,7 +159,7 @@ TriMesh bag_mesh(const HalfEllipsoids& lens, const EmptyBagSettings& settings) {
 }
 
 double thickness_at(const HalfEllipsoids& lens, double age, const Vec3& place) {
-    const double rho = across(place);
+    const double rho = from_axis(place);
     if (place.z() > 0.0) {
         return anterior_thickness(age, rho, lens.radius);
     }
@@ -197,7 +197,7 @@ std::vector<int> insertion(const TriMesh& mesh, const Rings& rings, bool front, 
         const int count = first_of(ring + 1) - first_of(ring);
         double off = 0.0;
         for (int i = 0; i < count; ++i) {
-            off += std::abs(across(mesh.nodes[at(first + i)]) - rho) / count;
+            off += std::abs(from_axis(mesh.nodes[at(first + i)]) - rho) / count;
         }
         if (off < least) {
             least = off;
@@ -219,12 +219,12 @@ void hang(const BagModel& bag, const Rings& rings, MembraneModel& model) {
                 inserted = &zonule;
             }
         }
-        const std::vector<int> ring = insertion(mesh, rings, front, across(inserted->on_bag));
+        const std::vector<int> ring = insertion(mesh, rings, front, from_axis(inserted->on_bag));
         for (const int node : ring) {
             const Vec3& place = mesh.nodes[at(node)];
             const Vec3 anchor = ciliary_place(place, *inserted);
             model.springs.push_back({node, anchor, stiffness / static_cast<double>(ring.size()),
-                                     std::max(0.0, (anchor - place).norm() - zonule_stretch)});
+                                     std::max(0.0, (anchor - place).norm() - hollow_bag_stretch)});
         }
     }
 }

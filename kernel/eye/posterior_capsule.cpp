@@ -9,7 +9,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr std::array<TableRow, 2> modulus_by_age{{{20.0, 0.9e6}, {38.0, 1.5e6}}};
+constexpr std::array<TableRow, 2> capsule_modulus_by_age{{{20.0, 0.9e6}, {38.0, 1.5e6}}};
 /// Strain at rupture, likewise.
 constexpr std::array<TableRow, 2> strain_by_age{{{0.0, 1.08}, {98.0, 0.40}}};
 
@@ -18,7 +18,7 @@ constexpr double thickness = 0.0045;
 
 }  // namespace
 
-double capsule_modulus(double age) { return linear_between(modulus_by_age, age); }
+double capsule_modulus(double age) { return linear_between(capsule_modulus_by_age, age); }
 
 CapsuleModel make_capsule(double age) {
     CapsuleModel capsule;

@@ -11,7 +11,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr std::array<TableRow, 2> modulus_by_age{{{20.0, 1000.0}, {60.0, 5000.0}}};
+constexpr std::array<TableRow, 2> lens_modulus_by_age{{{20.0, 1000.0}, {60.0, 5000.0}}};
 constexpr std::array<TableRow, 6> modulus_by_grade{
     {{1.0, 2000.0}, {2.0, 2000.0}, {3.0, 5000.0}, {4.0, 12000.0}, {5.0, 30000.0}, {6.0, 80000.0}}};
 
@@ -70,7 +70,7 @@ int region_at(const Patient& patient, const HalfEllipsoids& shape, const Vec3& p
 }
 
 double nucleus_modulus(const Patient& patient) {
-    return std::max(linear_between(modulus_by_age, patient.age),
+    return std::max(linear_between(lens_modulus_by_age, patient.age),
                     geometric_between(modulus_by_grade, patient.nuclear_grade));
 }
 

@@ -9,6 +9,7 @@ namespace rhexis {
 inline constexpr double pascal_per_mmhg = 133.322;                                            ///< [Pa]
 inline constexpr double mm3_s_per_ml_min = 1000.0 / 60.0;                                     ///< [mm^3/s]
 inline constexpr double resistance_per_mmhg_min_per_ml = pascal_per_mmhg / mm3_s_per_ml_min;  ///< [Pa s/mm^3]
+inline constexpr double usual_flow = 1000.0 / 3.0;  ///< of a machine, 20 ml/min [mm^3/s]
 
 /// Constant while a scene runs. check() in physics/fluid/chamber_flow.hpp has the ranges.
 struct ChamberModel {

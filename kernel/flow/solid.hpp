@@ -13,6 +13,9 @@
 
 namespace rhexis {
 
+inline constexpr double least_fraction = 0.01;  ///< less of a fine tetrahedron drifts away and counts as removed
+inline constexpr double still_there = 0.3;      ///< of a fine tetrahedron: one with less left is not drawn
+
 /// Way to advance a solid in time.
 enum class Advance {
     automatic,  ///< explicit where the stable step makes it the cheaper way, else implicit

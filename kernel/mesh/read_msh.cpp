@@ -10,22 +10,22 @@ namespace rhexis {
 
 namespace {
 
-constexpr std::array<CellKind, 16> kinds{{{1, 1, 2},
-                                          {2, 2, 3},
-                                          {3, 2, 4},
-                                          {4, 3, 4},
-                                          {5, 3, 8},
-                                          {6, 3, 6},
-                                          {7, 3, 5},
-                                          {8, 1, 3},
-                                          {9, 2, 6},
-                                          {10, 2, 9},
-                                          {11, 3, 10},
-                                          {12, 3, 27},
-                                          {13, 3, 18},
-                                          {14, 3, 14},
-                                          {15, 0, 1},
-                                          {16, 2, 8}}};
+constexpr std::array<CellKind, 16> msh_kinds{{{1, 1, 2},
+                                              {2, 2, 3},
+                                              {3, 2, 4},
+                                              {4, 3, 4},
+                                              {5, 3, 8},
+                                              {6, 3, 6},
+                                              {7, 3, 5},
+                                              {8, 1, 3},
+                                              {9, 2, 6},
+                                              {10, 2, 9},
+                                              {11, 3, 10},
+                                              {12, 3, 27},
+                                              {13, 3, 18},
+                                              {14, 3, 14},
+                                              {15, 0, 1},
+                                              {16, 2, 8}}};
 
 constexpr std::int64_t most_int = std::numeric_limits<int>::max();
 
@@ -204,9 +204,9 @@ private:
     }
 
     static const CellKind* kind_of(std::int64_t code) {
-        const auto* found =
-            std::find_if(kinds.begin(), kinds.end(), [code](const CellKind& kind) { return kind.code == code; });
-        return found == kinds.end() ? nullptr : found;
+        const auto* found = std::find_if(msh_kinds.begin(), msh_kinds.end(),
+                                         [code](const CellKind& kind) { return kind.code == code; });
+        return found == msh_kinds.end() ? nullptr : found;
     }
 
     void element(std::int64_t code, int physical) {

@@ -10,23 +10,23 @@ namespace rhexis {
 namespace {
 
 /// nodes 0: any number.
-constexpr std::array<CellKind, 17> kinds{{{1, 0, 1},
-                                          {2, 0, 0},
-                                          {3, 1, 2},
-                                          {4, 1, 0},
-                                          {5, 2, 3},
-                                          {6, 2, 0},
-                                          {7, 2, 0},
-                                          {8, 2, 4},
-                                          {9, 2, 4},
-                                          {10, 3, 4},
-                                          {11, 3, 8},
-                                          {12, 3, 8},
-                                          {13, 3, 6},
-                                          {14, 3, 5},
-                                          {21, 1, 3},
-                                          {22, 2, 6},
-                                          {24, 3, 10}}};
+constexpr std::array<CellKind, 17> vtk_kinds{{{1, 0, 1},
+                                              {2, 0, 0},
+                                              {3, 1, 2},
+                                              {4, 1, 0},
+                                              {5, 2, 3},
+                                              {6, 2, 0},
+                                              {7, 2, 0},
+                                              {8, 2, 4},
+                                              {9, 2, 4},
+                                              {10, 3, 4},
+                                              {11, 3, 8},
+                                              {12, 3, 8},
+                                              {13, 3, 6},
+                                              {14, 3, 5},
+                                              {21, 1, 3},
+                                              {22, 2, 6},
+                                              {24, 3, 10}}};
 
 constexpr int most_region = 999;
 
@@ -261,10 +261,11 @@ private:
         }
         for (std::size_t c = 0; c < cells_.size() && !in_.failed(); ++c) {
             const Cell& cell = cells_[c];
-            const CellKind* kind = std::find_if(kinds.begin(), kinds.end(),
+            const CellKind* kind = std::find_if(vtk_kinds.begin(), vtk_kinds.end(),
                                                 [this, c](const CellKind& one) { return one.code == types_[c]; });
             const std::span<const int> nodes = std::span<const int>(nodes_).subspan(cell.first, cell.count);
-            const bool solid = add_cell(kind == kinds.end() ? nullptr : kind, types_[c], nodes, cell.line, raw_, in_);
+            const bool solid =
+                add_cell(kind == vtk_kinds.end() ? nullptr : kind, types_[c], nodes, cell.line, raw_, in_);
             if (solid && !regions_.empty()) {
                 raw_.tag.push_back(regions_[c]);
             }

@@ -82,16 +82,16 @@ Extent extent_along(const ColumnGrid& grid, const std::vector<int>& cells, const
     return extent;
 }
 
-struct Slice {
+struct FloorSlice {
     double depth = 0.0;
     double share = 0.0;
 };
 
 /// The floor seen along the groove: per slice one cell thick, its greatest depth.
-std::vector<Slice> slices_along(const ColumnGrid& grid, const ColumnFill& fill, const std::vector<int>& cells,
-                                const Vec2& mean, const Vec2& direction, const Extent& extent) {
+std::vector<FloorSlice> slices_along(const ColumnGrid& grid, const ColumnFill& fill, const std::vector<int>& cells,
+                                     const Vec2& mean, const Vec2& direction, const Extent& extent) {
     const int count = 1 + static_cast<int>(std::floor((extent.high - extent.low) / grid.cell + 0.5));
-    std::vector<Slice> slices(count);
+    std::vector<FloorSlice> slices(count);
     for (const int cell : cells) {
         const double along = (grid.centre(cell) - mean).dot(direction) - extent.low;
         const int index = std::clamp(static_cast<int>(std::floor(along / grid.cell + 0.5)), 0, count - 1);
@@ -196,8 +196,8 @@ GrooveShape shape_of(const ColumnGrid& grid, const ColumnFill& fill, const std::
     shape.length = extent.high - extent.low + grid.cell;
     shape.width = static_cast<double>(cells.size()) * grid.cell * grid.cell / shape.length;
     add_depths(grid, fill, depth_cells, shape);
-    const std::vector<Slice> slices = slices_along(grid, fill, cells, mean, shape.direction, extent);
-    for (const Slice& slice : slices) {
+    const std::vector<FloorSlice> slices = slices_along(grid, fill, cells, mean, shape.direction, extent);
+    for (const FloorSlice& slice : slices) {
         shape.mean_depth += slice.depth / static_cast<double>(slices.size());
         shape.mean_depth_share += slice.share / static_cast<double>(slices.size());
     }

@@ -2,7 +2,6 @@
 // Grooves told apart: how many, each one's length, depth and direction, and the angle between the two best.
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "observe/groove_arms.hpp"
@@ -13,7 +12,6 @@ namespace {
 
 constexpr std::size_t described = 2;
 constexpr std::size_t per_groove = 6;
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 void describe_one(const std::string& group, ObservationSchema& schema) {
     schema.push_back({group + "length_mm", "mm", "Extent of this groove along its own direction; 0: not there."});

@@ -2,8 +2,6 @@
 // How an implant lies: by itself, in its bag, under the cornea.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "base/index.hpp"
 #include "observe/distances.hpp"
@@ -12,8 +10,6 @@
 namespace rhexis {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 constexpr double has_front = 0.3;  ///< so far unfolded, the optic's front looks somewhere
 
 double truth(bool value) { return value ? 1.0 : 0.0; }

@@ -8,7 +8,7 @@
 namespace rhexis {
 namespace {
 
-constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_column = std::numeric_limits<double>::quiet_NaN();
 
 struct Interval {
     double low = -std::numeric_limits<double>::infinity();
@@ -94,8 +94,8 @@ void gather(std::vector<PlacedSegment> placed, ColumnGrid& grid) {
         return a.segment.high != b.segment.high ? a.segment.high > b.segment.high : a.segment.tet < b.segment.tet;
     });
     grid.first.assign(grid.cells() + 1, 0);
-    grid.front.assign(grid.cells(), not_defined);
-    grid.back.assign(grid.cells(), not_defined);
+    grid.front.assign(grid.cells(), no_column);
+    grid.back.assign(grid.cells(), no_column);
     for (const PlacedSegment& item : placed) {
         ++grid.first[item.cell + 1];
         grid.segments.push_back(item.segment);
@@ -114,7 +114,7 @@ double bilinear(const ColumnGrid& grid, const std::vector<double>& values, const
     const double x = (place.x() - grid.origin) / grid.cell;
     const double y = (place.y() - grid.origin) / grid.cell;
     if (!(x >= 0.0 && y >= 0.0 && x < grid.count - 1 && y < grid.count - 1)) {
-        return not_defined;
+        return no_column;
     }
     const int column = static_cast<int>(x);
     const int row = static_cast<int>(y);

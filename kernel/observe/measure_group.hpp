@@ -2,7 +2,9 @@
 // What the groups of measures have in common: what they may read, and how they say and write their numbers.
 #pragma once
 
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +24,9 @@
 #include "observe/rim.hpp"
 
 namespace rhexis {
+
+inline constexpr double degrees = 180.0 / std::numbers::pi;  ///< of a radian
+inline constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
 /// One step as the stages before observe left it.
 struct ObserveInput {

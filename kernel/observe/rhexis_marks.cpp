@@ -14,7 +14,7 @@ constexpr double farthest = 1.8;  ///< of a place to take hold of, from the tip 
 constexpr double nearest = 0.3;   ///< likewise
 constexpr double wanted = 0.8;    ///< likewise
 
-bool shows(const EyeAnatomy& eye, const Vec3& place) { return place.head<2>().norm() < eye.pupil_radius; }
+bool within_pupil(const EyeAnatomy& eye, const Vec3& place) { return place.head<2>().norm() < eye.pupil_radius; }
 
 Vec3 middle_now(const MembraneState& state, int triangle) {
     const std::array<int, 3>& n = state.sheet->mesh.triangles[at(triangle)];
@@ -40,7 +40,7 @@ std::optional<Vec3> one_of(const std::vector<Vec3>& places, const Vec3& tip) {
 /// Can be taken hold of: within reach of the tip, and not behind the iris.
 bool within_reach(const Vec3& place, const Vec3& tip, const EyeAnatomy& eye) {
     const double distance = (place - tip).norm();
-    return distance > nearest && distance < farthest && shows(eye, place);
+    return distance > nearest && distance < farthest && within_pupil(eye, place);
 }
 
 std::optional<Vec3> on_fold(const MembraneState& state, const Vec3& tip, const EyeAnatomy& eye) {
@@ -90,10 +90,10 @@ void add_tear(const MembraneState& state, const RhexisShape& rhexis, const EyeAn
         return;
     }
     const Vec3& tip = state.position[at(lip[0])];
-    marks.push_back({"tear_tip", shows(eye, tip), tip, 0.0});
+    marks.push_back({"tear_tip", within_pupil(eye, tip), tip, 0.0});
     if (rhexis.margin.size() > 1) {
         const Vec3 margin = behind_tip(state, rhexis.margin);
-        marks.push_back({"margin", shows(eye, margin), margin, 0.0});
+        marks.push_back({"margin", within_pupil(eye, margin), margin, 0.0});
     }
     const std::optional<Vec3> fold = on_fold(state, tip, eye);
     const std::optional<Vec3> flap = fold ? fold : on_lip(state, lip, tip, eye);
@@ -112,7 +112,7 @@ void add_held(const MembraneState& state, const EyeAnatomy& eye, std::vector<Lan
         }
     }
     if (count > 0) {
-        marks.push_back({"held", shows(eye, sum / count), sum / count, 0.0});
+        marks.push_back({"held", within_pupil(eye, sum / count), sum / count, 0.0});
     }
 }
 

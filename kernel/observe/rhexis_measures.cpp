@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The opening that is torn in the anterior capsule.
 #include <algorithm>
-#include <numbers>
 
 #include "observe/measure_group.hpp"
 
 namespace rhexis {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 /// Length of the most stretched zonule over what it was at the start, less 1.
 double zonule_strain(const MembraneModel& model, const MembraneState& state) {

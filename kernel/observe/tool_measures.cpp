@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where an instrument's tip is, what it does and what it touches.
 #include <cmath>
-#include <limits>
 
 #include "observe/distances.hpp"
 #include "observe/measure_group.hpp"
 
 namespace rhexis {
 namespace {
-
-constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
 /// Memory of a tool.
 enum Memory : std::size_t {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far the lens has been turned, what turns it, and how much of the turn the bag and its zonules have to take.
 #include <cmath>
-#include <numbers>
 
 #include "observe/measure_group.hpp"
 
 namespace rhexis {
 namespace {
-
-constexpr double degrees = 180.0 / std::numbers::pi;
 
 /// The axis about which the lens turns: of the bag, or of the eye where there is none.
 struct Axis {

@@ -10,8 +10,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr double crease = 0.77;      ///< cosine of the angle between faces above which an edge stays sharp
-constexpr double still_there = 0.3;  ///< share of a fine tetrahedron below which it counts as gone
+constexpr double crease = 0.77;  ///< cosine of the angle between faces above which an edge stays sharp
 
 const std::array<Vec3, 6> palette{Vec3(0.80, 0.52, 0.40), Vec3(0.84, 0.66, 0.42), Vec3(0.76, 0.72, 0.62),
                                   Vec3(0.50, 0.62, 0.70), Vec3(0.62, 0.56, 0.70), Vec3(0.56, 0.66, 0.50)};

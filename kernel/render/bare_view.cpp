@@ -14,13 +14,13 @@ constexpr double mesh_lines = 0.28;
 const Vec3 ground_colour(0.62, 0.63, 0.65);
 const Vec3 shadow_colour(0.40, 0.41, 0.43);
 
-struct Box {
+struct WindowBox {
     Vec3 low = Vec3::Constant(1e30);
     Vec3 high = Vec3::Constant(-1e30);
 };
 
-Box box_of(const Frame& frame) {
-    Box box;
+WindowBox box_of(const Frame& frame) {
+    WindowBox box;
     const auto add = [&box](const std::vector<Vec3>& nodes) {
         for (const Vec3& node : nodes) {
             if (node.allFinite()) {
@@ -38,7 +38,7 @@ Box box_of(const Frame& frame) {
     for (const ShellState& shell : frame.shells) {
         add(shell.position);
     }
-    return box.low.x() <= box.high.x() ? box : Box{Vec3::Constant(-1.0), Vec3::Constant(1.0)};
+    return box.low.x() <= box.high.x() ? box : WindowBox{Vec3::Constant(-1.0), Vec3::Constant(1.0)};
 }
 
 void append_vertex(const Vec3& place, const Vec3& normal, const Vec3& tint, std::vector<float>& stream) {
@@ -51,7 +51,7 @@ void append_vertex(const Vec3& place, const Vec3& normal, const Vec3& tint, std:
 }
 
 /// A square piece of the plane under the scene.
-std::vector<float> ground(const PlaneModel& plane, const Box& box) {
+std::vector<float> ground(const PlaneModel& plane, const WindowBox& box) {
     const Vec3 middle = 0.5 * (box.low + box.high);
     const Vec3 foot = middle - plane.normal.dot(middle - plane.point) * plane.normal;
     const double reach = 2.0 * (box.high - box.low).norm();
@@ -80,7 +80,7 @@ std::vector<float> shadow(const PlaneModel& plane, const std::vector<float>& bod
 }  // namespace
 
 Camera camera_around(const Frame& frame) {
-    const Box box = box_of(frame);
+    const WindowBox box = box_of(frame);
     Camera camera;
     camera.target = 0.5 * (box.low + box.high);
     camera.eye = camera.target + camera_distance * Vec3(0.45, -0.80, 0.42).normalized();
@@ -140,7 +140,7 @@ void BareView::draw(ToolPainter& painter, const Frame& frame, const std::vector<
 }
 
 void BareView::draw_planes(const Frame& frame, const View& view) {
-    const Box box = box_of(frame);
+    const WindowBox box = box_of(frame);
     bodies_.set("lines", 0.0);
     for (const PlaneModel& plane : frame.model->planes) {
         vertices_.send(ground(plane, box));

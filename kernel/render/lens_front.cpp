@@ -12,7 +12,6 @@ namespace rhexis {
 
 namespace {
 
-constexpr double still_there = 0.3;    ///< share of a fine tetrahedron below which it counts as gone
 constexpr double smoothing_mm = 0.09;  ///< about half of an edge of the fine mesh
 
 struct Level {

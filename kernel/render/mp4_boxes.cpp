@@ -19,7 +19,7 @@ namespace {
 
 using Bytes = std::span<unsigned char>;
 
-struct Box {
+struct Mp4Box {
     std::string letters;
     std::uint64_t start = 0;
     std::uint64_t head = 8;  ///< bytes before what it holds
@@ -38,26 +38,26 @@ void put_number(std::uint64_t number, Bytes bytes) {
 }
 
 /// The box that begins with these bytes, of which `left` follow in all; none if it does not fit.
-std::optional<Box> box_of(std::span<const unsigned char, 16> bytes, std::uint64_t start, std::uint64_t left) {
-    Box box{std::string(bytes.begin() + 4, bytes.begin() + 8), start, 8, number_in(bytes.first(4))};
+std::optional<Mp4Box> box_of(std::span<const unsigned char, 16> bytes, std::uint64_t start, std::uint64_t left) {
+    Mp4Box box{std::string(bytes.begin() + 4, bytes.begin() + 8), start, 8, number_in(bytes.first(4))};
     if (box.length == 1) {  // a 64-bit length follows the letters
         box.head = 16;
         box.length = number_in(bytes.last(8));
     }
-    return box.length >= box.head && box.length <= left ? std::optional<Box>(box) : std::nullopt;
+    return box.length >= box.head && box.length <= left ? std::optional<Mp4Box>(box) : std::nullopt;
 }
 
 /// Empty if the file ends within a box.
-std::vector<Box> boxes_of(std::ifstream& file) {
+std::vector<Mp4Box> boxes_of(std::ifstream& file) {
     file.seekg(0, std::ios::end);
     const std::uint64_t end = file ? static_cast<std::uint64_t>(file.tellg()) : 0;
-    std::vector<Box> boxes;
+    std::vector<Mp4Box> boxes;
     for (std::uint64_t place = 0; place < end; place += boxes.back().length) {
         std::array<unsigned char, 16> bytes{};
         file.seekg(static_cast<std::streamoff>(place));
         file.read(reinterpret_cast<char*>(bytes.data()),
                   static_cast<std::streamsize>(std::min(end - place, std::uint64_t{16})));
-        const std::optional<Box> box = box_of(bytes, place, end - place);
+        const std::optional<Mp4Box> box = box_of(bytes, place, end - place);
         if (!box) {
             return {};
         }
@@ -91,7 +91,7 @@ bool shift_index(Bytes contents, std::uint64_t shift) {
     while (contents.size() >= 8) {
         std::array<unsigned char, 16> head{};
         std::copy_n(contents.begin(), std::min<std::size_t>(16, contents.size()), head.begin());
-        const std::optional<Box> box = box_of(head, 0, contents.size());
+        const std::optional<Mp4Box> box = box_of(head, 0, contents.size());
         if (!box) {
             return false;
         }
@@ -107,7 +107,7 @@ bool shift_index(Bytes contents, std::uint64_t shift) {
     return true;
 }
 
-void copy_box(std::ifstream& from, const Box& box, std::ofstream& to) {
+void copy_box(std::ifstream& from, const Mp4Box& box, std::ofstream& to) {
     std::vector<char> block(1 << 20);
     from.seekg(static_cast<std::streamoff>(box.start));
     for (std::uint64_t left = box.length; left > 0 && from && to;) {
@@ -118,12 +118,12 @@ void copy_box(std::ifstream& from, const Box& box, std::ofstream& to) {
     }
 }
 
-std::vector<Box>::const_iterator find(const std::vector<Box>& boxes, const char* letters) {
-    return std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) { return box.letters == letters; });
+std::vector<Mp4Box>::const_iterator find(const std::vector<Mp4Box>& boxes, const char* letters) {
+    return std::find_if(boxes.begin(), boxes.end(), [&](const Mp4Box& box) { return box.letters == letters; });
 }
 
 /// The index as it must read once it stands before the pictures; empty if it need not or cannot move.
-std::vector<unsigned char> moved_index(std::ifstream& file, const std::vector<Box>& boxes) {
+std::vector<unsigned char> moved_index(std::ifstream& file, const std::vector<Mp4Box>& boxes) {
     const auto index = find(boxes, "moov");
     if (index < find(boxes, "mdat")) {
         return {};
@@ -139,19 +139,19 @@ std::vector<unsigned char> moved_index(std::ifstream& file, const std::vector<Bo
 
 bool is_whole_mp4(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    const std::vector<Box> boxes = boxes_of(file);
+    const std::vector<Mp4Box> boxes = boxes_of(file);
     return find(boxes, "moov") != boxes.end();
 }
 
 Status write_index_first(const std::string& from, const std::string& to) {
     std::ifstream file(from, std::ios::binary);
-    const std::vector<Box> boxes = boxes_of(file);
+    const std::vector<Mp4Box> boxes = boxes_of(file);
     if (find(boxes, "moov") == boxes.end()) {
         return Error{"this is not a whole MP4 file", from, "one with an index"};
     }
     const std::vector<unsigned char> index = moved_index(file, boxes);
     std::ofstream out(to, std::ios::binary | std::ios::trunc);
-    for (const Box& box : boxes) {
+    for (const Mp4Box& box : boxes) {
         if (box.letters == "mdat" && !index.empty() && box.start == find(boxes, "mdat")->start) {
             out.write(reinterpret_cast<const char*>(index.data()), static_cast<std::streamsize>(index.size()));
         }

@@ -11,14 +11,14 @@ namespace rhexis {
 
 namespace {
 
-Error cannot_write(const std::string& path, int reason) {
+Error cannot_write_png(const std::string& path, int reason) {
     return Error{std::string("cannot write the picture: ") + std::strerror(reason), path, "a writable path with room"};
 }
 
 Status write_bytes(const std::vector<unsigned char>& bytes, const std::string& path) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
     if (file == nullptr) {
-        return cannot_write(path, errno);
+        return cannot_write_png(path, errno);
     }
     errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -27,7 +27,7 @@ Status write_bytes(const std::vector<unsigned char>& bytes, const std::string& p
     if (std::fclose(file) == 0 && written) {
         return success();
     }
-    return cannot_write(path, written ? errno : reason);
+    return cannot_write_png(path, written ? errno : reason);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Status write_png(const Image& image, const std::string& path) {
     if (std::rename(part.c_str(), path.c_str()) != 0) {
         const int reason = errno;
         std::remove(part.c_str());
-        return cannot_write(path, reason);
+        return cannot_write_png(path, reason);
     }
     return success();
 }

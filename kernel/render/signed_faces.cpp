@@ -8,18 +8,18 @@ namespace rhexis {
 namespace {
 
 /// One level of a solid's mesh, fine where there is one.
-struct Level {
+struct FaceLevel {
     const std::vector<std::array<int, 4>>& tets;
     const std::vector<std::array<int, 4>>& neighbours;
     const std::vector<Vec3>& nodes;
     int children;  ///< tetrahedra per coarse one
 };
 
-double share_left(const SolidState& state, const Level& level, int t) {
+double share_left(const SolidState& state, const FaceLevel& level, int t) {
     return level.children == 8 ? state.fraction[t] : static_cast<double>(state.present[t]);
 }
 
-void append_face(const Level& level, int t, int k, const Vec3& change, FaceStream& stream) {
+void append_face(const FaceLevel& level, int t, int k, const Vec3& change, FaceStream& stream) {
     SignedFace face;
     for (int i = 0; i < 3; ++i) {
         face.corners[i] = level.nodes[level.tets[t][tet_faces[k][i]]];
@@ -31,7 +31,7 @@ void append_face(const Level& level, int t, int k, const Vec3& change, FaceStrea
     stream.push_back(face);
 }
 
-void append_changes(const SolidModel& model, const SolidState& state, const Level& level, FaceStream& stream) {
+void append_changes(const SolidModel& model, const SolidState& state, const FaceLevel& level, FaceStream& stream) {
     const std::vector<int>& region = model.coarse.region;
     const int count = static_cast<int>(level.tets.size());
     for (int t = 0; t < count; ++t) {

@@ -35,7 +35,7 @@ private:
     cv::utils::logging::LogLevel before_;
 };
 
-Error cannot_write(const std::string& what, const std::string& path) {
+Error cannot_write_video(const std::string& what, const std::string& path) {
     return Error{"cannot write the video: " + what, path, "a writable path with room"};
 }
 
@@ -47,7 +47,7 @@ bool ends_in(const std::string& text, const std::string& end) {
 Status check_writable(const std::string& path) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
     if (file == nullptr) {
-        return cannot_write(std::strerror(errno), path);
+        return cannot_write_video(std::strerror(errno), path);
     }
     std::fclose(file);
     return success();
@@ -122,7 +122,7 @@ Result<VideoFile> VideoFile::create(const std::string& path, int width, int heig
     }
     parts->part = part;
     if (!parts->open(frames_per_second)) {
-        return cannot_write("this machine encodes neither H.264 (avc1) nor MPEG-4 (mp4v)", path);
+        return cannot_write_video("this machine encodes neither H.264 (avc1) nor MPEG-4 (mp4v)", path);
     }
     return VideoFile(std::move(parts));
 }
@@ -145,13 +145,13 @@ Status VideoFile::add(const Image& image) {
 
 Status VideoFile::finish() {
     if (parts_->frames == 0) {
-        return cannot_write("it has no pictures", parts_->path);
+        return cannot_write_video("it has no pictures", parts_->path);
     }
     parts_->writer.release();
     const QuietOpenCv quiet;
     const int readable = readable_frames(parts_->part);
     if (readable != parts_->frames) {
-        return cannot_write(
+        return cannot_write_video(
             "only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) + " pictures can be read back",
             parts_->path);
     }
@@ -160,7 +160,7 @@ Status VideoFile::finish() {
     if (!written.ok() || std::rename(ordered.c_str(), parts_->path.c_str()) != 0) {
         const std::string why = written.ok() ? std::strerror(errno) : written.error().what;
         std::remove(ordered.c_str());
-        return cannot_write(why, parts_->path);
+        return cannot_write_video(why, parts_->path);
     }
     std::remove(parts_->part.c_str());
     parts_->part.clear();

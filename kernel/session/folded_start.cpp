@@ -9,7 +9,7 @@
 namespace rhexis {
 namespace {
 
-bool names(const std::vector<std::string>& list, const std::string& name) {
+bool lists(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
@@ -19,10 +19,10 @@ Status check_has_both(const SceneDescription& scene) {
         return Error{"the state holds an implant folded into its injector, but the scene names no " + what, "",
                      "a scene with the tissue implant and the instrument injector"};
     };
-    if (!names(scene.tissues, needed.tissues[0])) {
+    if (!lists(scene.tissues, needed.tissues[0])) {
         return lacks("tissue " + needed.tissues[0]);
     }
-    if (!names(scene.instruments, needed.instruments[0])) {
+    if (!lists(scene.instruments, needed.instruments[0])) {
         return lacks("instrument " + needed.instruments[0]);
     }
     return success();

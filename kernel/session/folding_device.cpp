@@ -13,13 +13,13 @@ namespace {
 
 enum Stage { grip, tuck_upper, tuck_lower, roll, release, close, rest, stages };
 
-constexpr std::array<FoldingStage, stages> table{{{"haptics gripped", 1.0},
-                                                  {"upper haptic tucked", 5.0},
-                                                  {"lower haptic tucked", 5.0},
-                                                  {"rolled", 8.0},
-                                                  {"forceps withdrawn", 4.0},
-                                                  {"in the bore", 4.0},
-                                                  {"at rest", 3.0}}};
+constexpr std::array<FoldingStage, stages> stage_table{{{"haptics gripped", 1.0},
+                                                        {"upper haptic tucked", 5.0},
+                                                        {"lower haptic tucked", 5.0},
+                                                        {"rolled", 8.0},
+                                                        {"forceps withdrawn", 4.0},
+                                                        {"in the bore", 4.0},
+                                                        {"at rest", 3.0}}};
 
 constexpr double jaw_radius = 0.2;       // of its two rods [mm]
 constexpr double jaw_half_length = 0.4;  // across the haptic [mm]
@@ -91,7 +91,7 @@ Status check_laid_in(const Cartridge& cartridge, const ShellModel& model, const 
     return success();
 }
 
-std::span<const FoldingStage> folding_stages() { return table; }
+std::span<const FoldingStage> folding_stages() { return stage_table; }
 
 FoldingDevice::FoldingDevice(const ImplantShape& shape, const InjectorShape& cartridge)
     : shape_(shape),

@@ -10,7 +10,7 @@
 namespace rhexis {
 namespace {
 
-constexpr auto table = std::to_array<SettingInfo>({
+constexpr auto known_settings = std::to_array<SettingInfo>({
     {"bag.friction", "1", 0.0, 2.0, 0.1, false, "Of the bag's wall on an implant, Coulomb coefficient."},
     {"bag.triangles", "1", 300.0, 8000.0, 800.0, false, "Of the bag that an implant is laid into, about so many."},
     {"beads.count", "1", 1.0, 6.0, 3.0, false, "Beads in the chamber, for practice with forceps."},
@@ -130,7 +130,7 @@ constexpr auto table = std::to_array<SettingInfo>({
 
 std::vector<std::string> names() {
     std::vector<std::string> list;
-    for (const SettingInfo& info : table) {
+    for (const SettingInfo& info : known_settings) {
         list.emplace_back(info.name);
     }
     return list;
@@ -138,12 +138,12 @@ std::vector<std::string> names() {
 
 }  // namespace
 
-std::span<const SettingInfo> setting_table() { return table; }
+std::span<const SettingInfo> setting_table() { return known_settings; }
 
 const SettingInfo* find_setting(std::string_view name) {
-    const auto* found =
-        std::find_if(table.begin(), table.end(), [&](const SettingInfo& info) { return info.name == name; });
-    return found == table.end() ? nullptr : found;
+    const auto* found = std::find_if(known_settings.begin(), known_settings.end(),
+                                     [&](const SettingInfo& info) { return info.name == name; });
+    return found == known_settings.end() ? nullptr : found;
 }
 
 Status check_setting(std::string_view name, double value) {

@@ -11,7 +11,8 @@ namespace rhexis {
 namespace {
 
 /// Why a sample cannot be used; empty if it can.
-std::string fault(const ToolState& previous, const DeviceSample& sample, double dt, const ToolSettings& settings) {
+std::string sample_fault(const ToolState& previous, const DeviceSample& sample, double dt,
+                         const ToolSettings& settings) {
     const Vec3& position = sample.pose.position;
     const Quat& orientation = sample.pose.orientation;
     if (!position.allFinite() || !orientation.coeffs().allFinite() || !std::isfinite(sample.jaw) ||
@@ -113,7 +114,7 @@ ToolStep next_tool(const ToolModel& model, const ToolState& previous, const Devi
     if (!sample.present) {
         return {ToolState{}, {}};
     }
-    if (std::string reason = fault(previous, sample, dt, settings); !reason.empty()) {
+    if (std::string reason = sample_fault(previous, sample, dt, settings); !reason.empty()) {
         return {hold_tool(previous), std::move(reason)};
     }
     ToolState state;

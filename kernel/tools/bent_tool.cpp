@@ -8,14 +8,14 @@ constexpr double shaft_fall = 0.1;  ///< up per length towards the hand
 
 Vec3 towards_hand() { return Vec3(0.0, -1.0, shaft_fall).normalized(); }
 
-constexpr double shaft_length = 26.0;
+constexpr double bent_tool_length = 26.0;
 constexpr double handle_length = 110.0;
 
 }  // namespace
 
 ToolModel bent_tool(const char* name, double length, double point, double shaft) {
     const Vec3 bend(0.0, 0.0, length);
-    const Vec3 back = bend + shaft_length * towards_hand();
+    const Vec3 back = bend + bent_tool_length * towards_hand();
     ToolModel tool;
     tool.name = name;
     tool.parts = {{Vec3(0.0, 0.0, point), bend, point, shaft},

@@ -16,9 +16,9 @@ constexpr double plunger_gap = 0.5;     // before an implant of that length [mm]
 constexpr double plunger_out = 1.0;     // of the tip at the end of its stroke [mm]
 constexpr double plunger_play = 0.8;    // radius of the plunger, share of the nozzle's
 constexpr double plunger_friction = 0.2;
-constexpr double hand_speed = 40.0;    // that it can push it with [mm/s]
-constexpr double shaft_radius = 3.0;   // of the hand piece [mm]
-constexpr double shaft_length = 60.0;  // [mm]
+constexpr double hand_speed = 40.0;       // that it can push it with [mm/s]
+constexpr double shaft_radius = 3.0;      // of the hand piece [mm]
+constexpr double injector_length = 60.0;  // [mm]
 
 }  // namespace
 
@@ -42,7 +42,7 @@ ToolModel injector(const InjectorShape& shape) {
     const double room = chamber_length + (shape.tucked ? 0.0 : longer);
     tool.parts = {{Vec3(0.0, 0.0, outer), Vec3(0.0, 0.0, nozzle_length), outer, outer},
                   {Vec3(0.0, 0.0, nozzle_length), Vec3(0.0, 0.0, end), outer, chamber + wall},
-                  {Vec3(0.0, 0.0, end + room), Vec3(0.0, 0.0, shaft_length), shaft_radius, shaft_radius}};
+                  {Vec3(0.0, 0.0, end + room), Vec3(0.0, 0.0, injector_length), shaft_radius, shaft_radius}};
     Cartridge& cartridge = tool.cartridge.emplace();
     cartridge.bore.name = "cartridge";
     cartridge.bore.pose.orientation = Quat(0.0, 1.0, 0.0, 0.0);  // half a turn about x

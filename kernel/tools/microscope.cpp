@@ -11,7 +11,7 @@ namespace rhexis {
 namespace {
 
 /// Why a position cannot be used; empty if it can.
-std::string fault(const Vec3& position) {
+std::string position_fault(const Vec3& position) {
     if (!position.allFinite()) {
         return "a number is not finite";
     }
@@ -32,7 +32,7 @@ MicroscopeStep next_microscope(const MicroscopeState& previous, const DeviceSamp
     if (!sample.present) {
         return {previous, {}};
     }
-    if (std::string reason = fault(sample.pose.position); !reason.empty()) {
+    if (std::string reason = position_fault(sample.pose.position); !reason.empty()) {
         return {previous, std::move(reason)};
     }
     MicroscopeState state;

@@ -23,8 +23,8 @@ fi
 
 if [ "${1:-}" = tidy ]; then
     # without the loops for instruction sets, which only gcc reads; a folder of its own, never built: clang cannot read
-    # the precompiled headers of another compiler
-    cmake -S . -B build/tidy -G Ninja -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null || exit 2
+    # the precompiled headers of another compiler, and reads one source at a time
+    cmake -S . -B build/tidy -G Ninja -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD=OFF >/dev/null || exit 2
     mapfile -t sources < <(git ls-files 'kernel/*.cpp' 'bindings/*.cpp' ':!*_kernel_*.cpp')
     printf '%s\n' "${sources[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy -p build/tidy --quiet 2>/dev/null || status=1
 fi

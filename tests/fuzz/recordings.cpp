@@ -63,7 +63,7 @@ std::string mutate_chunks(const std::string& bytes, Random& random) {
     return joined;
 }
 
-std::string fault_of(const Error& error) {
+std::string recording_fault(const Error& error) {
     const std::string text = error.text();
     return text.empty() || text.find('\n') != std::string::npos ? "not one line: " + text : "";
 }
@@ -100,7 +100,7 @@ Outcome recording_case(const RecordingsPlan& plan, std::uint64_t number) {
         << (pick(random, 3) == 0 ? mutate_bytes(bytes, random) : mutate_chunks(bytes, random));
     Result<Recording> recording = read_recording(path);
     if (!recording) {
-        return {"refused", 0, fault_of(recording.error())};
+        return {"refused", 0, recording_fault(recording.error())};
     }
     Recording& read = recording.value();
     if (read.fault.find('\n') != std::string::npos) {
@@ -113,7 +113,7 @@ Outcome recording_case(const RecordingsPlan& plan, std::uint64_t number) {
     read.header.scene.threads = 1;
     const Result<Verification> verified = verify(read, [](std::uint64_t, std::uint64_t) {});
     if (!verified) {
-        return {"unbuilt", 0, fault_of(verified.error())};
+        return {"unbuilt", 0, recording_fault(verified.error())};
     }
     return {verified.value().divergence ? "differs" : "same", verified.value().steps, ""};
 }

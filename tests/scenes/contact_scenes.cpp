@@ -94,7 +94,7 @@ double Scene::kinetic() const { return outcome.solids[0].kinetic_energy; }
 
 double Scene::elastic() const { return outcome.solids[0].elastic_energy; }
 
-Pose at(const Vec3& position) {
+Pose pose_at(const Vec3& position) {
     Pose pose;
     pose.position = position;
     return pose;

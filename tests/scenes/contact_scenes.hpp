@@ -46,7 +46,7 @@ private:
     WorldState next_;
 };
 
-Pose at(const Vec3& position);
+Pose pose_at(const Vec3& position);
 
 /// A cube of `cells`^3 cells and 1 mm on a plane. Gravity is turned instead of the plane: by `slope` [rad] from the
 /// plane's normal, downhill along `heading` [rad] from +x.

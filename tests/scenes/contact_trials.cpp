@@ -71,7 +71,7 @@ Strike strike(Blow blow, Advance advance) {
     PhysicsSettings settings;
     settings.elastic_energy = true;
     Scene scene(block_and_ball(0.5, advance), settings);
-    scene.place_tool(0, at(place_of(blow, 0)));
+    scene.place_tool(0, pose_at(place_of(blow, 0)));
     Strike result;
     double work = 0.0;
     double excess = 0.0;
@@ -86,7 +86,7 @@ Strike strike(Blow blow, Advance advance) {
         excess = std::max(excess, scene.kinetic() + scene.elastic() - work);
     };
     for (int i = 1; i <= 6; ++i) {
-        scene.move_tool(0, at(place_of(blow, i)));
+        scene.move_tool(0, pose_at(place_of(blow, i)));
         step(place_of(blow, i) - place_of(blow, i - 1));
     }
     scene.withdraw_tool(0);
@@ -101,13 +101,13 @@ Strike strike(Blow blow, Advance advance) {
 
 Press press(Advance advance, double dt) {
     Scene scene(block_and_ball(1.0, advance));
-    scene.place_tool(0, at(Vec3(0.0, 0.0, 0.01)));
+    scene.place_tool(0, pose_at(Vec3(0.0, 0.0, 0.01)));
     Press result;
     const int steps = static_cast<int>(std::lround(0.2 / dt));
     int counted = 0;
     for (int i = 1; i <= steps; ++i) {
         const double share = std::min(1.0, 2.0 * i / steps);
-        scene.move_tool(0, at(Vec3(0.0, 0.0, 0.01 - 0.16 * share)));
+        scene.move_tool(0, pose_at(Vec3(0.0, 0.0, 0.01 - 0.16 * share)));
         scene.step(dt);
         if (4 * i > 3 * steps) {
             result.force += scene.tool_force(0).z();

@@ -10,10 +10,10 @@
 namespace rhexis::scenes {
 namespace {
 
-constexpr double patches = 8.0;   ///< size of the block in radii of the patch
-constexpr double centre = 0.2;    ///< size of the cells at the middle, share of the mean
-constexpr double dt = 1e-3;       ///< [s], where contacts are as stiff as they get
-constexpr double density = 1e-5;  ///< [g/mm^3]: so light that a step outlasts every wave
+constexpr double patches = 8.0;      ///< size of the block in radii of the patch
+constexpr double centre = 0.2;       ///< size of the cells at the middle, share of the mean
+constexpr double contact_dt = 1e-3;  ///< [s], where contacts are as stiff as they get
+constexpr double density = 1e-5;     ///< [g/mm^3]: so light that a step outlasts every wave
 constexpr int steps = 12;
 
 /// Displacement of a half-space below z = 0 under a force pressing down at the origin.
@@ -66,10 +66,10 @@ HertzResult press_ball(const HertzCase& problem, int n, Formulation formulation)
     for (std::size_t i = 0; i < rest.size(); ++i) {
         scene.state.solids[0].position[i] += boussinesq(problem, problem.force(), rest[i]);
     }
-    scene.place_tool(0, at(Vec3(0.0, 0.0, -problem.depth)));
+    scene.place_tool(0, pose_at(Vec3(0.0, 0.0, -problem.depth)));
     HertzResult result;
     for (int i = 0; i < steps; ++i) {
-        scene.step(dt);
+        scene.step(contact_dt);
         const double force = scene.tool_force(0).z();
         result.change = std::abs(force - result.force) / std::abs(force);
         result.force = force;

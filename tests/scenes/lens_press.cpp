@@ -32,7 +32,7 @@ LensPress press_lens(SolidModel lens, double dt) {
     world.gravity.setZero();
     Scene scene(std::move(world));
     const auto place = [&](double time) {
-        return at(top + Vec3(0.0, 0.0, 0.005 - depth * std::min(1.0, time / down)));
+        return pose_at(top + Vec3(0.0, 0.0, 0.005 - depth * std::min(1.0, time / down)));
     };
     scene.place_tool(0, place(0.0));
     LensPress result;
@@ -62,7 +62,7 @@ double stroke_cost(const SolidModel& lens, double grade) {
     const double top = mesh.nodes[static_cast<std::size_t>(pole_of(mesh))].z();
     const auto place = [&](double time) {
         const double there = std::abs(std::fmod(time, 1.0) - 0.5);  // to and fro, 3.5 mm each way
-        return at(Vec3(0.0, 7.0 * there - 1.75, top - 0.1));
+        return pose_at(Vec3(0.0, 7.0 * there - 1.75, top - 0.1));
     };
     scene.place_tool(0, place(0.0));
     constexpr int steps = 200;

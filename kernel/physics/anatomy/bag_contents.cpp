@@ -15,7 +15,6 @@ constexpr double loose_shuts = 0.4;      ///< and cortex that was stripped. Prop
 constexpr double sideways = -0.2;        ///< cosine to a mouth's normal from which it draws cortex. Proposal
 constexpr double close_by = 0.3;  ///< cortex so near, or loose, comes whichever way the mouth looks [mm]. Proposal
 constexpr double none = 1e-4;     ///< less than this is none [mm^3]
-constexpr double usual_flow = 1000.0 / 3.0;  ///< 20 ml/min [mm^3/s]
 
 Vec3 mouth_of(const ToolState& tool, const MouthProbe& probe) { return tool.pose.to_world(probe.mouth.centre); }
 

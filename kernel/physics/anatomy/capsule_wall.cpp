@@ -11,8 +11,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double catching = 0.5;    ///< share of the mouth that the capsule must cover to be caught. Proposal
-constexpr double first_hole = 0.3;  ///< radius of a fresh hole [mm]. Proposal
+constexpr double wall_catching = 0.5;  ///< share of the mouth that the capsule must cover to be caught. Proposal
+constexpr double first_hole = 0.3;     ///< radius of a fresh hole [mm]. Proposal
 
 /// Radius of what meets the sheet: the edge of an open tip is sharper than its round end.
 double contact_radius(const ToolModel& tool) {
@@ -35,7 +35,7 @@ double drawn_in(const WorldModel& model, const WorldState& state, const ToolStat
 void catch_capsule(std::span<const ToolState> tools, std::span<const MouthProbe> probes, WorldState& state) {
     CapsuleState& capsule = *state.capsule;
     for (std::size_t i = 0; i < tools.size() && !capsule.captured; ++i) {
-        if (state.tips[i].capsule >= catching && state.tips[i].suction >= least_suction) {
+        if (state.tips[i].capsule >= wall_catching && state.tips[i].suction >= least_suction) {
             capsule.captured = true;
             capsule.tool = static_cast<int>(i);
             capsule.place = state.bags[0].pose.to_body(tools[i].pose.to_world(probes[i].mouth.centre));

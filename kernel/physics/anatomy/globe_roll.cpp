@@ -8,8 +8,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double inside = 0.3;  ///< of the cornea's front: a tip that is deeper stands in the eye [mm]
-constexpr double passes = 4.0;  ///< a shaft that is farther from a wound goes through none [mm]
+constexpr double stands_in = 0.3;  ///< of the cornea's front: a tip that is deeper stands in the eye [mm]
+constexpr double passes = 4.0;     ///< a shaft that is farther from a wound goes through none [mm]
 
 double wound_width(const WorldModel& model, const WorldState& state, std::size_t lip) {
     return state.wounds && state.wounds->wounds[lip].cut ? state.wounds->wounds[lip].width : model.globe->widths[lip];
@@ -81,7 +81,7 @@ std::optional<ShaftAtWound> shaft_at_wound(const WorldModel& model, const WorldS
     const GlobeModel& globe = *model.globe;
     const ToolModel& instrument = model.tools[static_cast<std::size_t>(tool)];
     const double depth = globe.front_radius - (tool_state.pose.position - globe.front_centre).norm();
-    if (!tool_state.present || !stands_in_wounds(instrument.kind) || !(depth > inside)) {
+    if (!tool_state.present || !stands_in_wounds(instrument.kind) || !(depth > stands_in)) {
         return std::nullopt;
     }
     std::optional<ShaftAtWound> found;

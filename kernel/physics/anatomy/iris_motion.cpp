@@ -8,8 +8,8 @@ namespace rhexis {
 
 namespace {
 
-constexpr double catching = 0.3;   ///< share of the mouth that the iris must cover to be caught. Proposal
-constexpr double tear_rate = 2.0;  ///< of the arc, while stretched beyond what it bears [mm/s]. Proposal
+constexpr double iris_catching = 0.3;  ///< share of the mouth that the iris must cover to be caught. Proposal
+constexpr double tear_rate = 2.0;      ///< of the arc, while stretched beyond what it bears [mm/s]. Proposal
 
 /// The edge of the pupil nearest to a place, at rest.
 Vec3 edge_near(const IrisState& iris, const Vec3& place) {
@@ -21,7 +21,7 @@ Vec3 edge_near(const IrisState& iris, const Vec3& place) {
 void catch_edge(std::span<const ToolState> tools, std::span<const MouthProbe> probes, WorldState& state) {
     IrisState& iris = *state.iris;
     for (std::size_t i = 0; i < tools.size() && iris.tool < 0; ++i) {
-        if (state.tips[i].iris >= catching && state.tips[i].suction >= least_suction) {
+        if (state.tips[i].iris >= iris_catching && state.tips[i].suction >= least_suction) {
             iris.tool = static_cast<int>(i);
             iris.place = edge_near(iris, tools[i].pose.to_world(probes[i].mouth.centre));
         }

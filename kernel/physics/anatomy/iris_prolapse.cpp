@@ -10,7 +10,7 @@ namespace {
 
 constexpr double in_wound = 0.2;     ///< so long a prolapse lies in the wound and takes all of its pressure [mm]
 constexpr double full_tunnel = 0.5;  ///< length from which on all of the tunnel rubs on it [mm]. Proposal
-constexpr double least = 0.1;        ///< a shorter one has slipped back [mm]
+constexpr double least_out = 0.1;    ///< a shorter one has slipped back [mm]
 constexpr double usual_pressure = 20.0 * pascal_per_mmhg;
 
 double distance_to_line(const Vec3& a, const Vec3& unit, const Vec3& place) {
@@ -128,7 +128,7 @@ void move_prolapse(const WorldModel& model, std::span<const ToolState> tools, do
         if (!filled(model, wound, tools)) {
             prolapse.length = std::min(met.room, pushed_length(own, prolapse, prolapse.pull, wound.width, dt));
         }
-        if (prolapse.length < least && !(prolapse.pull > own.holds)) {
+        if (prolapse.length < least_out && !(prolapse.pull > own.holds)) {
             prolapse.length = 0.0;
         }
         prolapse.most = std::max(prolapse.most, prolapse.length);

@@ -9,16 +9,16 @@ namespace rhexis {
 
 namespace {
 
-constexpr double most_open = 30.0;    ///< of all wounds, share of the chamber's leak_conductance
-constexpr double blade_leak = 0.2;    ///< beside a blade, share of that beside another instrument. Proposal
-constexpr double least_bite = 0.2;    ///< of a stitch on each side of the outer lip [mm]. Proposal
-constexpr double most_bite = 2.5;     ///< [mm]. Proposal
-constexpr double least_depth = 0.25;  ///< of a stitch that holds both lips [mm]. Proposal
-constexpr double off_middle = 0.35;   ///< share of the width that a stitch may be off the middle. Proposal
-constexpr double pulls = 0.4;         ///< astigmatism by a stitch, per length of its bite [dioptres/mm]. Proposal
-constexpr double lip_reach = 1.6;     ///< of an outer lip: a sponge there presses on it [mm]. Proposal
-constexpr double test_press = 1.0e5;  ///< with which it must be pressed for a test [uN]. Proposal
-constexpr double test_s = 0.3;        ///< and for so long [s]. Proposal
+constexpr double most_open = 30.0;       ///< of all wounds, share of the chamber's leak_conductance
+constexpr double blade_leak = 0.2;       ///< beside a blade, share of that beside another instrument. Proposal
+constexpr double least_bite = 0.2;       ///< of a stitch on each side of the outer lip [mm]. Proposal
+constexpr double most_bite = 2.5;        ///< [mm]. Proposal
+constexpr double least_depth = 0.25;     ///< of a stitch that holds both lips [mm]. Proposal
+constexpr double off_middle = 0.35;      ///< share of the width that a stitch may be off the middle. Proposal
+constexpr double pulls = 0.4;            ///< astigmatism by a stitch, per length of its bite [dioptres/mm]. Proposal
+constexpr double outer_lip_reach = 1.6;  ///< of an outer lip: a sponge there presses on it [mm]. Proposal
+constexpr double test_press = 1.0e5;     ///< with which it must be pressed for a test [uN]. Proposal
+constexpr double test_s = 0.3;           ///< and for so long [s]. Proposal
 constexpr double test_pressure = 10.0 * pascal_per_mmhg;  ///< of an eye that can be tested [Pa]. Proposal
 constexpr double runs_off_s = 1.0;                        ///< what lies on a wound [s]. Proposal
 constexpr double soaks = 5.0;                             ///< a sponge takes it up [1/s]. Proposal
@@ -135,7 +135,7 @@ void press_with(const WoundsModel& model, const ToolModel& tool, const ToolState
     for (Wound& wound : state.wounds) {
         const Vec3 off = touched - wound.outer;
         const double side = std::max(0.0, std::abs(off.dot(along_lip(wound))) - 0.5 * wound.width);
-        if (wound.cut && std::abs(off.dot(across_lip(wound))) < lip_reach && side < lip_reach) {
+        if (wound.cut && std::abs(off.dot(across_lip(wound))) < outer_lip_reach && side < outer_lip_reach) {
             wound.press += model.skin_stiffness * deep;
             wound.fluid /= 1.0 + soaks * dt;
             state.peak_press = std::max(state.peak_press, wound.press);

@@ -19,7 +19,7 @@ constexpr double main_blade = 1.6;   ///< a blade so wide cuts the main wound [m
 constexpr double film = 0.06;        ///< about Descemet's membrane, in which a blade drags it along [mm]. Proposal
 constexpr double grazing = 0.17;     ///< sine, 10 degrees: so flat a way does. Proposal
 constexpr double opening = 0.3;      ///< of the inner lip towards the axis, through which a tip comes [mm]. Proposal
-constexpr double lip_reach = 2.0;    ///< of an inner lip [mm]
+constexpr double inner_lip_reach = 2.0;  ///< of an inner lip [mm]
 constexpr double flap_reach = 3.0;   ///< of an inner lip: viscoelastic given so near flattens its flap [mm]. Proposal
 constexpr double flattening = 3.0;   ///< of a flap by a syringe pressed with full force [1/s]. Proposal
 constexpr double least_peel = 0.02;  ///< less is none [mm]
@@ -178,7 +178,7 @@ void catch_membrane(const WoundsModel& model, int tool, const ToolState& state, 
     for (std::size_t i = 0; i < wound_count; ++i) {
         Wound& wound = wounds.wounds[i];
         const double beside = inset_of(model, place) - inset_of(model, wound.inner) - opening;
-        if (wound.cut && beside > 0.0 && (place - wound.inner).norm() < lip_reach) {
+        if (wound.cut && beside > 0.0 && (place - wound.inner).norm() < inner_lip_reach) {
             wounds.catching = tool;
             wounds.caught_at = i;
             return;

@@ -23,7 +23,7 @@ constexpr double reference_step = 0.01;  ///< [s]
 constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this needs no anchor [mm]
 constexpr double sunk = 0.1;       ///< [mm]
 constexpr double resolved = 0.38;  ///< radius of the thinnest part that cannot slip between vertices, in their size
-constexpr double reach = 0.2;      ///< candidates are sought this far beyond what can move in a step [mm]
+constexpr double candidate_reach = 0.2;  ///< candidates are sought this far beyond what can move in a step [mm]
 
 double spring_stiffness(const SurfaceVertex& vertex, ContactPartner partner, double dt) {
     const double factor = (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt;
@@ -55,7 +55,7 @@ std::vector<Partner> partners_of(const WorldModel& model, const WorldState& stat
                         swept_box(model.tools[i], tools[i]),
                         0.0};
         const double thicker = std::max(0.0, least_radius - thinnest(model.tools[i]));
-        const double around = moved + thicker + (state.tips[i].hold > 0.0 ? kept_seal : reach);
+        const double around = moved + thicker + (state.tips[i].hold > 0.0 ? kept_seal : candidate_reach);
         partner.box.low -= Vec3::Constant(around);
         partner.box.high += Vec3::Constant(around);
         if ((partner.box.low.array() > solid.high.array()).any() ||
@@ -66,16 +66,24 @@ std::vector<Partner> partners_of(const WorldModel& model, const WorldState& stat
         pushed += travel(model.tools[i], tools[i]);
     }
     for (std::size_t i = 0; i < model.bags.size(); ++i) {
-        partners.push_back(
-            {ContactPartner::bag, static_cast<int>(i), model.bags[i].friction, state.bags[i].pose, {}, reach + pushed});
+        partners.push_back({ContactPartner::bag,
+                            static_cast<int>(i),
+                            model.bags[i].friction,
+                            state.bags[i].pose,
+                            {},
+                            candidate_reach + pushed});
     }
     for (std::size_t i = 0; i < model.planes.size(); ++i) {
-        partners.push_back(
-            {ContactPartner::plane, static_cast<int>(i), model.planes[i].friction, Pose{}, {}, reach + pushed});
+        partners.push_back({ContactPartner::plane,
+                            static_cast<int>(i),
+                            model.planes[i].friction,
+                            Pose{},
+                            {},
+                            candidate_reach + pushed});
     }
     for (std::size_t i = 0; i < model.domes.size(); ++i) {
         partners.push_back(
-            {ContactPartner::dome, static_cast<int>(i), model.domes[i].friction, Pose{}, {}, reach + pushed});
+            {ContactPartner::dome, static_cast<int>(i), model.domes[i].friction, Pose{}, {}, candidate_reach + pushed});
     }
     return partners;
 }

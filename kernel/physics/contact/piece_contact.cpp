@@ -9,9 +9,9 @@ namespace rhexis {
 
 namespace {
 
-constexpr double reach = 0.35;    ///< pairs are sought this far, the size of a fine tetrahedron [mm]
-constexpr double facing = -0.2;   ///< cosine between normals above which surfaces do not face each other
-constexpr double deepest = -0.3;  ///< overlap beyond this is of another side of the piece [mm]
+constexpr double pair_reach = 0.35;  ///< pairs are sought this far, the size of a fine tetrahedron [mm]
+constexpr double facing = -0.2;      ///< cosine between normals above which surfaces do not face each other
+constexpr double deepest = -0.3;     ///< overlap beyond this is of another side of the piece [mm]
 
 /// Surface vertices sorted by the cell of a grid that they lie in.
 class Cells {
@@ -80,7 +80,7 @@ void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& no
     }
     std::vector<Vec3> normals;
     surface.normals(nodes, normals);
-    const double radius = reach + std::min(moved, reach);
+    const double radius = pair_reach + std::min(moved, pair_reach);
     struct Nearest {
         int vertex = -1;
         double square = HUGE_VAL;

@@ -83,7 +83,7 @@ namespace {
 
 constexpr double beside_box = 0.5;    // what is near one [mm]
 constexpr double beside_nodes = 0.8;  // more than from any place to the nearest node [mm]
-constexpr int looks = 8;              // at the way of an instrument in a step
+constexpr int looks_along = 8;        // at the way of an instrument in a step
 
 /// Shares of the way from a to b between which it lies in a box; first > second where it does not.
 std::pair<double, double> shares_within(const Box& box, const Vec3& a, const Vec3& b) {
@@ -115,12 +115,12 @@ double travel_near(const ToolModel& model, const ToolState& tool, const Box& box
     if (!overlap(swept_box(model, tool), box)) {
         return 0.0;
     }
-    if ((tool.pose.position - tool.previous_pose.position).norm() > looks * beside_box) {
+    if ((tool.pose.position - tool.previous_pose.position).norm() > looks_along * beside_box) {
         return travel(model, tool);
     }
     double farthest = 0.0;
-    for (int look = 0; look <= looks; ++look) {
-        const Pose pose = pose_within(tool, static_cast<double>(look) / looks);
+    for (int look = 0; look <= looks_along; ++look) {
+        const Pose pose = pose_within(tool, static_cast<double>(look) / looks_along);
         for (const RoundedCone& part : model.parts) {
             const double near = std::max(part.radius_a, part.radius_b) + beside_box;
             const Box wide{box.low - Vec3::Constant(near), box.high + Vec3::Constant(near)};

@@ -10,7 +10,6 @@ namespace {
 constexpr double entry_pressure = 10.0;  ///< at which tissue enters the bore, in Young's moduli. Proposal
 constexpr double entry_rate = 3.0;       ///< at twice that [mm^3/s]. Proposal
 constexpr double cut_share = 0.7;        ///< of that pressure which full ultrasound power saves. Proposal
-constexpr double least_fraction = 0.01;  ///< less than this drifts away and counts as removed
 
 /// What is left to take, by either means.
 struct Means {

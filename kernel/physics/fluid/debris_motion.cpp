@@ -10,11 +10,11 @@ namespace rhexis {
 
 namespace {
 
-constexpr double drag = 60.0;     ///< share of the difference to the fluid's velocity lost [1/s]. Proposal
-constexpr double fits = 0.9;      ///< of the bore: what is narrower goes through
-constexpr double gulp = 0.15;     ///< in front of the mouth from which debris is drawn into it [mm]
-constexpr double substep = 1e-3;  ///< [s]
-constexpr double least = 1e-6;    ///< less is gone [mm^3]
+constexpr double drag = 60.0;            ///< share of the difference to the fluid's velocity lost [1/s]. Proposal
+constexpr double fits = 0.9;             ///< of the bore: what is narrower goes through
+constexpr double gulp = 0.15;            ///< in front of the mouth from which debris is drawn into it [mm]
+constexpr double debris_substep = 1e-3;  ///< [s]
+constexpr double least_debris = 1e-6;    ///< less is gone [mm^3]
 
 Vec3 fluid_velocity(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
                     std::span<const MouthProbe> probes, const Vec3& place) {
@@ -66,7 +66,7 @@ void drift(const WorldModel& model, std::span<const ToolState> tools, std::span<
            const WorldState& state, Debris& crumb) {
     const double fluid = model.solids.empty() ? 1.0e-3 : model.solids[0].buoyancy_density;
     const Vec3 weight = (1.0 - fluid / crumb.density) * model.gravity;
-    const int count = std::max(1, static_cast<int>(std::lround(dt / substep)));
+    const int count = std::max(1, static_cast<int>(std::lround(dt / debris_substep)));
     const double h = dt / count;
     for (int i = 0; i < count; ++i) {
         const Vec3 flow = fluid_velocity(model, state, tools, probes, crumb.position);
@@ -119,9 +119,9 @@ void move_debris(const WorldModel& model, std::span<const ToolState> tools, std:
         take_in(model, tools, probes, dt, state, crumb);
     }
     for (const Debris& crumb : state.debris) {
-        state.removed_mass += crumb.volume < least ? crumb.volume * crumb.density : 0.0;
+        state.removed_mass += crumb.volume < least_debris ? crumb.volume * crumb.density : 0.0;
     }
-    std::erase_if(state.debris, [](const Debris& crumb) { return crumb.volume < least; });
+    std::erase_if(state.debris, [](const Debris& crumb) { return crumb.volume < least_debris; });
 }
 
 }  // namespace rhexis

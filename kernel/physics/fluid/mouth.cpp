@@ -13,7 +13,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr std::array<double, 4> looks{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
+constexpr std::array<double, 4> look_depths{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
 constexpr double shut = 0.85;       ///< share of the mouth that must be covered to shut it. Proposal
 constexpr double kept_shut = 0.65;  ///< once lens has shut it: suction has drawn it in. Proposal
 
@@ -123,17 +123,18 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
     const Pose& pose = tool_state.pose;
     const bool was_shut = state.tips[tool].lens > 0.5 && state.tips[tool].suction > least_suction;
     // suction draws soft tissue across a gap, and ultrasound throws it back
-    const std::size_t far = was_shut ? looks.size() : (tool_state.power > 0.0 ? 2 : 3);
+    const std::size_t far = was_shut ? look_depths.size() : (tool_state.power > 0.0 ? 2 : 3);
     std::vector<FineTissue> tissue;
     if (!state.solids.empty() && !state.solids[0].fraction.empty()) {
-        tissue = tissue_near(model.solids[0], state.solids[0], model.tools[tool].parts.front(), pose, looks[far - 1]);
+        tissue =
+            tissue_near(model.solids[0], state.solids[0], model.tools[tool].parts.front(), pose, look_depths[far - 1]);
     }
     const double each = 1.0 / static_cast<double>(probe.points.size());
     const Vec3 facing = pose.orientation * probe.mouth.facing;
     for (const Vec3& point : probe.points) {
         const Vec3 place = pose.to_world(point);
-        std::array<Vec3, looks.size()> spots;
-        std::transform(looks.begin(), looks.end(), spots.begin(),
+        std::array<Vec3, look_depths.size()> spots;
+        std::transform(look_depths.begin(), look_depths.end(), spots.begin(),
                        [&](double look) { return Vec3(place + look * facing); });
         if (covered_by_iris(model, state, spots[0])) {
             tip.iris += each;

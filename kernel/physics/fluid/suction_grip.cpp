@@ -11,7 +11,7 @@ namespace {
 constexpr double sound = 0.3;        ///< a fine tetrahedron with less of it left shuts nothing
 constexpr double farthest = 1.0;     ///< tissue that shuts the mouth, by its middle [mm]
 constexpr double least_reach = 0.8;  ///< of the patch from the mouth [mm]
-constexpr double most_reach = 2.0;
+constexpr double most_grip_reach = 2.0;
 
 double longest_edge(const std::vector<Vec3>& x, const std::array<int, 4>& tet) {
     double square = 0.0;
@@ -95,7 +95,7 @@ void find_grips(const WorldModel& model, const WorldState& state, std::span<cons
         for (const int t : seeds) {
             reach = std::max(reach, longest_edge(model.solids[0].coarse.nodes, model.solids[0].coarse.tets[t]));
         }
-        reach = std::clamp(reach, least_reach, most_reach);
+        reach = std::clamp(reach, least_reach, most_grip_reach);
         const std::vector<double> mass =
             patch_mass(model.solids[0], state.solids[0], seeds, pose.to_world(mouth.centre), reach);
         SuctionGrip grip;

@@ -10,7 +10,7 @@ namespace rhexis {
 namespace {
 
 constexpr double narrow_gap = 45.0;  ///< between zonules, through which no vitreous comes [degrees]. Proposal
-constexpr double reach = 0.4;        ///< of a mouth beyond what hangs in front [mm]. Proposal
+constexpr double mouth_reach = 0.4;  ///< of a mouth beyond what hangs in front [mm]. Proposal
 constexpr double gap_reach = 2.0;    ///< the same round the edge of the lens, where no mouth can go [mm]. Proposal
 constexpr double wholly = 2.0;       ///< volume that fills a mouth [mm^3]. Proposal
 constexpr double shuts = 0.7;        ///< share of a mouth that uncut vitreous shuts. Proposal
@@ -22,14 +22,13 @@ constexpr double uncut_draw =
 constexpr double resting_pull = 0.25;   ///< share of what a mouth holds that pulls while it stays. Proposal
 constexpr double most_forward = 150.0;  ///< before each opening [mm^3]
 constexpr double half_entrained =
-    100.0;                          ///< volume in front of which half of what leaves the wound is [mm^3]. Proposal
-constexpr double stain_dose = 5.0;  ///< triamcinolone that makes most of it white [mm^3]. Proposal
-constexpr double wash = 0.002;      ///< of a plug by 20 ml/min of irrigation [1/s]: dispersive. Proposal
-constexpr double usual_flow = 1000.0 / 3.0;  ///< 20 ml/min [mm^3/s]
+    100.0;                           ///< volume in front of which half of what leaves the wound is [mm^3]. Proposal
+constexpr double stain_dose = 5.0;   ///< triamcinolone that makes most of it white [mm^3]. Proposal
+constexpr double wash = 0.002;       ///< of a plug by 20 ml/min of irrigation [1/s]: dispersive. Proposal
 constexpr double plug_draw = 0.05;   ///< share of the flow into a mouth beside a plug that is taken from it. Proposal
 constexpr double filled_draw = 0.3;  ///< of what else lies in the chamber, beside its share of it: dispersive. Proposal
 constexpr double at_opening = 0.3;   ///< of an opening: suction of a mouth so near acts on the hyaloid [mm]. Proposal
-constexpr double least = 1e-3;       ///< less than this is none [mm^3]
+constexpr double least_strand = 1e-3;  ///< less than this is none [mm^3]
 
 bool in_main_wound(const ToolState& tool, const MouthProbe& probe) { return tool.present && !probe.points.empty(); }
 
@@ -55,8 +54,8 @@ Found find_vitreous(const VitreousModel& model, const VitreousState& vitreous,
     for (std::size_t i = 0; i < opening_count; ++i) {
         const double radius = vitreous_radius(vitreous.front[i]);
         const double off = (mouth - head_of(ways[i], radius)).norm() - radius;
-        const double far = i == zonule_gap ? gap_reach : reach;
-        double share = vitreous.front[i] > least && off < far ? std::min(1.0, vitreous.front[i] / wholly) : 0.0;
+        const double far = i == zonule_gap ? gap_reach : mouth_reach;
+        double share = vitreous.front[i] > least_strand && off < far ? std::min(1.0, vitreous.front[i] / wholly) : 0.0;
         const bool behind = vitreous.broken && ways[i].area > 0.0 && mouth.z() < ways[i].place.z() &&
                             (mouth - ways[i].place).head<2>().norm() < ways[i].radius;
         share = behind ? 1.0 : share;
@@ -64,10 +63,10 @@ Found find_vitreous(const VitreousModel& model, const VitreousState& vitreous,
             best = {share, static_cast<int>(i)};
         }
     }
-    if (vitreous.wound > least && best.share == 0.0) {
+    if (vitreous.wound > least_strand && best.share == 0.0) {
         const bool hole = ways[capsule_hole].area > 0.0;
         const Vec3& root = hole ? ways[capsule_hole].place : ways[zonule_gap].place;
-        if (distance_to_segment(root, model.wound, mouth) < reach + vitreous_radius(vitreous.wound)) {
+        if (distance_to_segment(root, model.wound, mouth) < mouth_reach + vitreous_radius(vitreous.wound)) {
             best = {std::min(1.0, vitreous.wound / wholly), -1};
         }
     }
@@ -109,7 +108,7 @@ void come_forward(std::size_t opening, double volume, VitreousState& vitreous) {
     const double before = vitreous_in_front(vitreous) + vitreous.wound;
     vitreous.front[opening] += more;
     vitreous.marked *= before / (before + more);
-    vitreous.checked = more > least ? 0.0 : vitreous.checked;
+    vitreous.checked = more > least_strand ? 0.0 : vitreous.checked;
 }
 
 /// Tension of the hyaloid by a mouth that sucks at it [uN/mm].
@@ -181,7 +180,7 @@ void meet_mouth(const WorldModel& model, const std::array<WayForward, opening_co
         vitreous.caught = mouth;
         double& store = found.opening < 0 ? vitreous.wound : vitreous.front[static_cast<std::size_t>(found.opening)];
         const double taken = std::min(store, found.share * tip.flow * std::min(1.0, rate / full_rate) * dt);
-        store = store - taken < least ? 0.0 : store - taken;
+        store = store - taken < least_strand ? 0.0 : store - taken;
         vitreous.cut += taken;
         vitreous.checked = taken > 0.0 ? 0.0 : vitreous.checked;
     } else if (found.opening >= 0 && vitreous.broken) {

@@ -9,7 +9,7 @@
 namespace rhexis {
 namespace {
 
-constexpr double inside = 1e-3;  ///< of a triangle, as weights of its corners: a needle there is through it
+constexpr double through = 1e-3;  ///< of a triangle, as weights of its corners: a needle there is through it
 
 constexpr double dent_at_tear = 0.15;  ///< of a needle beside a tear: deeper, it has slipped into it [mm]
 constexpr double farthest_lip = 1.0;   ///< from a needle that stands in a tear [mm]
@@ -53,7 +53,7 @@ std::optional<SheetPlace> where_through(const MembraneState& state, const Vec3& 
         }
         const Vec3 uvs = sides.inverse() * (a - x);
         const double least = std::min({uvs[0], uvs[1], 1.0 - uvs[0] - uvs[1]});
-        if (least > inside && uvs[2] >= 0.0 && uvs[2] < nearest) {
+        if (least > through && uvs[2] >= 0.0 && uvs[2] < nearest) {
             nearest = uvs[2];
             const std::vector<Vec3>& rest = state.sheet->mesh.nodes;
             found = SheetPlace{t, a + uvs[2] * (b - a),

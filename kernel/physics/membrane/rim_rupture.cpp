@@ -9,7 +9,7 @@
 namespace rhexis {
 namespace {
 
-constexpr double reach = 0.5;  // each way along the edge, at rest [mm]: about what a test pulls at
+constexpr double edge_reach = 0.5;  // each way along the edge, at rest [mm]: about what a test pulls at
 
 /// A place of an edge with what is within reach of it.
 struct Stretch {
@@ -28,7 +28,7 @@ Stretch stretch_at(const MembraneState& state, const std::vector<int>& loop, std
     for (const bool ahead : {true, false}) {
         double way = 0.0;
         std::size_t from = i;
-        for (std::size_t steps = 0; way < reach && steps < loop.size() / 2; ++steps) {
+        for (std::size_t steps = 0; way < edge_reach && steps < loop.size() / 2; ++steps) {
             const std::size_t to = (from + (ahead ? 1 : loop.size() - 1)) % loop.size();
             const double length = (rest[at(loop[to])] - rest[at(loop[from])]).norm();
             way += length;
@@ -67,7 +67,7 @@ std::vector<NotchProposal> propose_notches(const MembraneModel& model, const Mem
         }
     }
     const bool torn = std::any_of(state.tips.begin(), state.tips.end(), [&](const TearTip& tip) {
-        return (sheet.mesh.nodes[at(tip.node)] - sheet.mesh.nodes[at(most.node)]).norm() < reach;
+        return (sheet.mesh.nodes[at(tip.node)] - sheet.mesh.nodes[at(most.node)]).norm() < edge_reach;
     });
     if (!(most.ratio > model.rupture_stretch) || torn) {
         return {};

@@ -12,7 +12,7 @@
 namespace rhexis {
 namespace {
 
-constexpr double lost_at = 2.0;  ///< times their reach from the middle of the jaws: it has slipped out
+constexpr double slipped_at = 2.0;  ///< times their reach from the middle of the jaws: it has slipped out
 
 constexpr double beside_tip = 0.8;  ///< of a needle from the end of a tear, at rest [mm]
 
@@ -168,7 +168,7 @@ void SheetGrips::settle(const std::vector<Vec3>& position, const PartnerPoses& p
 std::vector<SheetGrip> SheetGrips::kept() const {
     std::vector<SheetGrip> result = grips_;
     std::erase_if(result, [&](const SheetGrip& grip) {
-        return !grip.pushed && grip.place.norm() > lost_at * world_->tools[at(grip.tool)].reach;
+        return !grip.pushed && grip.place.norm() > slipped_at * world_->tools[at(grip.tool)].reach;
     });
     return result;
 }

@@ -9,17 +9,17 @@
 namespace rhexis {
 namespace {
 
-constexpr double margin = 0.1;         // more than moves in a substep: within which layers may meet [mm]
-constexpr double most_reach = 0.25;    // [mm]
-constexpr double deepest = 0.15;       // below a layer from which what is folded over still comes up again [mm]
-constexpr double onset = 0.02;         // depth over which the spring gains its stiffness [mm]
-constexpr double level = 0.3;          // of the distance that layers keep: so far below, what is folded over is above
-constexpr double clear = 0.5;          // of the distance that layers keep: higher, it is above whatever way it looks
-constexpr double steepest = 0.2;       // cosine, from where it looked at rest, of what something can lie on
-constexpr double near_at_rest = 1.5;   // edges: what belongs to the fold itself
-constexpr double beyond_edges = -0.1;  // share of a corner to which a triangle reaches beyond its edges
-constexpr double cell_size = 0.4;      // of the grid [mm]
-constexpr int most_cells = 200;        // each way; what is farther lies in the last
+constexpr double layer_margin = 0.1;    // more than moves in a substep: within which layers may meet [mm]
+constexpr double most_reach = 0.25;     // [mm]
+constexpr double deepest_layer = 0.15;  // below a layer from which what is folded over still comes up again [mm]
+constexpr double onset = 0.02;          // depth over which the spring gains its stiffness [mm]
+constexpr double level = 0.3;           // of the distance that layers keep: so far below, what is folded over is above
+constexpr double clear = 0.5;           // of the distance that layers keep: higher, it is above whatever way it looks
+constexpr double steepest = 0.2;        // cosine, from where it looked at rest, of what something can lie on
+constexpr double near_at_rest = 1.5;    // edges: what belongs to the fold itself
+constexpr double beyond_edges = -0.1;   // share of a corner to which a triangle reaches beyond its edges
+constexpr double cell_size = 0.4;       // of the grid [mm]
+constexpr int most_layer_cells = 200;   // each way; what is farther lies in the last
 
 Vec3 normal_of(const std::vector<Vec3>& x, const std::array<int, 3>& n) {
     return (x[at(n[1])] - x[at(n[0])]).cross(x[at(n[2])] - x[at(n[0])]);
@@ -79,7 +79,7 @@ bool SheetLayers::take_layers(const MembraneState& state) {
         for (const int node : n) {
             upright_[at(node)] += cosine * size;
             if (layer.over) {
-                fold_.add(x[at(node)], margin);
+                fold_.add(x[at(node)], layer_margin);
             }
         }
     }
@@ -100,15 +100,15 @@ bool SheetLayers::in_view(const Layer& layer) const {
 /// Where something is folded; elsewhere nothing lies on anything.
 void SheetLayers::fill_grid() {
     grid_.low = fold_.low.head<2>();
-    grid_.columns = std::clamp(static_cast<int>((fold_.high.x() - fold_.low.x()) / cell_size) + 1, 1, most_cells);
-    grid_.rows = std::clamp(static_cast<int>((fold_.high.y() - fold_.low.y()) / cell_size) + 1, 1, most_cells);
+    grid_.columns = std::clamp(static_cast<int>((fold_.high.x() - fold_.low.x()) / cell_size) + 1, 1, most_layer_cells);
+    grid_.rows = std::clamp(static_cast<int>((fold_.high.y() - fold_.low.y()) / cell_size) + 1, 1, most_layer_cells);
     grid_.offset.assign(at(grid_.columns * grid_.rows) + 1, 0);
     const auto in_cells = [&](const Layer& layer, const auto& take) {
         if (!in_view(layer)) {
             return;
         }
-        const int first = cell(layer.low.x() - margin, layer.low.y() - margin);
-        const int last = cell(layer.high.x() + margin, layer.high.y() + margin);
+        const int first = cell(layer.low.x() - layer_margin, layer.low.y() - layer_margin);
+        const int last = cell(layer.high.x() + layer_margin, layer.high.y() + layer_margin);
         for (int row = first / grid_.columns; row <= last / grid_.columns; ++row) {
             for (int column = first % grid_.columns; column <= last % grid_.columns; ++column) {
                 take(row * grid_.columns + column);
@@ -133,19 +133,19 @@ void SheetLayers::meet(const MembraneModel& model, const MembraneState& state, i
     const Vec3& x = state.position[at(node)];
     const bool over = upright_[at(node)] < 0.0;
     const double least = over ? -level * distance_ : clear * distance_;
-    double highest = std::min(most_reach, distance_ + margin);
+    double highest = std::min(most_reach, distance_ + layer_margin);
     Meeting found{-1, -1, Vec3::Zero(), 0.0, false};
     std::array<double, 3> share{};
     const int k = cell(x.x(), x.y());
     for (int i = grid_.offset[at(k)]; i < grid_.offset[at(k) + 1]; ++i) {
         const int triangle = grid_.triangles[at(i)];
         const Layer& layer = layers_[at(triangle)];
-        if (x.x() < layer.low.x() - margin || x.x() > layer.high.x() + margin || x.y() < layer.low.y() - margin ||
-            x.y() > layer.high.y() + margin || (over && layer.over)) {
+        if (x.x() < layer.low.x() - layer_margin || x.x() > layer.high.x() + layer_margin ||
+            x.y() < layer.low.y() - layer_margin || x.y() > layer.high.y() + layer_margin || (over && layer.over)) {
             continue;
         }
         const double height = layer.up.dot(x - layer.corner);
-        if (!(height < highest) || height < -deepest || (height < least && !was_above(node, layer)) ||
+        if (!(height < highest) || height < -deepest_layer || (height < least && !was_above(node, layer)) ||
             near_in_sheet(state.sheet->mesh, node, layer.nodes)) {
             continue;
         }

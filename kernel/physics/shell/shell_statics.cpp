@@ -17,9 +17,9 @@ namespace {
 
 constexpr double least_stride = 1.0 / 4096.0;  // of a step between loads, of the way between them
 constexpr int most_strides = 300;
-constexpr double ulp = 2.2e-16;
+constexpr double position_ulp = 2.2e-16;
 
-double norm(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
+double length_of(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void ShellStatics::Parts::balance(const ShellState& state, double factor) {
             all += force[i] * force[i];
         }
     }
-    const double size = norm(residual);
+    const double size = length_of(residual);
     relative = size <= rounding ? 0.0 : size / std::sqrt(all);
 }
 
@@ -108,7 +108,7 @@ bool ShellStatics::Parts::factor_tangent(const ShellState& state) {
         sum += block_of(stiffness, body.pattern().diagonal[row]).squaredNorm() *
                Eigen::Map<const Vec3>(position.data() + 3 * row).squaredNorm();
     }
-    rounding = ulp * std::sqrt(sum);
+    rounding = position_ulp * std::sqrt(sum);
     return solver.factor(stiffness);
 }
 

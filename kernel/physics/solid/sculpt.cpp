@@ -11,11 +11,10 @@ namespace rhexis {
 
 namespace {
 
-constexpr double reach = 0.20;           ///< of the zone from the tip's surface [mm]
-constexpr double blur = 0.10;            ///< over which its border fades, so that tissue enters gradually [mm]
-constexpr double behind_mouth = 0.20;    ///< the zone goes on this far behind the plane of the mouth [mm]
-constexpr double least_fraction = 0.01;  ///< less than this drifts away and counts as removed
-constexpr int max_passes = 4;            ///< to hand on energy that vanished tetrahedra left over
+constexpr double sculpt_reach = 0.20;  ///< of the zone from the tip's surface [mm]
+constexpr double blur = 0.10;          ///< over which its border fades, so that tissue enters gradually [mm]
+constexpr double behind_mouth = 0.20;  ///< the zone goes on this far behind the plane of the mouth [mm]
+constexpr int max_passes = 4;          ///< to hand on energy that vanished tetrahedra left over
 
 /// A fine tetrahedron that the zone reaches.
 struct Touched {
@@ -47,7 +46,7 @@ double rest_volume(const TetMesh& mesh, const std::array<int, 4>& tet) {
 std::vector<Touched> find_touched(const SolidModel& model, const SolidState& state, const ToolModel& tool,
                                   const SculptZone& zone, const Pose& pose) {
     std::vector<Touched> touched;
-    for (const FineTissue& fine : tissue_near(model, state, tool.parts.front(), pose, reach + blur)) {
+    for (const FineTissue& fine : tissue_near(model, state, tool.parts.front(), pose, sculpt_reach + blur)) {
         const double weight = tet_weight(tool, zone, pose, fine.corners);
         if (weight > 0.0) {
             const int coarse = fine.tet / 8;
@@ -100,7 +99,7 @@ SculptZone sculpt_zone(const ToolModel& tool) {
     zone.facing = mouth.facing;
     // Volume by summing a grid, inside the tip left out
     constexpr double cell = 0.02;
-    const int half = static_cast<int>(std::ceil((end.radius_a + reach + blur) / cell));
+    const int half = static_cast<int>(std::ceil((end.radius_a + sculpt_reach + blur) / cell));
     for (int i = -half; i <= half; ++i) {
         for (int j = -half; j <= half; ++j) {
             for (int k = -half; k <= 2 * half; ++k) {
@@ -115,7 +114,7 @@ SculptZone sculpt_zone(const ToolModel& tool) {
 }
 
 double zone_weight(const ToolModel& tool, const SculptZone& zone, const Vec3& point) {
-    const double off = reach - cone_distance(tool.parts.front(), point).distance;
+    const double off = sculpt_reach - cone_distance(tool.parts.front(), point).distance;
     if (off < -blur) {
         return 0.0;
     }

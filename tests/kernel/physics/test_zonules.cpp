@@ -48,7 +48,7 @@ ToolModel tool_of(ToolKind kind) {
     return tool;
 }
 
-ToolState at(const Vec3& place, double jaw, double before) {
+ToolState forceps_at(const Vec3& place, double jaw, double before) {
     ToolState tool;
     tool.present = true;
     tool.pose.position = place;
@@ -170,11 +170,11 @@ TEST_SUITE("zonules") {
         const Vec3 gap = widest_gap(bag.model, *bag.state.zonules).middle;
         const std::vector<ToolModel> models{tool_of(ToolKind::capsule_hook)};
         const Vec3 rim = bag.state.pose.to_world(rim_of(bag.model, gap.x(), gap.y()));
-        tend_zonules(bag.model, models, std::vector{at(rim + Vec3(0.0, 0.0, 0.9), 0.0, 1.0)}, dt, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(rim + Vec3(0.0, 0.0, 0.9), 0.0, 1.0)}, dt, bag.state);
         CHECK(bag.state.zonules->hooks.empty());
-        tend_zonules(bag.model, models, std::vector{at(rim, 1.0, 1.0)}, dt, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(rim, 1.0, 1.0)}, dt, bag.state);
         CHECK(bag.state.zonules->hooks.empty());
-        tend_zonules(bag.model, models, std::vector{at(rim, 0.0, 1.0)}, dt, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(rim, 0.0, 1.0)}, dt, bag.state);
         REQUIRE(bag.state.zonules->hooks.size() == 1);
         const CapsuleHook hook = bag.state.zonules->hooks[0];
         const Vec3 pull = hook_force(*bag.model.breakable, hook, bag.state.pose);
@@ -188,7 +188,8 @@ TEST_SUITE("zonules") {
         CHECK(hook_force(*bag.model.breakable, hook, there).norm() == 0.0);
         CHECK(hook_stiffness(*bag.model.breakable, hook, there).norm() == 0.0);
         for (int i = 0; i < 9; ++i) {
-            tend_zonules(bag.model, models, std::vector{at(rim_of(bag.model, 1.0, 0.0), 0.0, 1.0)}, dt, bag.state);
+            tend_zonules(bag.model, models, std::vector{forceps_at(rim_of(bag.model, 1.0, 0.0), 0.0, 1.0)}, dt,
+                         bag.state);
         }
         CHECK(bag.state.zonules->hooks.size() <= bag.model.breakable->most_hooks);
     }
@@ -197,22 +198,22 @@ TEST_SUITE("zonules") {
         Bag bag = bag_without(4);
         const std::vector<ToolModel> models{tool_of(ToolKind::ring)};
         const Vec3 rim = rim_of(bag.model, 0.0, 1.0);
-        tend_zonules(bag.model, models, std::vector{at(Vec3(0.0, 0.0, 3.0), 1.0, 1.0)}, dt, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(Vec3(0.0, 0.0, 3.0), 1.0, 1.0)}, dt, bag.state);
         CHECK(bag.state.zonules->ring == 0.0);
         for (int i = 0; i < 100; ++i) {
-            tend_zonules(bag.model, models, std::vector{at(rim, 1.0, 1.0)}, dt, bag.state);
+            tend_zonules(bag.model, models, std::vector{forceps_at(rim, 1.0, 1.0)}, dt, bag.state);
         }
         CHECK(bag.state.zonules->ring == doctest::Approx(100 * dt / 2.0));
-        tend_zonules(bag.model, models, std::vector{at(rim, 0.2, 1.0)}, dt, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(rim, 0.2, 1.0)}, dt, bag.state);
         CHECK(bag.state.zonules->ring == doctest::Approx(0.5));
-        tend_zonules(bag.model, models, std::vector{at(rim, 1.0, 1.0)}, 1e6, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(rim, 1.0, 1.0)}, 1e6, bag.state);
         CHECK(bag.state.zonules->ring == 1.0);
     }
 
     TEST_CASE("stiffness of what holds is the change of its force") {
         Bag bag = bag_without(5);
         const std::vector<ToolModel> models{tool_of(ToolKind::capsule_hook)};
-        tend_zonules(bag.model, models, std::vector{at(rim_of(bag.model, 0.6, 0.8), 0.0, 1.0)}, dt, bag.state);
+        tend_zonules(bag.model, models, std::vector{forceps_at(rim_of(bag.model, 0.6, 0.8), 0.0, 1.0)}, dt, bag.state);
         REQUIRE(bag.state.zonules->hooks.size() == 1);
         const RigidTerm term = bag_term(bag.model, bag.state, Pose{}, Vec6::Zero(), dt);
         const double drag = bag.model.damping / dt;
