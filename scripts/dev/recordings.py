@@ -8,7 +8,7 @@
 
 A file says who operated, with which seed and settings, and what came of it. The recording itself is made again: it is
 too large to be kept here, and the same inputs give the same bits. Compared are the state hash, the events and their
-outcomes, completed exactly; the score to 1e-9, both as the run gave it and as the replay is judged.
+outcomes, completed exactly (of an operation the hash of each part); the score to 1e-9, both as the run gave it and as the replay is judged.
 Exit status: 0 all agree, 1 some do not, 2 bad usage or bad input.
 """
 import argparse
@@ -56,6 +56,17 @@ def outcome(result, duration_s, state_hash):
     }
 
 
+def hash_of(report):
+    """Of an operation, one for each part."""
+    return [part["state_hash"] for part in report["parts"]] if "parts" in report else report["state_hash"]
+
+
+def bytes_of(folder):
+    """Of the recording, or of those of all parts."""
+    found = [os.path.join(path, name) for path, _, names in os.walk(folder) for name in names if name == "recording.rhx"]
+    return sum(os.path.getsize(path) for path in found)
+
+
 def run(program, words):
     done = subprocess.run([program] + words, capture_output=True, text=True, cwd=ROOT, check=False)
     return done.returncode, done.stdout, done.stderr.strip()
@@ -73,14 +84,14 @@ def make(program, name, given, folder):
     if status != 0:
         return None, None, said
     report = json.loads(text)
-    first = outcome(report, report["duration_s"], report["state_hash"])
+    first = outcome(report, report["duration_s"], hash_of(report))
     status, text, said = run(program, ["replay", folder, "--verify", "--score-with", name, "--json"])
     if status != 0:
         return first, None, "the replay differs: " + (said or json.loads(text).get("verdict", ""))
     judged = json.loads(text)
     if judged.get("simulated_from_step"):
         return first, None, "judging simulates again: " + said
-    return first, outcome(judged["result"], report["duration_s"], report["state_hash"]), ""
+    return first, outcome(judged["result"], report["duration_s"], first["state_hash"]), ""
 
 
 def differences(expected, found, what):
@@ -103,7 +114,7 @@ def check(program, name, path, update):
     given = read(path) if os.path.exists(path) else {"surgeon": os.path.basename(path)[0], "seed": 101}
     with tempfile.TemporaryDirectory() as folder:
         first, judged, complaint = make(program, name, given, os.path.join(folder, "run"))
-        size = os.path.getsize(os.path.join(folder, "run", "recording.rhx")) if first else 0
+        size = bytes_of(folder) if first else 0
     lines = [complaint] if complaint else []
     if not complaint and update:
         lines = differences(first, judged, "judged again")
