@@ -96,6 +96,7 @@ local exercise_rules = {
     over = { kind = "condition" },         -- ends the exercise, whatever step it is in
     time_limit_s = { kind = "number", default = 300, from = 1, to = 7200 },
     recover_within_s = { kind = "number", from = 0.1, to = 7200 },  -- no error has longer, whatever its own deadline
+    hold_within_s = { kind = "number", from = 0, to = 60 },  -- no error has to last longer, whatever its own hold_s
     mode = { kind = "text", default = "teaching", choices = { "teaching", "exam" } },
     levels = { kind = "table", default = {} },     -- easy = { patient, settings, goals, ... }: see level_rules
     handedness = { kind = "text", default = "right", choices = { "right", "left" } },  -- hand of the main instrument
@@ -355,7 +356,8 @@ function language.set_level(exercise, name)
 end
 
 -- Fields of the exercise that --set may change, besides patient.*, goal.* and the settings of the machine.
-local changeable = { "mode", "step_s", "advance", "time_limit_s", "recover_within_s", "handedness" }
+local changeable = { "mode", "step_s", "advance", "time_limit_s", "recover_within_s", "hold_within_s",
+    "handedness" }
 
 --- Every name that --set knows. settings: names of the machine's settings, from the kernel.
 function language.changeable(exercise, settings)

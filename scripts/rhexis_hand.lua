@@ -201,6 +201,16 @@ function rhexis_hand.pull(t, ahead, aside, stop)
     return t.forceps:move_to(rhexis_hand.by_tear(t, ahead, aside, 0.2), { speed = 2, motion = "even", stop = stop })
 end
 
+--- Pulls on in a shallow chamber as one does in a deep one, until the end of the tear is past the zonules. The forceps
+--- are in the eye.
+function rhexis_hand.pull_on(t)
+    for _ = 1, 8 do
+        if rhexis_hand.pull(t, 2, 1.5, "rhexis.run_out") then break end
+        rhexis_hand.open_jaws(t)
+    end
+    t:expect("rhexis.run_out")
+end
+
 --- Pulls the tear outwards until it has come to the zonules: held near its end, and led forwards and towards the angle
 --- of the chamber, again and again. The forceps are in the eye.
 function rhexis_hand.lose_edge(t)

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The state in which this exercise begins. It is made when it is asked for.
+-- The state in which this exercise begins, and one in which the edge is lost, the flap let go and the chamber filled.
+-- They are made when they are asked for.
 
 local rhexis_hand = require "rhexis_hand"
 
@@ -17,4 +18,12 @@ end
 
 return starts {
     begin = { run_out },
+    edge_lost = { function(t)
+        run_out(t)
+        t.forceps:enter({ speed = 20 })
+        rhexis_hand.pull_on(t)
+        rhexis_hand.open_jaws(t)
+        t.forceps:withdraw({ speed = 20 })
+        rhexis_hand.fill(t, { to = 0.92, press = 1 })
+    end },
 }

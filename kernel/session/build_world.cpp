@@ -125,6 +125,7 @@ ViscoelasticModel make_viscoelastic(const std::map<std::string, double>& setting
     const HalfEllipsoids lens = lens_shape(eye.patient);
     ViscoelasticModel chamber;
     chamber.start_fill = settings.at("viscoelastic.fill");
+    chamber.leak = settings.at("viscoelastic.leak");
     chamber.vitreous_pressure = settings.at("vitreous.pressure_mmhg") * pascal_per_mmhg;
     chamber.area = std::numbers::pi * lens.radius * lens.radius;
     chamber.inner_radius = eye.anatomy.limbus_radius;

@@ -95,6 +95,8 @@ constexpr auto known_settings = std::to_array<SettingInfo>({
      "Share of the anterior chamber that viscoelastic fills at the start."},
     {"viscoelastic.front_mm3", "mm^3", 0.0, 300.0, 180.0, false,
      "Viscoelastic in front of the implant at the start, where its removal is simulated."},
+    {"viscoelastic.leak", "1/s", 0.0, 0.1, 0.004, false,
+     "Share of a full chamber that leaves beside each instrument in a wound: a thin agent leaves faster."},
     {"vitreous.front_mm3", "mm^3", 0.0, 100.0, 0.0, false,
      "Vitreous before the hole in the posterior capsule at the start."},
     {"vitreous.hyaloid", "1", 0.0, 3.0, 1.0, false,

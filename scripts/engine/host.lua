@@ -81,16 +81,17 @@ function host.set(name, text, settings)
     return nil
 end
 
-local function shorten_deadlines(exercise)
+local function shorten_times(exercise)
     for _, event in ipairs(exercise.errors) do
         event.deadline_s = math.min(event.deadline_s, exercise.recover_within_s or event.deadline_s)
+        event.hold_s = math.min(event.hold_s, exercise.hold_within_s or event.hold_s)
     end
 end
 
 --- All is set: what remains to be done before the scene is built.
 function host.ready()
     local exercise = host.exercise
-    shorten_deadlines(exercise)
+    shorten_times(exercise)
     texts.translate(exercise)
     local port = settings_check.info("side_port.angle_deg")
     if exercise.handedness == "left" and port and words.has(exercise.tissues, "wounds") then

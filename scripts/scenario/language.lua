@@ -23,6 +23,7 @@ local scenario_rules = {
     start = { kind = "text" },             -- a state of the exercise's starts.lua, or a state file (.rhxs)
     silent_twin_of = { kind = "texts", default = {} },  -- error events that it nearly raises, and must not
     recover_within_s = { kind = "number", from = 0.1, to = 7200 },  -- as --set recover_within_s
+    hold_within_s = { kind = "number", from = 0, to = 60 },         -- as --set hold_within_s
     time_limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },  -- simulated time it may take
 }
 
@@ -89,7 +90,9 @@ function language.scenario(name)
         local result = fields.read(named, scenario_rules, owner, line)
         result.kind, result.name, result.play, result.line = "scenario", name, play, line
         result.set = flatten(result.set, words.where("set", line), "", {})
-        if result.recover_within_s then result.set.recover_within_s = tostring(result.recover_within_s) end
+        for _, field in ipairs { "recover_within_s", "hold_within_s" } do
+            if result[field] then result.set[field] = tostring(result[field]) end
+        end
         return result
     end
 end

@@ -23,6 +23,7 @@ function starts(list) end
 ---@field set? table # as --set of rhexis run: { patient = { age = 80 }, ["phaco.power_limit"] = 0.6 }
 ---@field start? string # a name in the exercise's starts.lua, or a state file
 ---@field recover_within_s? number # no error has longer to be put right, whatever its own deadline [s]
+---@field hold_within_s? number # no error has to last longer before it is told, whatever its own hold_s [s]
 ---@field silent_twin_of? string | string[] # error events that it nearly raises, and must not have raised at its end
 ---@field time_limit_s? number # simulated time it may take; default 300
 ---@field [1] fun(t: rhexis.ScenarioTest)

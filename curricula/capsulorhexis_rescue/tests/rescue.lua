@@ -19,15 +19,6 @@ local function bring_back(t)
     end
 end
 
--- Pulled on as in a deep chamber, until the end of the tear is past the zonules.
-local function pull_on(t)
-    for _ = 1, 8 do
-        if rhexis_hand.pull(t, 2, 1.5, "rhexis.run_out") then break end
-        open_jaws(t)
-    end
-    t:expect("rhexis.run_out")
-end
-
 -- The new cut leads outwards to where the old tear ran; the needle is put in anew where a last strip only yields.
 local function meet_tear(t)
     local circle = { sense = -1, radius = 3.2, outwards = 0.3, by = 360, longest = 0.8, stop = "rhexis.loose_mm2 > 5" }
@@ -41,7 +32,7 @@ return scenarios {
         silent_twin_of = { "Pulled in a shallow chamber", "Overfilled", "Edge lost", "Iris touched" },
         function(t)
             t:expect("rhexis.tip_radius_mm > 3.2")
-            rhexis_hand.fill(t)
+            rhexis_hand.fill(t, { press = 1 })
             t:expect("lens.lift_mm < 0.2")
             t.forceps:enter({ speed = 20 })
             bring_back(t)
@@ -56,7 +47,7 @@ return scenarios {
             t:expect_event("Pulled in a shallow chamber")
             open_jaws(t)
             t.forceps:withdraw({ speed = 20 })
-            rhexis_hand.fill(t)
+            rhexis_hand.fill(t, { press = 1 })
             t:expect_event("Pulled in a shallow chamber", { recovered = true })
         end },
 
@@ -64,18 +55,14 @@ return scenarios {
         recover_within_s = 3,
         function(t)
             t.forceps:enter({ speed = 20 })
-            pull_on(t)
+            rhexis_hand.pull_on(t)
             t:expect_event("Pulled in a shallow chamber", { recovered = false, within = 4 })
             t:expect_event("Edge lost", { recovered = false, within = 4 })
         end },
 
-    scenario "the edge is lost: let go, filled, and a new cut from the other end that meets the tear" {
+    scenario "the edge is lost: a new cut from the other end that meets the tear" {
+        start = "edge_lost",
         function(t)
-            t.forceps:enter({ speed = 20 })
-            pull_on(t)
-            open_jaws(t)
-            t.forceps:withdraw({ speed = 20 })
-            rhexis_hand.fill(t, { to = 0.92, press = 1 })
             rhexis_hand.cut_from_other_end(t, { at = -35, from = 1, radius = 2.5, by = 360, longest = 4,
                 stop = "rhexis.turned_deg > 125" })
             meet_tear(t)
