@@ -47,7 +47,11 @@ Result<std::vector<double>> opening_from(const std::string& given, const StartRe
                      "the one or the other"};
     }
     const Result<std::string> file = file_of_opening(given, request);
-    return file ? read_torn_opening(file.value()) : file.error();
+    const Result<TornOpening> torn = file ? read_torn_opening(file.value()) : file.error();
+    if (!torn) {
+        return torn.error();
+    }
+    return torn.value().unfit ? Result<std::vector<double>>(*torn.value().unfit) : torn.value().radii;
 }
 
 }  // namespace rhexis::cli

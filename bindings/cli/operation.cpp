@@ -15,6 +15,7 @@
 #include "cli/places.hpp"
 #include "cli/starts.hpp"
 #include "lua/curriculum_files.hpp"
+#include "session/torn_opening.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -173,18 +174,33 @@ private:
         request.root = options_.attempt.exercise.root;
         request.quiet = options_.attempt.quiet;
         request.set = as_set(host.value().scene());
-        request.opening = opening_of(wanted);
+        const Result<std::string> opening = opening_of(wanted);
+        if (!opening) {
+            return opening.error();
+        }
+        request.opening = opening.value();
         return find_start(request);
     }
 
-    /// The folder of the part in which the bag was opened, where it was done.
-    [[nodiscard]] std::string opening_of(const OperationPart& wanted) const {
-        for (const DonePart& done : done_) {
-            if (done.id == wanted.opening) {
-                return done.folder;
-            }
+    /// The folder of the part in which the bag was opened, where it was done: "" where a bag cannot have what was torn
+    /// there. Then it has a round opening, as if a supervisor had seen to it, and the report says why.
+    Result<std::string> opening_of(const OperationPart& wanted) {
+        const auto done = std::find_if(done_.begin(), done_.end(),
+                                       [&wanted](const DonePart& part) { return part.id == wanted.opening; });
+        if (done == done_.end()) {
+            return std::string();
         }
-        return "";
+        const Result<std::string> recording = recording_path(done->folder);
+        const Result<TornOpening> torn = recording ? read_torn_opening(recording.value()) : recording.error();
+        if (!torn) {
+            return torn.error();
+        }
+        if (torn.value().unfit) {
+            notes_.push_back("this part begins with a round opening, not with that of " + wanted.opening + ": " +
+                             torn.value().unfit->what);
+            return std::string();
+        }
+        return done->folder;
     }
 
     static std::map<std::string, std::string> as_set(const SceneDescription& scene) {
@@ -206,6 +222,7 @@ private:
             std::fprintf(stderr, "part %zu of %zu: %s\n", index + 1, options_.operation.parts.size(),
                          part(index).title.c_str());
         }
+        notes_.clear();
         Result<Start> start = start_of(index);
         if (!start) {
             return Error{"part " + part(index).id + ": " + start.error().text(), part(index).where, ""};
@@ -215,6 +232,7 @@ private:
         own.folder = folder(index);
         own.comparison = json::object();  // it is of the whole
         own.start = std::move(start).value();
+        own.notes = notes_;
         const bool goes_on = index + 1 < options_.operation.parts.size() && part(index + 1).continues;
         own.save = {goes_on ? own.folder + end_state : "", -1.0, ""};
         const Result<AttemptResult> made = attempt(own);
@@ -262,6 +280,7 @@ private:
     const OperationOptions& options_;
     std::vector<DonePart> done_;
     json before_ = json::object();
+    std::vector<std::string> notes_;  ///< on how the part that is done now begins
     OperationResult result_;
 };
 

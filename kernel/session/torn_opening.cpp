@@ -22,6 +22,13 @@ bool begins_as(const ChunkFile& kind, const std::string& path) {
     return stream.good() && begin == kind.family;
 }
 
+Error at_path(const std::string& path, const Error& error) {
+    if (error.where == path) {
+        return error;
+    }
+    return {error.what, error.where.empty() ? path : path + ": " + error.where, error.allowed};
+}
+
 Result<Session> session_of_state(const std::string& path) {
     const Result<PreparedState> state = read_state(path);
     if (!state) {
@@ -49,7 +56,7 @@ Result<Session> session_of_recording(const std::string& path) {
 
 }  // namespace
 
-Result<std::vector<double>> torn_opening(const Session& session) {
+Result<TornOpening> torn_opening(const Session& session) {
     const std::vector<MembraneModel>& membranes = session.world().membranes;
     const auto capsule = std::find_if(membranes.begin(), membranes.end(),
                                       [](const MembraneModel& model) { return model.name == anterior_capsule_name; });
@@ -57,27 +64,28 @@ Result<std::vector<double>> torn_opening(const Session& session) {
         return Error{"it holds no anterior capsule", "", "a run of an exercise with the tissue anterior_capsule"};
     }
     const std::size_t number = static_cast<std::size_t>(capsule - membranes.begin());
-    Result<std::vector<double>> radii = opening_radii(*capsule, session.state().membranes[number]);
-    if (radii) {
-        if (Status fits = check_opening(radii.value()); !fits) {
-            return Error{fits.error().what, "", fits.error().allowed};
-        }
+    const Result<std::vector<double>> radii = opening_radii(*capsule, session.state().membranes[number]);
+    if (!radii) {
+        return TornOpening{{}, radii.error()};
     }
-    return radii;
+    const Status fits = check_opening(radii.value());
+    return fits ? TornOpening{radii.value(), {}} : TornOpening{{}, Error{fits.error().what, "", fits.error().allowed}};
 }
 
-Result<std::vector<double>> read_torn_opening(const std::string& path) {
+Result<TornOpening> read_torn_opening(const std::string& path) {
     const bool recorded = begins_as(recording_file, path);
     if (!recorded && !begins_as(state_file, path) && std::ifstream(path, std::ios::binary).get() != EOF) {
         return Error{"this is neither a state nor a recording", path, "a file written by rhexis run (.rhxs, .rhx)"};
     }
     const Result<Session> session = recorded ? session_of_recording(path) : session_of_state(path);
-    Result<std::vector<double>> radii = session ? torn_opening(session.value()) : session.error();
-    if (!radii && radii.error().where != path) {
-        const std::string where = radii.error().where.empty() ? path : path + ": " + radii.error().where;
-        return Error{radii.error().what, where, radii.error().allowed};
+    Result<TornOpening> torn = session ? torn_opening(session.value()) : session.error();
+    if (!torn) {
+        return at_path(path, torn.error());
     }
-    return radii;
+    if (torn.value().unfit) {
+        torn.value().unfit = at_path(path, *torn.value().unfit);
+    }
+    return torn;
 }
 
 }  // namespace rhexis

@@ -2,6 +2,7 @@
 // The opening that a run of a capsulorhexis has left, for the bag of a scene that an implant is laid into.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,13 +11,16 @@
 
 namespace rhexis {
 
-/// How far the edge of the opening in a session's anterior capsule is from the axis, at rest [mm]
-/// (SceneDescription::opening). Fails where there is no anterior capsule, no closed opening about the axis, or one that
-/// a bag cannot have (eye/empty_bag.hpp).
-Result<std::vector<double>> torn_opening(const Session& session);
+struct TornOpening {
+    std::vector<double> radii{};   ///< from the axis to its edge, at rest [mm] (SceneDescription::opening)
+    std::optional<Error> unfit{};  ///< why a bag cannot have it: not closed, not about the axis, too wide or narrow
+};
 
-/// The same of a state (.rhxs), or of the last whole step of a recording (.rhx), which may be cut short. Errors name
-/// the path.
-Result<std::vector<double>> read_torn_opening(const std::string& path);
+/// In a session's anterior capsule. Fails where there is none.
+Result<TornOpening> torn_opening(const Session& session);
+
+/// The same of a state (.rhxs), or of the last whole step of a recording (.rhx), which may be cut short. Errors, and
+/// `unfit`, name the path.
+Result<TornOpening> read_torn_opening(const std::string& path);
 
 }  // namespace rhexis

@@ -18,12 +18,12 @@ return scenarios {
 
     scenario "haptic folded on the optic, lifted off with forceps and put into the bag" {
         hold_within_s = 0.1,
-        start = "trailing_out",
+        start = "drawn_in",
         function(t)
             t:wait(0.2)
             t:expect_event("Haptic stuck to the optic")
-            implant_hand.tuck_in(t, { 1.75, -3.7, 0 }, { 0.3, -2.8, 0.9 })
-            t:expect_event("Haptic stuck to the optic", { recovered = true, within = 30 })
+            implant_hand.lead_behind(t, { 0, -2.7, 1.0 })
+            t:expect_event("Haptic stuck to the optic", { recovered = true, within = 3 })
         end },
 
     scenario "haptics that come off the optic by themselves" {
