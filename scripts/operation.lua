@@ -167,6 +167,12 @@ local function check_begins(part, measured)
     end
 end
 
+-- What an earlier part left may be more than the next model knows, as a wound cut at the limbus itself.
+local function within_range(setting, value)
+    local info = settings_check.info(setting)
+    return info and math.max(info.from, math.min(info.to, value)) or value
+end
+
 -- A fact that no earlier part left is unknown: the setting keeps its own value.
 local function begin_with(exercise, part, facts)
     for _, setting in ipairs(words.keys(part.begins)) do
@@ -174,7 +180,7 @@ local function begin_with(exercise, part, facts)
             return function() return facts[name] end
         end)()
         if type(value) == "boolean" then value = value and 1 or 0 end
-        if value ~= nil then exercise.settings[setting] = value end
+        if value ~= nil then exercise.settings[setting] = within_range(setting, value) end
     end
 end
 

@@ -2,8 +2,7 @@
 -- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one that
 -- the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the bag
 -- on its side; in the bag but for its trailing haptic, which the injector has drawn out again because it left at once;
--- with the arm of that haptic drawn in by lens forceps; some time ago, with haptics that stick to the optic, and with
--- such as come off it.
+-- some time ago, with haptics that stick to the optic, and with such as come off it.
 
 local implant_hand = require "implant_hand"
 
@@ -15,21 +14,15 @@ local function let_out(place, turned, set, then_s)
     end }
 end
 
-local function leave_outside(t)
-    implant_hand.inject_from_two(t, { 0, -0.2, 0.5 }, { 0, -1.7, 0.35 }, 0.1)
-    t:wait(15)
-end
-
 return starts {
     torn = { opening = "capsulorhexis:round" },
     before_capsule = let_out({ 0, -1.2, 2.2 }, 0),
     upside_down = let_out({ 0, -0.8, 0.8 }, 180),
-    trailing_out = { leave_outside },
-    drawn_in = { function(t)
-        leave_outside(t)
-        implant_hand.draw_in(t, { 1.6, -2.9, 0.6 })
+    trailing_out = { function(t)
+        implant_hand.inject_from_two(t, { 0, -0.2, 0.5 }, { 0, -1.7, 0.35 }, 0.1)
+        t:wait(15)
     end },
     on_its_side = let_out({ 0, -1.0, 0.9 }, 70),
     stuck = let_out({ 0, -1.2, 2.2 }, 0, implant_hand.tacky(50), 15),
-    came_off = let_out({ 0, -0.8, 0.8 }, 180, implant_hand.tacky(0), 21),
+    came_off = let_out({ 0, -0.8, 0.8 }, 180, implant_hand.tacky(0), 5),
 }

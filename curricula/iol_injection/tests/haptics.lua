@@ -11,14 +11,16 @@ local function hook_comes_and_goes(t)
 end
 
 return scenarios {
-    scenario "trailing haptic before the rim, drawn in, and put back into the bag" {
-        start = "drawn_in",
+    scenario "trailing haptic before the rim, put back into the bag" {
+        start = "trailing_out",
+        hold_within_s = 0.1,
         function(t)
-            hook_comes_and_goes(t)
-            t:wait(1.2)
+            t.lens_forceps:enter({ speed = 50 })
+            t.lens_forceps:withdraw({ speed = 50 })
+            t:wait(0.2)
             t:expect_event("Haptic not in the bag")
-            implant_hand.lead_behind(t, { 0, -2.7, 1.0 })
-            t:expect_event("Haptic not in the bag", { recovered = true, within = 3 })
+            implant_hand.tuck_in(t, { 1.6, -2.9, 0.6 }, { 0, -2.7, 1.0 })
+            t:expect_event("Haptic not in the bag", { recovered = true, within = 8 })
             t:expect("implant.tilt_deg < 3 and bag.rim_peak_stretch < 1.2")
         end },
 
