@@ -117,4 +117,27 @@ grep -qF "mine/starts.lua:4: start again: opening: " "$work/stderr" || fail "not
 timeout 100 "${run[@]}" --out bad --start closed >said.txt 2>&1 && fail "a closed capsule made an opening"
 grep -qF "the anterior capsule is not open" said.txt || fail "why is not said: $(cat said.txt)"
 [ ! -e bad ] || fail "a run that could not start left $(ls bad)"
+# In an operation an opening that no bag can have, here none at all, is a round one, and the report says so.
+mkdir leave operation
+cat >leave/curriculum.lua <<'L'
+return exercise {
+    title = "Leave", tissues = { "anterior_capsule" }, instruments = { "cystotome" },
+    settings = { ["capsule.triangles"] = 300 },
+    steps = { step "look" { done = "step.time_s > 0.1" } },
+}
+L
+rm -f mine/starts.lua
+echo 'return function(me) me.wait(1) end' | tee leave/surgeon.lua >mine/surgeon.lua
+cat >operation/curriculum.lua <<'L'
+return operation {
+    title = "Not opened",
+    parts = { part "leave" { exercise = "../leave" },
+        part "lay" { exercise = "../mine", opening = "leave", time_limit_s = 1 } },
+    scoring = osacss { "G6" },
+}
+L
+expect 0 "" "$rhexis" run operation --no-pictures --out unopened
+grep -q "begins with a round opening, not with that of leave: the anterior capsule is not open" unopened/report.json ||
+    fail "no word of the round opening: $(cat "$work/stdout")"
+
 finished
