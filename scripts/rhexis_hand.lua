@@ -227,15 +227,16 @@ function rhexis_hand.lose_edge(t)
     end
 end
 
---- With the cannula, until the chamber is full. given: { to = how full it is to be, press = on the syringe, 0 to 1 }.
+--- With the cannula, until the chamber is full. given: { to = how full it is to be, press = on the syringe, 0 to 1,
+--- speed = of the cannula in and out [mm/s] }.
 function rhexis_hand.fill(t, given)
     local wanted = given or {}
-    t.cannula:enter({ speed = 20 })
+    t.cannula:enter({ speed = wanted.speed or 20 })
     t.cannula:move_to({ 0, -1.5, 3 + t:value("lens.lift_mm") }, { speed = 12 })
     t.cannula:jaw(wanted.press or 0.7)
     t:wait_until("viscoelastic.fill > " .. (wanted.to or 0.98), 20)
     t.cannula:jaw(0)
-    t.cannula:withdraw({ speed = 20 })
+    t.cannula:withdraw({ speed = wanted.speed or 20 })
 end
 
 return rhexis_hand

@@ -15,10 +15,27 @@ end
 
 local brittle = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = 0.2 }
 
+local shallow = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = 0.6 }
+
+-- A flap pulled outwards in a shallow chamber until a condition holds, and let go.
+local function pulled_until(stop)
+    return { set = shallow, function(t)
+        rhexis_hand.begin_flap(t)
+        t.forceps:enter({ speed = 20 })
+        for _ = 1, 6 do
+            if rhexis_hand.pull(t, 2, 1.5, stop) then break end
+            rhexis_hand.open_jaws(t)
+        end
+        rhexis_hand.open_jaws(t)
+        t.forceps:withdraw({ speed = 20 })
+    end }
+end
+
 return starts {
     flap = { set = full, rhexis_hand.begin_flap },
-    shallow = { set = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20,
-        ["capsule.toughness"] = 0.6 }, rhexis_hand.begin_flap },
+    pulled = pulled_until("rhexis.tip_radius_mm > 2.4"),
+    run_out = pulled_until("rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 "
+        .. "or rhexis.tip_radius_mm > 3.37"),
     brittle = { set = brittle, rhexis_hand.begin_flap },
     lost = { set = brittle, function(t)
         rhexis_hand.begin_flap(t)

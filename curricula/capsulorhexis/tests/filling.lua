@@ -3,7 +3,7 @@
 
 local function chamber(fill) return { ["viscoelastic.fill"] = fill } end
 -- A thin agent: what is too much leaves beside the cannula within seconds, not half a minute.
-local thin = { ["viscoelastic.fill"] = 1, ["viscoelastic.leak"] = 0.02 }
+local thin = { ["viscoelastic.fill"] = 1, ["viscoelastic.leak"] = 0.04 }
 
 -- Through the capsule, 0.9 mm from its middle, and a little on. lift: of the lens in a chamber that is not full.
 local function pierce(t)

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The tear: led round, run out, brought back, lost at the zonules. All begin with a flap whose tear goes a quarter of
--- the way round.
+-- the way round, or has been pulled outwards from there.
 
 local rhexis_hand = require "rhexis_hand"
 
@@ -37,20 +37,14 @@ local function run_out(t)
     t:expect_event("Tear runs out")
 end
 
-local function refill(t)
-    open_jaws(t)
-    t.forceps:withdraw({ speed = 20 })
-    rhexis_hand.fill(t)
-end
-
 -- Held near the end of the tear: back along the way it came, then to the middle; if it does not turn, taken hold of
 -- anew and led farther ahead.
 local function bring_back(t)
-    come_in(t)
+    t.forceps:enter({ speed = 50 })
     for try = 1, 5 do
         local radius, angle = take_hold(t, 0.4, 0.3)
-        t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 1.5 })
-        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2), { speed = 1.5, stop = back }) then break end
+        t.forceps:move_to(place(radius - 0.3, angle - 18, 0.2), { speed = 2 })
+        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2), { speed = 2, stop = back }) then break end
         open_jaws(t)
     end
 end
@@ -80,26 +74,24 @@ return scenarios {
 
     scenario "pulled outwards a little" {
         set = shallow,
-        start = "shallow",
+        start = "pulled",
         silent_twin_of = "Tear runs out",
         function(t)
             come_in(t)
-            for _ = 1, 4 do
-                local out_a_little = rhexis_hand.pull(t, 2, 1.5, "rhexis.tip_radius_mm > 2.5")
-                open_jaws(t)
-                if out_a_little then break end
-            end
+            rhexis_hand.pull(t, 2, 1.5, "rhexis.tip_radius_mm > 2.5")
+            open_jaws(t)
             t:wait(1)
             t:expect("rhexis.tip_radius_mm > 2.5")
         end },
 
     scenario "the tear runs out, and is brought back" {
         set = shallow,
-        start = "shallow",
+        start = "run_out",
         silent_twin_of = "Edge lost",
         function(t)
-            run_out(t)
-            refill(t)
+            t:wait(0.05)
+            t:expect_event("Tear runs out")
+            rhexis_hand.fill(t, { press = 1, speed = 50 })
             bring_back(t)
             t:expect_event("Tear runs out", { recovered = true, within = 0.2 })
         end },
@@ -107,7 +99,7 @@ return scenarios {
     scenario "the tear runs out, and one lets it" {
         recover_within_s = 3,
         set = shallow,
-        start = "shallow",
+        start = "pulled",
         function(t)
             run_out(t)
             open_jaws(t)

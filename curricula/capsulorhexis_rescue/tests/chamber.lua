@@ -5,12 +5,12 @@ local rhexis_hand = require "rhexis_hand"
 
 local full = { ["viscoelastic.fill"] = 1 }
 -- A thin agent: what is too much leaves beside the cannula within seconds, not half a minute.
-local thin = { ["viscoelastic.fill"] = 1, ["viscoelastic.leak"] = 0.02 }
+local thin = { ["viscoelastic.fill"] = 1, ["viscoelastic.leak"] = 0.04 }
 
 local function press_until(t, pressure)
     t.cannula:enter({ speed = 20 })
     t.cannula:move_to({ 0, -1.5, 3 }, { speed = 12 })
-    t.cannula:jaw(0.7)
+    t.cannula:jaw(1)
     t:wait_until("viscoelastic.pressure_mmhg > " .. pressure, 20)
     t.cannula:jaw(0)
 end

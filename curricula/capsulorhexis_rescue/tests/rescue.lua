@@ -13,8 +13,8 @@ local function bring_back(t)
     for try = 1, 5 do
         local _, angle, lift = rhexis_hand.tear_end(t)
         rhexis_hand.take_hold(t, 0.4, 0.4)
-        t.forceps:move_to(rhexis_hand.by_tear(t, 0, 1, 0.2), { speed = 1.5 })
-        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2, lift), { speed = 1.5, stop = back }) then break end
+        t.forceps:move_to(rhexis_hand.by_tear(t, 0, 1, 0.2), { speed = 2 })
+        if t.forceps:move_to(place(0.5, angle + 30 + 15 * try, 0.2, lift), { speed = 2, stop = back }) then break end
         open_jaws(t)
     end
 end
@@ -32,9 +32,9 @@ return scenarios {
         silent_twin_of = { "Pulled in a shallow chamber", "Overfilled", "Edge lost", "Iris touched" },
         function(t)
             t:expect("rhexis.tip_radius_mm > 3.2")
-            rhexis_hand.fill(t, { press = 1 })
+            rhexis_hand.fill(t, { press = 1, speed = 50 })
             t:expect("lens.lift_mm < 0.2")
-            t.forceps:enter({ speed = 20 })
+            t.forceps:enter({ speed = 50 })
             bring_back(t)
             t:expect(back)
         end },
