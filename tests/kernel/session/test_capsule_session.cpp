@@ -81,7 +81,7 @@ TEST_SUITE("capsule session") {
             CHECK(refusal_of(setting, nan).find(std::string("settings.") + setting + " is nan (") == 0);
         }
         CHECK(refusal_of("capsule.thoughness", 1.0).find("did you mean capsule.toughness") != std::string::npos);
-        CHECK(refusal_of("viscoelastic.fil", 1.0).find("did you mean viscoelastic.fill?") != std::string::npos);
+        CHECK(refusal_of("viscoelastic.fil", 1.0).find("did you mean viscoelastic.fill") != std::string::npos);
     }
 
     TEST_CASE("tissues that exclude each other are refused") {
