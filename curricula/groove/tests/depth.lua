@@ -4,11 +4,11 @@
 local front_of_lens = { 0, 0, 3 }
 local coarse = { patient = { tetrahedra = 1500 } }  -- drilling is costly, and needs no finer mesh to come too deep
 
--- A hole straight down the middle, until the tip is `rest` mm from the posterior capsule.
+-- A hole straight down the middle from close to the lens, until the tip is `rest` mm from the posterior capsule.
 local function drill(t, rest)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to(front_of_lens, { speed = 8 })
+    t.phaco:move_to({ 0, 0, 2.3 }, { speed = 20 })
     t.phaco:pedal(3)
     t.phaco:move_to({ 0, 0, -4 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < " .. rest })
 end

@@ -6,15 +6,15 @@ local function at(radius, angle, z)
     return { radius * math.cos(math.rad(angle)), radius * math.sin(math.rad(angle)), z }
 end
 
-local function under_rim(t, angle)
-    t.saline_cannula:path({ at(2.0, angle, 2.7), at(3.0, angle, 1.15) }, { speed = 6 })
+local function under_rim(t, angle, speed)
+    t.saline_cannula:path({ at(2.0, angle, 2.7), at(3.0, angle, 1.15) }, { speed = speed or 6 })
 end
 
 -- Sunk into the front and led round.
-local function turn(t, from, to, seconds)
+local function turn(t, from, to, seconds, speed)
     local points = {}
     for i = 1, 8 do points[i] = at(2.0, from + (to - from) * i / 8, 1.0) end
-    t.saline_cannula:path({ at(2.0, from, 2.7), at(2.0, from, 1.0) }, { speed = 6 })
+    t.saline_cannula:path({ at(2.0, from, 2.7), at(2.0, from, 1.0) }, { speed = speed or 6 })
     t.saline_cannula:path(points, { seconds = seconds })
 end
 
@@ -35,18 +35,18 @@ return scenarios {
     scenario "in vain above the capsule, then under the rim, and turned" {
         set = { hydrodissection = { freed = 0.25 } },
         function(t)
-            t.saline_cannula:enter()
-            t.saline_cannula:move_to({ 0, 1, 2.8 }, { speed = 10 })
+            t.saline_cannula:enter({ speed = 30 })
+            t.saline_cannula:move_to({ 0, 1, 2.8 }, { speed = 30 })
             t.saline_cannula:jaw(1)
             t:wait_until("hydro.injected_ml > 1", 6)
             t.saline_cannula:jaw(0)
             t:wait(0.25)
             t:expect_event("No wave or no rotation")
-            under_rim(t, 270)
+            under_rim(t, 270, 20)
             t.saline_cannula:jaw(0.7)
             t:wait_until("hydro.wave_share > 0.999", 4)
             t.saline_cannula:jaw(0)
-            turn(t, 0, 130, 4)
+            turn(t, 0, 130, 3, 20)
             t:expect_event("No wave or no rotation", { recovered = true, within = 1 })
         end },
 

@@ -2,9 +2,9 @@
 -- The posterior capsule struck by a tip, and torn.
 
 local function come_in(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 30 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 2.6 })
+    t.phaco:move_to({ 0, 0, 2.6 }, { speed = 30 })
     t:wait(0.5)
 end
 
@@ -14,9 +14,10 @@ local function press(t, stop)
     t.phaco:move_to({ 0, 0, -6 }, { speed = 2, motion = "even", stop = stop })
 end
 
--- With ultrasound to the capsule, and on until it gives way.
+-- Down the groove, then with ultrasound to the capsule, and on until it gives way.
 local function tear(t)
     come_in(t)
+    t.phaco:move_to({ 0, 0, -1.2 }, { speed = 10 })
     t.phaco:pedal(3)
     t.phaco:move_to({ 0, 0, -6 }, { speed = 1.5, motion = "even", stop = "capsule.open" })
     t:expect_event("Capsule torn")
@@ -52,7 +53,7 @@ return scenarios {
             t.phaco:pedal(1)
             t:wait(2)
             t.phaco:move_to({ 0, 0, 2.6 }, { speed = 4 })
-            t.phaco:withdraw()
+            t.phaco:withdraw({ speed = 20 })
             t:expect_event("Capsule torn", { recovered = true, within = 2 })
         end },
 

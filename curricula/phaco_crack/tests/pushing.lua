@@ -3,13 +3,13 @@
 
 -- Both tips at the floor in the middle of the groove.
 local function engage(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 30 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0.3, 0, 2.6 })
-    t.spatula:enter()
-    t.spatula:move_to({ -0.3, 0, 2.6 })
-    t:together(function() t.phaco:move_to({ 0.3, 0.3, -1.6 }, { speed = 3 }) end,
-        function() t.spatula:move_to({ -0.3, -0.3, -1.6 }, { speed = 3 }) end)
+    t.phaco:move_to({ 0.3, 0, 2.6 }, { speed = 30 })
+    t.spatula:enter({ speed = 30 })
+    t.spatula:move_to({ -0.3, 0, 2.6 }, { speed = 30 })
+    t:together(function() t.phaco:move_to({ 0.3, 0.3, -1.6 }, { speed = 6 }) end,
+        function() t.spatula:move_to({ -0.3, -0.3, -1.6 }, { speed = 6 }) end)
 end
 
 -- Both to the right by a way.
