@@ -3,20 +3,22 @@
 
 local coarse = { patient = { tetrahedra = 1000 } }  -- the way down to the capsule needs no finer mesh
 
--- A hole straight down the middle, between the quarters, until the tip is `rest` mm from the capsule; pedal at 1.
-local function drill(t, rest)
-    t.phaco:enter()
+-- Down a hole in the middle, between the quarters, and the last of it with ultrasound and without, until the tip is
+-- 0.05 mm from the capsule; pedal at 1.
+local function drill(t)
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 4, motion = "even", stop = "phaco.tip_posterior_mm < 0.6" })
     t.phaco:pedal(3)
     t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < " .. rest })
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < 0.05" })
 end
 
 local function capture(t)
     t:set { ["machine.vacuum_mmhg"] = 120 }
-    drill(t, 0.05)
+    drill(t)
     t.phaco:pedal(2)
     t:wait_until("capsule.captured", 5)
     t:expect_event("Capsule in the tip")
@@ -24,6 +26,7 @@ end
 
 return scenarios {
     scenario "capsule in the tip, let go in time" {
+        start = "hole",
         set = coarse,
         function(t)
             capture(t)
@@ -33,6 +36,7 @@ return scenarios {
         end },
 
     scenario "capsule in the tip, and held there" {
+        start = "hole",
         set = coarse,
         function(t)
             capture(t)
@@ -41,35 +45,38 @@ return scenarios {
         end },
 
     scenario "close to the capsule, without aspiration" {
+        start = "hole",
         set = coarse,
         silent_twin_of = { "Capsule in the tip", "Capsule torn" },
         function(t)
-            drill(t, 0.05)
+            drill(t)
             t:wait(3)
             t:expect("phaco.tip_posterior_mm < 0.3")
-            t.phaco:move_to({ 0, 0, 3 }, { speed = 4 })
+            t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
         end },
 
     scenario "capsule torn by ultrasound; irrigation only, chamber kept, then out" {
+        start = "hole",
         set = coarse,
         function(t)
-            drill(t, 0.05)
+            drill(t)
             t.phaco:pedal(3)
             t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
             t:expect_event("Capsule torn")
             t.phaco:pedal(1)
-            t:wait(2)
+            t:wait(1.5)
             t:expect("chamber.depth_share > 0.9")
-            t.phaco:move_to({ 0, 0, 3 }, { speed = 4 })
+            t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
             t.phaco:withdraw()
             t:expect_event("Capsule torn", { recovered = true, within = 2 })
         end },
 
     scenario "capsule torn, and vacuum goes on" {
         recover_within_s = 3,
+        start = "hole",
         set = coarse,
         function(t)
-            drill(t, 0.05)
+            drill(t)
             t.phaco:pedal(3)
             t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
             t:expect_event("Capsule torn")

@@ -10,9 +10,9 @@ local careful = { patient = { tetrahedra = 1000 },
 
 -- From the trench into the far right quarter with ultrasound, and pressed on until it shuts the tip.
 local function occlude(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 6 })
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
     t:wait(1.5)
     t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
     t.phaco:pedal(3)
@@ -66,7 +66,7 @@ return scenarios {
         silent_twin_of = "Surge",
         function(t)
             break_occlusion(t)
-            t:wait(2)
+            t:wait(1.5)
             t:expect("chamber.depth_lost_share < 0.3")
         end },
 

@@ -3,17 +3,13 @@
 
 local coarse = { patient = { tetrahedra = 1000 } }
 
--- A hole in the capsule, made with the tip straight down the middle; pedal at 1, tip in the middle of the lens.
-local function tear(t)
-    t.phaco:enter()
-    t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
-    t.phaco:pedal(3)
-    t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.1" })
-    t.phaco:move_by({ 0, 0, -1.2 }, { speed = 1, motion = "even", stop = "capsule.open" })
+-- The capsule is torn: to the middle of the lens with irrigation.
+local function come_in(t)
+    t.phaco:enter({ speed = 20 })
     t:expect_event("Capsule torn")
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 0.2 }, { speed = 4 })
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
+    t.phaco:move_to({ 0, 0, 0.2 }, { speed = 8 })
 end
 
 -- The far left quarter on the tip.
@@ -30,7 +26,7 @@ end
 
 -- It is pushed through the hole while nothing keeps the chamber up.
 local function drop(t)
-    tear(t)
+    come_in(t)
     hold(t)
     t:set { ["machine.bottle_cm"] = 0 }
     t.phaco:move_to({ 0, 0, 0 }, { speed = 2 })
@@ -41,6 +37,7 @@ end
 
 return scenarios {
     scenario "piece dropped, not chased" {
+        start = "torn",
         set = coarse,
         function(t)
             drop(t)
@@ -51,6 +48,8 @@ return scenarios {
         end },
 
     scenario "piece dropped, and chased" {
+        recover_within_s = 2.5,
+        start = "torn",
         set = coarse,
         function(t)
             drop(t)
@@ -59,10 +58,11 @@ return scenarios {
         end },
 
     scenario "capsule torn, piece drawn up and away from the hole" {
+        start = "torn",
         set = coarse,
         silent_twin_of = "Dropped piece",
         function(t)
-            tear(t)
+            come_in(t)
             hold(t)
             t.phaco:move_to({ 0, 0, 1 }, { speed = 2 })
             t:wait(1)

@@ -4,10 +4,10 @@
 local coarse = { patient = { tetrahedra = 1000 } }
 
 local function come_in(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
-    t:wait(1.5)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
+    t:wait(1)
 end
 
 -- Ultrasound over the lens while the infusion is shut.

@@ -4,13 +4,14 @@
 local over_lens = { 0, 0, 3.8 }
 local coarse = { patient = { tetrahedra = 1000 } }  -- the way down to the capsule needs no finer mesh
 
--- A hole straight down the middle, until the tip is about to touch the capsule; pedal at 1.
+-- Down a hole in the middle, and the last of it with ultrasound and without, until the tip is about to touch the
+-- capsule; pedal at 1.
 local function drill(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to(over_lens, { speed = 8 })
+    t.phaco:move_to(over_lens, { speed = 20 })
+    t.phaco:move_to({ 0, 0, -5 }, { speed = 4, motion = "even", stop = "phaco.tip_posterior_mm < 0.6" })
     t.phaco:pedal(3)
-    t.phaco:move_to({ 0, 0, 1.4 }, { speed = 8 })
     t.phaco:move_to({ 0, 0, -5 }, { speed = 1.2, motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
     t.phaco:pedal(1)
     t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "phaco.tip_posterior_mm < 0.05" })
@@ -25,18 +26,20 @@ end
 
 return scenarios {
     scenario "capsule torn; irrigation only, chamber kept, then out" {
+        start = "hole",
         set = coarse,
         function(t)
             tear(t)
             t.phaco:pedal(1)
-            t:wait(2)
+            t:wait(1.5)
             t:expect("chamber.depth_share > 0.9")
-            t.phaco:move_to(over_lens, { speed = 4 })
+            t.phaco:move_to(over_lens, { speed = 8 })
             t.phaco:withdraw()
             t:expect_event("Capsule torn", { recovered = true, within = 1 })
         end },
 
     scenario "capsule torn, and the tip drawn out without irrigation" {
+        start = "hole",
         set = coarse,
         function(t)
             tear(t)
@@ -47,6 +50,7 @@ return scenarios {
         end },
 
     scenario "the capsule pressed without ultrasound" {
+        start = "hole",
         set = coarse,
         silent_twin_of = "Capsule torn",
         function(t)

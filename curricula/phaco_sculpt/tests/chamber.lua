@@ -7,9 +7,9 @@ local infusion = { ["machine.infusion"] = 1 }
 
 -- To the front of the lens with irrigation, pump and infusion as the exercise sets them.
 local function come_in(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, -1, 3 }, { speed = 8 })
+    t.phaco:move_to({ 0, -1, 3 }, { speed = 20 })
     t:wait(1)  -- the chamber deepens
 end
 

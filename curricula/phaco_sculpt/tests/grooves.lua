@@ -13,12 +13,12 @@ end
 -- One stroke through the middle with ultrasound. turn: degrees from straight away to the surgeon's right.
 local function stroke(t, turn, height)
     local x, y = half_length * math.sin(math.rad(turn)), half_length * math.cos(math.rad(turn))
-    t.phaco:move_to({ -x, -y, over }, { speed = 15 })
+    t.phaco:move_to({ -x, -y, over }, { speed = 30 })
     t.phaco:pedal(3)
-    t.phaco:move_to({ -x, -y, height }, { speed = 6 })
+    t.phaco:move_to({ -x, -y, height }, { speed = 12 })
     t.phaco:move_to({ x, y, height }, { speed = 2.5, motion = "even" })
     t.phaco:pedal(1)
-    t.phaco:move_to({ x, y, over }, { speed = 15 })
+    t.phaco:move_to({ x, y, over }, { speed = 30 })
 end
 
 local function layers(t, turn, ...)
@@ -26,9 +26,9 @@ local function layers(t, turn, ...)
 end
 
 local function come_in(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, -half_length, over }, { speed = 8 })
+    t.phaco:move_to({ 0, -half_length, over }, { speed = 20 })
 end
 
 -- Well over the lens, to look.
@@ -38,26 +38,26 @@ local function lift(t)
 end
 
 local function leave(t)
-    t:together(function() t.phaco:withdraw() end,
-        function() if t:value("spatula.present") then t.spatula:withdraw() end end)
+    t:together(function() t.phaco:withdraw({ speed = 20 }) end,
+        function() if t:value("spatula.present") then t.spatula:withdraw({ speed = 20 }) end end)
 end
 
 local function touch_with_spatula(t)
-    t.spatula:enter()
-    t.spatula:move_to({ -1.2, 1, 2.2 }, { speed = 8 })
+    t.spatula:enter({ speed = 20 })
+    t.spatula:move_to({ -1.2, 1, 2.2 }, { speed = 20 })
     t.spatula:move_to({ -1.2, 1, 0.6 }, { speed = 3, stop = "spatula.in_contact" })
     t:expect("spatula.in_contact and grooves.count == 1")
 end
 
 return scenarios {
     scenario "spatula at a shallow groove; both grooves made deep enough" {
+        start = "thin_groove",
         set = shallow(24),
         function(t)
             come_in(t)
-            layers(t, 0, 0.9)
             touch_with_spatula(t)
             t:expect_event("Groove too shallow")
-            t.spatula:withdraw()
+            t.spatula:withdraw({ speed = 20 })
             layers(t, 0, 0.4)
             layers(t, 90, 0.9, 0.4)
             t:expect_event("Groove too shallow", { recovered = true })
@@ -74,21 +74,22 @@ return scenarios {
         end },
 
     scenario "spatula at a groove just deep enough" {
+        start = "thin_groove",
         set = shallow(24),
         silent_twin_of = "Groove too shallow",
         function(t)
             come_in(t)
-            layers(t, 0, 0.9, 0.4)
+            layers(t, 0, 0.4)
             touch_with_spatula(t)
             t:expect("100 * groove_1.depth_share > 24")
         end },
 
     scenario "second groove askew; another one across" {
+        start = "askew",
+        hold_within_s = 1,
         set = shallow(10),
         function(t)
             come_in(t)
-            layers(t, 0, 0.9, 0.4)
-            layers(t, 45, 0.9)
             t:expect_event("Groove askew", { within = 9 })
             lift(t)
             layers(t, 90, 0.9, 0.4)
@@ -96,23 +97,25 @@ return scenarios {
         end },
 
     scenario "second groove askew, and left so" {
+        start = "askew",
         set = shallow(10),
         function(t)
             come_in(t)
-            layers(t, 0, 0.9, 0.4)
-            layers(t, 45, 0.9)
+            layers(t, 45, 0.4)
             t:expect_event("Groove askew", { within = 9 })
             leave(t)
             t:expect_event("Groove askew", { recovered = false })
         end },
 
     scenario "second groove nearly across" {
+        start = "groove",
+        hold_within_s = 1,
         set = shallow(10),
         silent_twin_of = "Groove askew",
         function(t)
             come_in(t)
-            layers(t, 0, 0.9, 0.4)
             layers(t, 82, 0.9)
+            t:wait(1.5)
             t:expect("groove_2.length_mm >= 3 and grooves.angle_deg > 80")
         end },
 }
