@@ -7,7 +7,7 @@ local function come_in(t)
     t.phaco:enter { speed = quick }
     t.phaco:pedal(1)
     t.phaco:move_to({ 0, 0, 2 }, { speed = 8 })
-    t:wait(0.5)
+    t:wait(0.3)
 end
 
 local function cover(t)

@@ -6,7 +6,7 @@ local came = { capsule = { hole_mm = 2.5 }, vitreous = { hyaloid = 0, front_mm3 
     tamponade = { fill = 0.3 } }
 local hole = { 0.4, 0.8, -1.5 }
 
-local quick = 30  -- where nothing depends on it [mm/s]
+local quick = 60  -- where nothing depends on it [mm/s]
 
 local function inject(t, name, place, seconds)
     t[name]:enter { through = "side_port", speed = quick }
@@ -24,7 +24,7 @@ local function make_white(t, seconds) inject(t, "triamcinolone", { 0, 0.8, 1 }, 
 local function cut(t)
     t.cutter:enter { speed = quick }
     t.cutter:pedal(1)
-    t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 15 })
+    t.cutter:move_to({ 0.6, 0.8, -2 }, { speed = 20 })
     t.cutter:pedal(3)
     t:wait_until("vitreous.front_mm3 < 0.3", 8)
     t.cutter:move_to({ 0.3, -4.4, 2.3 }, { speed = 5, stop = "vitreous.wound_mm3 < 0.1" })
@@ -44,7 +44,7 @@ return scenarios {
             cut(t)
             cover(t, 1)
             t.cutter:withdraw { speed = quick }
-            make_white(t)
+            make_white(t, 1.2)
             t:expect_event("Vitreous", { recovered = true, within = 2 })
             t:expect_no_event("Vitreous pulled")
         end },

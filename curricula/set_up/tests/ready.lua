@@ -11,9 +11,9 @@ end
 
 -- The drape along a lid, from one place to another.
 local function cover(t, lid, first, last)
-    t.drape:move_to(lash(lid, first), { speed = 60 })
+    t.drape:move_to(lash(lid, first), { speed = 80 })
     t.drape:jaw(1)
-    for along = first, last do t.drape:move_to(lash(lid, along), { speed = 40 }) end
+    for along = first, last do t.drape:move_to(lash(lid, along), { speed = 55 }) end
     t.drape:jaw(0)
 end
 
@@ -91,12 +91,13 @@ return scenarios {
         end },
 
     scenario "the bottle's line is shut: the test shows nothing" {
+        recover_within_s = 3,
         function(t)
             t:set { ["machine.infusion"] = 0 }
             test_pedal(t, 3)
             t:expect("not lids.pedal_tested and lids.pedal_1_s == 0")
             t:request("Ready to begin")
-            t:expect_event("Pedal not tested", { recovered = false, within = 9 })
+            t:expect_event("Pedal not tested", { recovered = false, within = 4 })
         end },
 
     scenario "a drape that is not pressed covers nothing" {

@@ -2,7 +2,7 @@
 -- A chamber that empties, and the posterior capsule that comes to the tip.
 
 local function come_in(t)
-    t.phaco:enter()
+    t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
     t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
     t:wait(1.5)
