@@ -3,21 +3,9 @@
 -- to the posterior capsule. The others have grooves: a thin one away from the surgeon; a deeper one; and a thin second
 -- one, 45 degrees to that.
 
+local sculpt_hand = require "sculpt_hand"
+
 local coarse = { patient = { tetrahedra = 1000 } }
-
-local half_length = 2.2
-local over = 2.4
-
--- One stroke through the middle with ultrasound. turn: degrees from straight away to the surgeon's right.
-local function stroke(t, turn, height)
-    local x, y = half_length * math.sin(math.rad(turn)), half_length * math.cos(math.rad(turn))
-    t.phaco:move_to({ -x, -y, over }, { speed = 15 })
-    t.phaco:pedal(3)
-    t.phaco:move_to({ -x, -y, height }, { speed = 6 })
-    t.phaco:move_to({ x, y, height }, { speed = 2.5, motion = "even" })
-    t.phaco:pedal(1)
-    t.phaco:move_to({ x, y, over }, { speed = 15 })
-end
 
 -- Several, each a direction and a height.
 local function grooves(...)
@@ -25,8 +13,8 @@ local function grooves(...)
     return { set = coarse, function(t)
         t.phaco:enter()
         t.phaco:pedal(1)
-        t.phaco:move_to({ 0, -half_length, over }, { speed = 8 })
-        for _, s in ipairs(strokes) do stroke(t, s[1], s[2]) end
+        t.phaco:move_to({ 0, -sculpt_hand.half_length, sculpt_hand.over }, { speed = 8 })
+        for _, s in ipairs(strokes) do sculpt_hand.stroke(t, s[1], s[2], 15) end
         t.phaco:move_to({ 0, 0, 3.8 }, { speed = 8 })
         t.phaco:withdraw()
     end }

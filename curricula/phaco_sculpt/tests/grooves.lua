@@ -2,33 +2,21 @@
 -- A groove that is too shallow when the spatula comes to it, and one that is not across the other. The exact hand needs
 -- no turned lens for that: it sculpts in any direction.
 
-local half_length = 2.2
-local over = 2.4
+local sculpt_hand = require "sculpt_hand"
 
 -- Shallow grooves in a coarse mesh show both as well as deep ones, and sooner.
 local function shallow(percent)
     return { patient = { tetrahedra = 1000 }, goal = { depth_percent = percent } }
 end
 
--- One stroke through the middle with ultrasound. turn: degrees from straight away to the surgeon's right.
-local function stroke(t, turn, height)
-    local x, y = half_length * math.sin(math.rad(turn)), half_length * math.cos(math.rad(turn))
-    t.phaco:move_to({ -x, -y, over }, { speed = 30 })
-    t.phaco:pedal(3)
-    t.phaco:move_to({ -x, -y, height }, { speed = 12 })
-    t.phaco:move_to({ x, y, height }, { speed = 2.5, motion = "even" })
-    t.phaco:pedal(1)
-    t.phaco:move_to({ x, y, over }, { speed = 30 })
-end
-
 local function layers(t, turn, ...)
-    for _, height in ipairs { ... } do stroke(t, turn, height) end
+    for _, height in ipairs { ... } do sculpt_hand.stroke(t, turn, height, 30) end
 end
 
 local function come_in(t)
     t.phaco:enter({ speed = 20 })
     t.phaco:pedal(1)
-    t.phaco:move_to({ 0, -half_length, over }, { speed = 20 })
+    t.phaco:move_to({ 0, -sculpt_hand.half_length, sculpt_hand.over }, { speed = 20 })
 end
 
 -- Well over the lens, to look.
