@@ -64,7 +64,7 @@ function implant_hand.inject_from_two(t, first, second, stays)
     push_out(t, stays)
 end
 
--- Twice as fast as a surgeon: what is tested is where they lead the haptic.
+-- Faster than a surgeon: what is tested is where they lead the haptic.
 local free = { speed = 17.6, motion = "even" }
 local slow = { speed = 8, motion = "even" }
 

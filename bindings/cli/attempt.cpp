@@ -208,11 +208,10 @@ private:
     }
 
     [[nodiscard]] Log full_log() const {
-        Log log;
-        for (const std::string& note : options_.notes) {
-            log.push_back({LogLevel::warning, 0.0, note});
+        Log log = session_.log();
+        if (!options_.start.note.empty()) {
+            log.insert(log.begin(), {LogLevel::warning, 0.0, options_.start.note});
         }
-        log.insert(log.end(), session_.log().begin(), session_.log().end());
         if (cut_off_) {
             log.push_back({LogLevel::warning, session_.time_s(), "the run was ended at its limit of simulated time"});
         }

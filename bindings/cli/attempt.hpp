@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/result.hpp"
 #include "cli/starts.hpp"
@@ -38,8 +37,7 @@ struct AttemptOptions {
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress
     nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
-    bool watch = false;                ///< the exercise is read again between two steps when its files have changed
-    std::vector<std::string> notes{};  ///< warnings on how it begins, for the report's log
+    bool watch = false;  ///< the exercise is read again between two steps when its files have changed
 };
 
 struct AttemptResult {

@@ -174,17 +174,22 @@ private:
         request.root = options_.attempt.exercise.root;
         request.quiet = options_.attempt.quiet;
         request.set = as_set(host.value().scene());
-        const Result<std::string> opening = opening_of(wanted);
+        std::string note;
+        const Result<std::string> opening = opening_of(wanted, note);
         if (!opening) {
             return opening.error();
         }
         request.opening = opening.value();
-        return find_start(request);
+        Result<Start> start = find_start(request);
+        if (start) {
+            start.value().note = note;
+        }
+        return start;
     }
 
     /// The folder of the part in which the bag was opened, where it was done: "" where a bag cannot have what was torn
-    /// there. Then it has a round opening, as if a supervisor had seen to it, and the report says why.
-    Result<std::string> opening_of(const OperationPart& wanted) {
+    /// there. Then it has a round opening, as if a supervisor had seen to it, and `note` says why.
+    [[nodiscard]] Result<std::string> opening_of(const OperationPart& wanted, std::string& note) const {
         const auto done = std::find_if(done_.begin(), done_.end(),
                                        [&wanted](const DonePart& part) { return part.id == wanted.opening; });
         if (done == done_.end()) {
@@ -196,8 +201,8 @@ private:
             return torn.error();
         }
         if (torn.value().unfit) {
-            notes_.push_back("this part begins with a round opening, not with that of " + wanted.opening + ": " +
-                             torn.value().unfit->what);
+            note = "this part begins with a round opening, not with that of " + wanted.opening + ": " +
+                   torn.value().unfit->what;
             return std::string();
         }
         return done->folder;
@@ -222,7 +227,6 @@ private:
             std::fprintf(stderr, "part %zu of %zu: %s\n", index + 1, options_.operation.parts.size(),
                          part(index).title.c_str());
         }
-        notes_.clear();
         Result<Start> start = start_of(index);
         if (!start) {
             return Error{"part " + part(index).id + ": " + start.error().text(), part(index).where, ""};
@@ -232,7 +236,6 @@ private:
         own.folder = folder(index);
         own.comparison = json::object();  // it is of the whole
         own.start = std::move(start).value();
-        own.notes = notes_;
         const bool goes_on = index + 1 < options_.operation.parts.size() && part(index + 1).continues;
         own.save = {goes_on ? own.folder + end_state : "", -1.0, ""};
         const Result<AttemptResult> made = attempt(own);
@@ -280,7 +283,6 @@ private:
     const OperationOptions& options_;
     std::vector<DonePart> done_;
     json before_ = json::object();
-    std::vector<std::string> notes_;  ///< on how the part that is done now begins
     OperationResult result_;
 };
 

@@ -8,7 +8,8 @@
 
 A file says who operated, with which seed and settings, and what came of it. The recording itself is made again: it is
 too large to be kept here, and the same inputs give the same bits. Compared are the state hash, the events and their
-outcomes, completed exactly (of an operation the hash of each part); the score to 1e-9, both as the run gave it and as the replay is judged.
+outcomes, completed exactly (of an operation the hash of each part); the score to 1e-9, both as the run gave it and as
+the replay is judged.
 Exit status: 0 all agree, 1 some do not, 2 bad usage or bad input.
 """
 import argparse
@@ -63,8 +64,8 @@ def hash_of(report):
 
 def bytes_of(folder):
     """Of the recording, or of those of all parts."""
-    found = [os.path.join(path, name) for path, _, names in os.walk(folder) for name in names if name == "recording.rhx"]
-    return sum(os.path.getsize(path) for path in found)
+    files = [os.path.join(path, "recording.rhx") for path, _, names in os.walk(folder) if "recording.rhx" in names]
+    return sum(os.path.getsize(file) for file in files)
 
 
 def run(program, words):
