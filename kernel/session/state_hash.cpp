@@ -2,6 +2,7 @@
 #include "session/state_hash.hpp"
 
 #include "base/hash.hpp"
+#include "session/settings.hpp"
 
 namespace rhexis {
 namespace {
@@ -397,8 +398,12 @@ std::uint64_t hash_state(const WorldState& world, std::span<const ToolState> too
         hash.add(value);
     }
     for (const auto& [name, value] : settings) {
-        hash.add(std::string_view(name));
-        hash.add(value);
+        // Only what was set: a setting added to the kernel later must not change the hash of a run that leaves it
+        // alone.
+        if (const SettingInfo* info = find_setting(name); info == nullptr || info->standard != value) {
+            hash.add(std::string_view(name));
+            hash.add(value);
+        }
     }
     hash.add(observer_memory);
     return hash.value();
