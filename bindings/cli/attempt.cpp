@@ -209,8 +209,8 @@ private:
 
     [[nodiscard]] Log full_log() const {
         Log log = session_.log();
-        if (!options_.start.note.empty()) {
-            log.insert(log.begin(), {LogLevel::warning, 0.0, options_.start.note});
+        if (!options_.start.opening_note.empty()) {
+            log.insert(log.begin(), {LogLevel::warning, 0.0, options_.start.opening_note});
         }
         if (cut_off_) {
             log.push_back({LogLevel::warning, session_.time_s(), "the run was ended at its limit of simulated time"});
@@ -249,6 +249,7 @@ Result<AttemptResult> Attempt::write_results() {
     input.seed = options_.exercise.seed;
     input.start = options_.start.state;
     input.opening = session_.scene().opening;
+    input.opening_note = options_.start.opening_note;
     input.patient = session_.scene().patient;
     input.duration_s = session_.time_s();
     input.state_hash = session_.state_hash();

@@ -182,7 +182,7 @@ private:
         request.opening = opening.value();
         Result<Start> start = find_start(request);
         if (start) {
-            start.value().note = note;
+            start.value().opening_note = note;
         }
         return start;
     }

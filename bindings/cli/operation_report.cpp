@@ -155,6 +155,7 @@ json part_line(const DonePart& part, const json& report, const std::string& fold
             {"completed", report.value("completed", false)},
             {"duration_s", report.value("duration_s", 0.0)},
             {"state_hash", report.value("state_hash", json())},
+            {"opening_note", report.value("opening_note", json())},
             {"score", score_line(report)}};
 }
 

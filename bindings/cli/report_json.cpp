@@ -71,12 +71,14 @@ json make_report(const ReportInput& input) {
         }
     }
     report["schema"] = report_schema;
+    report["clinically_validated"] = false;
     report["curriculum"] = curriculum_json(input.identity);
     report["surgeon"] = input.surgeon;
     report["set"] = json(input.set);
     report["seed"] = input.seed;
     report["start"] = input.start.empty() ? json(nullptr) : json(input.start);
     report["opening_mm"] = input.opening.empty() ? json(nullptr) : json(input.opening);
+    report["opening_note"] = input.opening_note.empty() ? json(nullptr) : json(input.opening_note);
     report["patient"] = patient_json(input.patient);
     report["duration_s"] = input.duration_s;
     report["state_hash"] = hex(input.state_hash);
@@ -97,11 +99,12 @@ std::string score_line(const json& report) {
     if (!osacss.is_object() || !osacss.contains("total") || !osacss["total"].is_number()) {
         return "no score: the exercise was not judged";
     }
-    char text[96];
+    char text[128];
     const double scaled =
         osacss.contains("scaled") && osacss["scaled"].is_number() ? osacss["scaled"].get<double>() : 0.0;
-    std::snprintf(text, sizeof text, "%s %g of %g (scaled %.2f)", osacss.value("rubric", "OSACSS").c_str(),
-                  osacss["total"].get<double>(), osacss.value("max", 0.0), scaled);
+    std::snprintf(text, sizeof text, "%s %g of %g (scaled %.2f; not clinically validated)",
+                  osacss.value("rubric", "OSACSS").c_str(), osacss["total"].get<double>(), osacss.value("max", 0.0),
+                  scaled);
     return text;
 }
 

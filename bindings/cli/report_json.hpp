@@ -23,6 +23,7 @@ struct ReportInput {
     std::uint64_t seed = 0;
     std::string start;            ///< state file that the run began from; empty: the eye at rest
     std::vector<double> opening;  ///< of the bag, as SceneDescription has it
+    std::string opening_note;     ///< why it is not the one that was torn before; empty: nothing to say
     Patient patient;
     double duration_s = 0.0;
     std::uint64_t state_hash = 0;  ///< after the last step

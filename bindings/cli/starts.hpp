@@ -24,7 +24,7 @@ struct StartRequest {
 struct Start {
     std::string state{};            ///< path; "": the eye at rest
     std::vector<double> opening{};  ///< of the bag, as SceneDescription has it
-    std::string note{};             ///< a warning on it for the report's log; empty: none
+    std::string opening_note{};     ///< why it is not the one that was torn before; empty: nothing to say
 };
 
 /// The state is the file itself, or the one kept in runs/states/, which is made again when it is missing or was made by

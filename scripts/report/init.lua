@@ -105,8 +105,19 @@ local function story(report)
     return steps .. " " .. errors_told(report.events or {})
 end
 
+-- Where the bag could not have what was torn.
+local function opening_told(w, report)
+    for _, part in ipairs(report.parts or { report }) do
+        if part.opening_note then
+            w("<p>", e(t("“%s” began with a round opening of the bag: what was torn before could not be its opening.",
+                part.title or title_of(report))), ' <span class="soft small">(', e(part.opening_note), ")</span></p>")
+        end
+    end
+end
+
 local function summary(w, report)
     w("<section><h2>", e(t("In short")), "</h2><p>", e(story(report)), "</p>")
+    opening_told(w, report)
     if report.error then
         w('<p class="tb"><b>', e(t("The exercise was stopped by a mistake in its script:")), "</b> ", e(report.error),
             "</p>")

@@ -62,7 +62,7 @@ TEST_SUITE("report") {
     }
 
     TEST_CASE("the score line gives total, maximum and scaled score, or says that there is none") {
-        CHECK(score_line(make_report(example())) == "OSACSS 13 of 15 (scaled 0.83)");
+        CHECK(score_line(make_report(example())) == "OSACSS 13 of 15 (scaled 0.83; not clinically validated)");
         ReportInput input = example();
         input.result["osacss"] = nullptr;
         CHECK(score_line(make_report(input)).find("no score") == 0);
