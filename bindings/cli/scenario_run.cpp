@@ -98,6 +98,12 @@ public:
         }
     }
 
+    /// What the exercise made of the scenario is part of what is expected of it.
+    Status judge() {
+        const Result<json> result = host_.result();
+        return result ? script_.judged(result.value()) : Status(result.error());
+    }
+
     void fill(ScenarioResult& result, const ScenarioFile& file, const Status& status) {
         result.declared = declared_;
         result.simulated_s = session_.time_s();
@@ -221,9 +227,8 @@ ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const 
     }
     Play play(std::move(host).value(), std::move(session).value(), std::move(script).value());
     Status status = play.begin("number", number + 1);
-    if (status) {
-        status = play.run();
-    }
+    status = status ? play.run() : status;
+    status = status ? play.judge() : status;
     play.fill(result, file, status);
     result.cpu_s = thread_cpu_seconds() - cpu_start;
     return result;

@@ -35,6 +35,7 @@ struct TestOptions {
     std::string junit;
     std::string filter;
     int jobs = 0;
+    double longest_s = 0.0;  ///< 0: no limit
     bool require_all = false;
 };
 
@@ -175,6 +176,7 @@ void print_result(const FinishedScenario& scenario) {
 struct Totals {
     int passed = 0;
     int failed = 0;
+    int too_long = 0;
     double simulated_s = 0.0;
     double cpu_s = 0.0;
 };
@@ -194,6 +196,10 @@ Totals run_jobs(Plan& plan, const TestOptions& given, const Context& context) {
         }
         print_result(job.scenario);
         std::fflush(stdout);
+        if (given.longest_s > 0.0 && job.scenario.result.simulated_s > given.longest_s + 1e-6) {
+            ++totals.too_long;
+            std::printf("        longer than %g s\n", given.longest_s);
+        }
         (job.scenario.result.passed() ? totals.passed : totals.failed) += 1;
         totals.simulated_s += job.scenario.result.simulated_s;
         totals.cpu_s += job.scenario.result.cpu_s;
@@ -230,7 +236,10 @@ int test(const TestOptions& given, const Context& context) {
     const Totals totals = run_jobs(plan, given, context);
     std::printf("%d passed, %d failed; %.1f s simulated, %.1f s of CPU\n", totals.passed, totals.failed,
                 totals.simulated_s, totals.cpu_s);
-    int result = totals.failed > 0 ? found_failures : done;
+    if (totals.too_long > 0) {
+        std::printf("%d longer than %g s\n", totals.too_long, given.longest_s);
+    }
+    int result = totals.failed + totals.too_long > 0 ? found_failures : done;
     if (given.filter.empty()) {  // a part of the tests says nothing about what all of them lack
         const Coverage coverage = coverage_of(plan);
         for (const std::string& line : coverage.lines()) {
@@ -252,6 +261,8 @@ void add_test(CLI::App& app, Context& context) {
     command->add_option("--junit", given->junit, "Write the results to this file as JUnit XML");
     CLI::Option* filter = command->add_option("--filter", given->filter, "Only scenarios with this text in their name");
     command->add_option("--jobs", given->jobs, "Scenarios to run at once [processor cores]")->check(CLI::Range(1, 64));
+    command->add_option("--longest", given->longest_s, "Fail when a scenario simulates more seconds [no limit]")
+        ->check(CLI::PositiveNumber);
     command->add_flag("--require-all", given->require_all, "Fail when an error event lacks one of its tests")
         ->excludes(filter);
     command->callback([given, &context] { context.status = test(*given, context); });

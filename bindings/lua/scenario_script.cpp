@@ -124,6 +124,14 @@ Status ScenarioScript::refused(const std::string& why) {
     });
 }
 
+Status ScenarioScript::judged(const nlohmann::json& result) {
+    return state_.run([&](lua_State* L) {
+        push_function(L, "judged");
+        lua::push_json(L, result);
+        lua_call(L, 1, 0);
+    });
+}
+
 Result<nlohmann::json> ScenarioScript::outcome() {
     nlohmann::json value;
     const Status status = state_.run([&](lua_State* L) {

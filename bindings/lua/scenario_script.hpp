@@ -41,6 +41,9 @@ public:
     Result<ScenarioStep> step(const Observation& observation, const nlohmann::json& events);
     /// The kernel did not take what the last step asked for: the scenario fails on the line that runs.
     Status refused(const std::string& why);
+    /// result: of the exercise at the end, as ExerciseHost::result gives it. An item with more points than its errors
+    /// leave it fails the scenario.
+    Status judged(const nlohmann::json& result);
     /// {"at": file:line where it waits, "failures": [{"where","message","time_s"}], "covered": {event:
     /// {"raised","recovered","not_recovered","silent"}}}
     Result<nlohmann::json> outcome();

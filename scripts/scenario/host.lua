@@ -60,6 +60,8 @@ function host.step(time_s, events)
     return host.test:step(time_s, host.row, events)
 end
 
+function host.judged(result) host.test:judged(result) end
+
 function host.refused(why) host.test:refused(why) end
 
 function host.outcome()

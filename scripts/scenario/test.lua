@@ -365,6 +365,22 @@ function Test:step(time_s, row, events)
     return { samples = samples, commands = self.commands, done = false }
 end
 
+--- What the exercise makes of it at the end (as report.json has it): no item that an error concerns has more points
+--- than the rubric leaves it after such an error.
+function Test:judged(result)
+    for _, event in ipairs(result.osacss and result.events or {}) do
+        local cap = (result.osacss.caps[event.severity] or {})[event.outcome]
+        local concerned = {}
+        for _, id in ipairs(event.items) do concerned[id] = cap end
+        for _, item in ipairs(result.osacss.items) do
+            if concerned[item.id] and item.score and item.score > concerned[item.id] then
+                fail(self, self.at, ("expected at most %g points in %s after error event \"%s\", %s, seen: %g")
+                    :format(cap, item.id, event.title, outcomes[event.outcome], item.score))
+            end
+        end
+    end
+end
+
 --- The kernel did not take what was asked for in the last step.
 function Test:refused(why) fail(self, self.at, why) end
 
