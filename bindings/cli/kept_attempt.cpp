@@ -140,12 +140,12 @@ const json& KeptAttempt::comparison() const {
     return parts_ ? parts_->comparison : none;
 }
 
-Status KeptAttempt::finish(const json& report, const std::string& recording) {
+Status KeptAttempt::finish(const json& report) {
     if (!parts_) {
         return success();
     }
     Attempt& attempt = parts_->attempt;
-    Status status = complete(attempt, report, recording);
+    Status status = complete(attempt, report, attempt.folder);
     if (status) {
         Result<Store> store = Store::open(parts_->store);
         status = store ? store.value().finish(attempt) : Status(store.error());

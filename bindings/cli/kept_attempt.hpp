@@ -34,7 +34,7 @@ public:
     [[nodiscard]] const nlohmann::json& comparison() const;
 
     /// Stores the attempt. An error names the command that stores it later.
-    Status finish(const nlohmann::json& report, const std::string& recording);
+    Status finish(const nlohmann::json& report);
     /// The attempt never began, or broke off: forgotten, unless there is a recording of it.
     void give_up();
 

@@ -30,7 +30,7 @@ const nlohmann::json& KeptAttempt::comparison() const {
     return none;
 }
 
-Status KeptAttempt::finish(const nlohmann::json& /*report*/, const std::string& /*recording*/) { return success(); }
+Status KeptAttempt::finish(const nlohmann::json& /*report*/) { return success(); }
 void KeptAttempt::give_up() {}
 
 }  // namespace rhexis::cli

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "base/hash.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -113,6 +116,36 @@ std::string recording_path(const std::string& given) {
     const fs::path whole = fs::path(given) / "recording.rhx";
     const fs::path part = fs::path(given) / "recording.rhx.part";
     return !fs::exists(whole, ignored) && fs::exists(part, ignored) ? part.string() : whole.string();
+}
+
+std::vector<std::string> part_folders(const std::string& run) {
+    std::vector<std::string> parts;
+    std::error_code failed;
+    for (fs::directory_iterator at(run + "/parts", failed), end; !failed && at != end; at.increment(failed)) {
+        parts.push_back(at->path().string());
+    }
+    std::sort(parts.begin(), parts.end());
+    return parts;
+}
+
+std::vector<std::string> recordings_of(const std::string& run) {
+    std::vector<std::string> recordings;
+    for (const std::string& part : part_folders(run)) {
+        recordings.push_back(recording_path(part));
+    }
+    return recordings.empty() ? std::vector{recording_path(run)} : recordings;
+}
+
+Result<std::string> sha256_of_recordings(const std::vector<std::string>& recordings) {
+    std::string all;
+    for (const std::string& recording : recordings) {
+        const Result<std::string> bytes = read_whole_file(recording);
+        if (!bytes) {
+            return bytes.error();
+        }
+        all += sha256_hex(bytes.value());
+    }
+    return recordings.size() == 1 ? all : sha256_hex(all);
 }
 
 }  // namespace rhexis::cli

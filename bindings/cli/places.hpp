@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 
@@ -22,5 +23,14 @@ Result<std::string> read_whole_file(const std::string& path);
 
 /// "DIR/recording.rhx" for a run's folder (or its .part when the run was cut short), else the path itself.
 std::string recording_path(const std::string& given);
+
+/// The folders of the parts of an operation's run, in order; none: it is not one.
+std::vector<std::string> part_folders(const std::string& run);
+
+/// The recording of a run, or those of its parts in order.
+std::vector<std::string> recordings_of(const std::string& run);
+
+/// SHA-256 of a recording; of several, of theirs one after the other.
+Result<std::string> sha256_of_recordings(const std::vector<std::string>& recordings);
 
 }  // namespace rhexis::cli

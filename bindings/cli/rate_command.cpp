@@ -23,9 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* rate_help =
-    "Makes a folder to hand to a rater: for each recording a replay on video and a form with the twenty items of\n"
-    "OSACSS, in an order by chance, without name, group, score or date. The form works without a network and saves a\n"
-    "file of answers. With --answers these are stored beside the attempt, for rhexis records agreement.\n"
+    "Makes a folder to hand to a rater: for each run a replay on video (of an operation, of each part) and a form "
+    "with\n"
+    "the twenty items of OSACSS, in an order by chance, without name, group, score or date. The form works without a\n"
+    "network and saves a file of answers. With --answers these are stored beside the attempt, for rhexis records "
+    "agreement.\n"
     "\n"
     "  rhexis rate runs/groove-P07-20260301-093000\n"
     "  rhexis rate runs/groove-P*/ --out for_rater_1 --seed 1       every rater another order\n"
@@ -48,19 +50,20 @@ struct RateOptions {
 
 struct Case {
     std::string code;
-    std::string path;
+    std::string run;                      ///< as it was named
+    std::vector<std::string> recordings;  ///< of an operation, those of its parts in order
 };
 
-/// Each recording once, in an order that depends on nothing but the recordings and the seed.
+/// Each run once, in an order that depends on nothing but the runs and the seed.
 Result<std::vector<Case>> cases_of(const RateOptions& given) {
     std::vector<Case> cases;
     for (const std::string& name : given.recordings) {
-        const std::string path = recording_path(name);
-        const Result<std::string> bytes = read_whole_file(path);
-        if (!bytes) {
-            return bytes.error();
+        std::vector<std::string> recordings = recordings_of(name);
+        const Result<std::string> sha256 = sha256_of_recordings(recordings);
+        if (!sha256) {
+            return sha256.error();
         }
-        cases.push_back({code_of(sha256_hex(bytes.value())), path});
+        cases.push_back({code_of(sha256.value()), name, std::move(recordings)});
     }
     const auto by_code = [](const Case& a, const Case& b) { return a.code < b.code; };
     const auto same_code = [](const Case& a, const Case& b) { return a.code == b.code; };
@@ -84,19 +87,40 @@ Status film(const Recording& recording, const std::string& folder) {
     return filmed;
 }
 
+/// A video in the folder; of an operation, one for each part, in a folder of its own. Adds their places to `videos`.
+/// Without videos the recordings are only looked at, whether they are any.
+Status film_case(const Case& one, bool no_video, const std::string& folder, nlohmann::json& videos) {
+    for (std::size_t i = 0; i < one.recordings.size(); ++i) {
+        const Result<Recording> recording = read_recording(one.recordings[i]);
+        if (!recording) {
+            return recording.error();
+        }
+        if (no_video) {
+            continue;
+        }
+        const std::string own = one.recordings.size() > 1 ? "part_" + std::to_string(i + 1) + "/" : "";
+        Status status = prepare_folder(folder + "/" + own);
+        if (status) {
+            status = film(recording.value(), folder + "/" + own);
+        }
+        if (!status) {
+            return status;
+        }
+        videos.push_back(own + "video.mp4");
+    }
+    return success();
+}
+
 Status make_case(const RateOptions& given, const Case& one, std::size_t number, std::size_t of,
                  const Context& context) {
-    const Result<Recording> recording = read_recording(one.path);
-    if (!recording) {
-        return recording.error();
-    }
     const std::string folder = given.out + "/case_" + (number < 10 ? "0" : "") + std::to_string(number);
     Status status = prepare_folder(folder);
     nlohmann::json data = {{"case", one.code}, {"number", number}, {"of", of}, {"language", given.language}};
-    if (status && !given.no_video) {
-        status = film(recording.value(), folder);
-        data["video"] = "video.mp4";
+    nlohmann::json videos = nlohmann::json::array();
+    if (status) {
+        status = film_case(one, given.no_video, folder, videos);
     }
+    data["videos"] = std::move(videos);
     if (!status) {
         return status;
     }
@@ -140,7 +164,7 @@ Result<std::string> attempt_with(const std::string& code, const std::vector<Case
             return attempt.id;
         }
     }
-    return Error{"no stored attempt has this recording", named->path,
+    return Error{"no stored attempt has this recording", named->run,
                  "rhexis records add RUN_DIR --trainee PSEUDONYM stores it"};
 }
 

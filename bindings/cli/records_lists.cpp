@@ -55,7 +55,7 @@ int list(const RecordsOptions& given) {
     for (const Attempt& attempt : attempts.value()) {
         print_line(attempt);
     }
-    std::printf("%zu attempts\n", attempts.value().size());
+    std::printf("%zu attempts; scores are not clinically validated\n", attempts.value().size());
     return done;
 }
 

@@ -159,16 +159,18 @@ void simulate_with(const ReplayOptions& given, SceneDescription& scene) {
     scene.instruction_set = given.instruction_set;
 }
 
-/// The folders of the parts of an operation, in order; none: the folder is not one of an operation.
-std::vector<std::string> parts_of(const std::string& folder) {
-    std::vector<std::string> parts;
-    std::error_code failed;
-    for (std::filesystem::directory_iterator at(folder + "/parts", failed), end; !failed && at != end;
-         at.increment(failed)) {
-        parts.push_back(at->path().string());
+/// The operation that a run was of, by its name.
+Result<std::string> operation_of(const std::string& folder) {
+    const Result<std::string> text = read_whole_file(folder + "/report.json");
+    if (!text) {
+        return text.error();
     }
-    std::sort(parts.begin(), parts.end());
-    return parts;
+    const nlohmann::json report = nlohmann::json::parse(text.value(), nullptr, false);
+    const nlohmann::json named = report.is_object() ? report.value("curriculum", nlohmann::json()) : nlohmann::json();
+    if (!named.is_object() || !named.contains("id") || !named["id"].is_string()) {
+        return Error{"it does not say which operation it was", folder + "/report.json", ""};
+    }
+    return named["id"].get<std::string>();
 }
 
 /// The part of an operation that a folder "parts/03_ID" holds.
@@ -182,9 +184,10 @@ int index_of(const Operation& operation, const std::string& folder) {
     return 0;
 }
 
-/// All parts judged again, each going on where the one before it ended.
-Result<nlohmann::json> score_whole(const Operation& operation, const std::vector<std::string>& parts,
-                                   const Context& context) {
+/// All parts judged again, each going on where the one before it ended. rubric: file to judge by in place of the
+/// operation's own; empty: none.
+Result<nlohmann::json> score_whole(const Operation& operation, const std::string& rubric,
+                                   const std::vector<std::string>& parts, const Context& context) {
     nlohmann::json whole = nlohmann::json::object();
     for (const std::string& folder : parts) {
         const Result<Recording> recording = read_recording(recording_path(folder));
@@ -197,6 +200,7 @@ Result<nlohmann::json> score_whole(const Operation& operation, const std::vector
         }
         ExerciseOptions options{
             operation.parts[index - 1].exercise, "none", recording.value().header.seed, {}, context.root};
+        options.rubric = rubric;
         options.part = PartPlace{operation.name, index, whole.value("carried", nlohmann::json::object())};
         const Result<Rescore> rescored = rescore(recording.value(), options);
         if (!rescored) {
@@ -214,7 +218,7 @@ Result<nlohmann::json> score_whole(const Operation& operation, const std::vector
 int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context);
 
 int replay(ReplayOptions given, const Context& context) {
-    const std::vector<std::string> parts = parts_of(given.recording);
+    const std::vector<std::string> parts = part_folders(given.recording);
     if (!parts.empty()) {
         return replay_whole(given, parts, context);
     }
@@ -253,15 +257,21 @@ int replay(ReplayOptions given, const Context& context) {
 int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context) {
     int status = done;
     if (!given.score_with.empty()) {
-        const Result<std::optional<Operation>> operation = load_operation(given.score_with, context.root);
+        const std::string rubric = find_rubric(given.score_with, context.root);
+        const Result<std::string> name =
+            rubric.empty() ? Result<std::string>(given.score_with) : operation_of(given.recording);
+        if (!name) {
+            return complain(name.error());
+        }
+        const Result<std::optional<Operation>> operation = load_operation(name.value(), context.root);
         if (!operation) {
             return complain(operation.error());
         }
         if (!operation.value()) {
             return complain({"these are the parts of an operation, and " + given.score_with + " is an exercise",
-                             given.recording, "an operation, or one of the folders in parts/"});
+                             given.recording, "an operation or a rubric, or one of the folders in parts/"});
         }
-        const Result<nlohmann::json> whole = score_whole(*operation.value(), parts, context);
+        const Result<nlohmann::json> whole = score_whole(*operation.value(), rubric, parts, context);
         if (!whole) {
             return complain(whole.error(), found_failures);
         }

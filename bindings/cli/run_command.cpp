@@ -244,7 +244,7 @@ int run_whole(const RunOptions& given, const Operation& operation, AttemptOption
         kept.value().give_up();
         return complain(result.error());
     }
-    const Status stored = kept.value().finish(result.value().report, "");
+    const Status stored = kept.value().finish(result.value().report);
     if (!result.value().drawing_note.empty()) {
         std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
     }
@@ -338,7 +338,7 @@ int run(RunOptions given, const Context& context) {
         kept.value().give_up();
         return complain(result.error());
     }
-    const Status stored = kept.value().finish(result.value().report, result.value().recording);
+    const Status stored = kept.value().finish(result.value().report);
     if (!result.value().drawing_note.empty()) {
         std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
     }

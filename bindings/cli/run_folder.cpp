@@ -47,19 +47,21 @@ Result<Attempt> read_note(const std::string& folder) {
     return attempt;
 }
 
-Status complete(Attempt& attempt, const json& report, const std::string& recording) {
+Status complete(Attempt& attempt, const json& report, const std::string& folder) {
     const Status taken = records::take_report(report, attempt);
     if (!taken) {
         return taken;
     }
     attempt.ended = records::now_utc();
     attempt.recording_sha256.clear();
-    if (!recording.empty()) {
-        const Result<std::string> bytes = read_whole_file(recording);
-        if (!bytes) {
-            return bytes.error();
+    std::vector<std::string> recordings = recordings_of(folder);
+    std::erase_if(recordings, [](const std::string& recording) { return !fs::exists(recording); });
+    if (!recordings.empty()) {
+        const Result<std::string> sha256 = sha256_of_recordings(recordings);
+        if (!sha256) {
+            return sha256.error();
         }
-        attempt.recording_sha256 = sha256_hex(bytes.value());
+        attempt.recording_sha256 = sha256.value();
     }
     attempt.state = records::AttemptState::finished;
     return success();
@@ -74,9 +76,7 @@ Status complete_from_folder(Attempt& attempt, const std::string& folder) {
     if (note && !note.value().value("added", false) && report.value().value("attempt", json()) != attempt.id) {
         return Error{"the report in this folder is of another attempt", folder, ""};
     }
-    std::error_code ignored;
-    const std::string recording = folder + "/recording.rhx";
-    return complete(attempt, report.value(), fs::exists(recording, ignored) ? recording : "");
+    return complete(attempt, report.value(), folder);
 }
 
 bool delete_run(const std::string& folder, const std::string& trainee) {

@@ -16,8 +16,8 @@ inline constexpr const char* note_file = "attempt.json";
 Status write_note(const std::string& folder, const records::Attempt& attempt, bool added);
 Result<records::Attempt> read_note(const std::string& folder);
 
-/// Fills in the end of an attempt; recording: its file, or "" when it has none (an operation, whose parts have).
-Status complete(records::Attempt& attempt, const nlohmann::json& report, const std::string& recording);
+/// Fills in the end of an attempt whose recordings lie in its folder.
+Status complete(records::Attempt& attempt, const nlohmann::json& report, const std::string& folder);
 
 /// The same from the files of its folder; fails where the run did not come to its report, and where the report is one
 /// that an earlier run left there.

@@ -61,7 +61,8 @@ end
 --- After it ran: what it returned. Whether that is a rubric, to judge an exercise by in place of its own.
 function host.is_rubric(value) return type(value) == "table" and value.by_id ~= nil and value.caps ~= nil end
 
---- After the exercise and then a rubric ran: the exercise is judged by all items of the rubric.
+--- After the exercise and then a rubric ran: the exercise, and the operation that it is a part of, is judged by all
+--- items of the rubric.
 function host.judge_by(value)
     if not host.is_rubric(value) then
         words.fail(words.where(), "a rubric must end with: return rubric { ... }")
@@ -69,6 +70,7 @@ function host.judge_by(value)
     local all = {}
     for i, item in ipairs(value.items) do all[i] = item.id end
     host.exercise.scoring = value(all)
+    if host.exercise.whole then host.exercise.whole.scoring = value(all) end
 end
 
 --- Makes the exercise a part of the operation: place = { index, before, live }. Returns nothing.

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- The form with which a person rates a replay, without knowing whose it is. Works from a folder, without a network.
 --
--- data: case = code of the recording, number, of = which of how many, video = file beside the page or nil, language
+-- data: case = code of the recording, number, of = which of how many, videos = files beside the page, in
+-- order, language
 
 local anchors = require "records.anchors"
 local markup = require "report.markup"
@@ -85,9 +86,9 @@ function form.html(data)
         w("<header><h1>", e(title), "</h1><p>", e(t("Watch the whole operation, then give each item of OSACSS 1 to 5 "
             .. "points. 2 and 4 lie between the descriptions. N/A: it was not to be seen, or is no part of this "
             .. "exercise. Save, and send the file to who gave you this form.")), "</p>")
-        if data.video then
-            local link = ('<a href="%s">%s</a>'):format(e(data.video), e(data.video))
-            w('<video controls preload="metadata" src="', e(data.video), '"></video><p class="soft small">',
+        for _, file in ipairs(data.videos) do
+            local link = ('<a href="%s">%s</a>'):format(e(file), e(file))
+            w('<video controls preload="metadata" src="', e(file), '"></video><p class="soft small">',
                 t("If it does not play here, open %s, which lies beside this page, in any player.", link), "</p>")
         end
         w('</header><form data-case="', e(data.case), '" data-left="', e(report_words.known("%d items left")),

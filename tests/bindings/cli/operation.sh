@@ -128,6 +128,11 @@ sed -i 's/scoring = .*/scoring = osacss.all,/' other/curriculum.lua
 expect 0 "" "$rhexis" replay whole --score-with other --json
 for item in T1 T14 G6; do says "\"id\": \"$item\""; done
 expect 2 "these are the parts of an operation" "$rhexis" replay whole --score-with fill
+expect 0 "" "$rhexis" replay whole --score-with ico_oscar --json
+says '"rubric": "ICO-OSCAR"'
+mv both elsewhere
+expect 2 "both" "$rhexis" replay whole --score-with ico_oscar
+mv elsewhere both
 
 # What is wrong.
 expect 2 "--from nothing: the operation has no such part (one of fill, look, look_again)" "$rhexis" run both --from nothing

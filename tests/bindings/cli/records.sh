@@ -220,8 +220,10 @@ print(json.dumps({"schema": 1, "form": "OSACSS", "case": hashlib.sha256(open(sys
 P
 }
 expect 2 "nobody has rated anything yet" "$rhexis" records agreement
+points=1
 for run in p1 q1 q2; do
-    answers $run R1 $((RANDOM % 3 + 2))
+    points=$((points + 1))
+    answers $run R1 "$points"
     answers $run R2 3
 done
 expect 0 "" "$rhexis" rate "$work"/p1 "$work"/q1 "$work"/q2 --answers "$work"/{p1,q1,q2}-R1.json --rater R1
@@ -243,6 +245,33 @@ expect 0 "" "$rhexis" records agreement --html "$work/agreement.html"
 says "3 rated attempts, 2 raters"
 says "total, R1 - R2"
 grep -q "1.96 SD" "$work/agreement.html" || fail "no chart of differences"
+
+# Of an operation a rater sees every part, and rates the whole.
+exercise look >/dev/null <<'L'
+return exercise {
+    title = "Look", tissues = { "viscoelastic" }, instruments = { "cannula" },
+    steps = { step "look" { done = "step.time_s > 0.2" } }, scoring = osacss { "T3" },
+}
+L
+echo 'return function(me) me.wait(1) end' >"$work/look/surgeon.lua"
+exercise twice >/dev/null <<'L'
+return operation {
+    title = "Twice", parts = { part "one" { exercise = "../look" }, part "two" { exercise = "../look" } },
+    scoring = osacss { "T3" },
+}
+L
+expect 0 "" "$rhexis" run "$work/twice" --trainee P09 --no-pictures --out "$work/o1" --records "$work/whole.db"
+expect 0 "" "$rhexis" rate "$work/o1" --out "$work/rater_whole"
+for video in part_1/video.mp4 part_2/video.mp4; do
+    [ -s "$work/rater_whole/case_01/$video" ] || fail "no $video for the rater"
+    grep -q "src=\"$video\"" "$work/rater_whole/case_01/form.html" || fail "the form does not show $video"
+done
+code=$(grep -o 'data-case="[0-9a-f]*"' "$work/rater_whole/case_01/form.html" | grep -o '[0-9a-f]\{12\}')
+sed "s/\"case\": \"[0-9a-f]*\"/\"case\": \"$code\"/" "$work/q1-R1.json" >"$work/o1-R1.json"
+expect 0 "" "$rhexis" rate "$work/o1" --answers "$work/o1-R1.json" --rater R1 --records "$work/whole.db"
+says "1 ratings by R1"
+expect 2 "another recording" "$rhexis" rate "$work/o1/parts/01_one" --answers "$work/o1-R1.json" --rater R1 \
+    --records "$work/whole.db"
 
 # Deleting takes a yes, and takes all.
 expect 2 "nothing was deleted" "$rhexis" records delete P07
