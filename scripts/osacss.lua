@@ -184,7 +184,7 @@ return scoring.rubric {
                 weight = 1, source = "proposal", better = "Stop as soon as the nucleus comes forward." },
         } },
         { id = "T7", name = "Phaco probe and second instrument: insertion into the eye",
-            not_scored = "the wound is not simulated.", measures = {
+            not_scored = "no phaco probe goes into the eye.", measures = {
             { id = "T7.phaco_entries", name = "Attempts to bring the phaco probe in", unit = "1", digits = 0,
                 of = "phaco.present", take = "count", five = 1, three = 2, one = 3, weight = 1, source = "proposal",
                 better = "Come to the wound slowly and along its tunnel." },
@@ -281,7 +281,7 @@ return scoring.rubric {
                 better = "Shave with half of the mouth free: a shut mouth holds the nucleus and pulls it." },
         } },
 
-        { id = "T10", name = "Nucleus: rotation and manipulation", not_scored = "the nucleus need not be turned.",
+        { id = "T10", name = "Nucleus: rotation and manipulation", not_scored = "the probe does not turn the nucleus.",
             measures = {
             { id = "T10.rotation", name = "Turn of the nucleus", unit = "deg", digits = 0,
                 of = "abs(lens.rotation_deg)", take = "max", during = "spatula.present and goal.angle_deg > 0",

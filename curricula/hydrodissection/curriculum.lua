@@ -62,8 +62,8 @@ return exercise {
 
     errors = {
         error_event "No wave or no rotation" (bag_events.no_wave { items = { "T6" } }),
-        error_event "Capsular block" (bag_events.block { items = { "T6" } }),
-        error_event "Hydrorupture" (bag_events.hydrorupture { items = { "T6", "G4" } }),
+        error_event "Capsular block" (bag_events.block { items = { "T3", "T6" } }),
+        error_event "Hydrorupture" (bag_events.hydrorupture { items = { "T6", "T11", "G4" } }),
     },
 
     time_limit_s = 240,

@@ -62,7 +62,7 @@ return exercise {
         error_event "Surge" (phaco_events.surge { items = { "T8", "T11", "G4" } }),
         error_event "Chamber collapse" (phaco_events.chamber_collapse { items = { "T8", "G3", "G4" } }),
         error_event "Capsule in the tip" (phaco_events.capsule_in_tip { items = { "T11", "G4" } }),
-        error_event "Capsule torn" (phaco_events.capsule_torn(nil, { items = { "T11", "G4" } })),
+        error_event "Capsule torn" (phaco_events.capsule_torn(nil, { items = { "T11", "T12", "G4" } })),
         error_event "Iris in the tip" {
             when = "iris.captured",
             recovered = "not iris.captured",
@@ -76,11 +76,11 @@ return exercise {
             evidence = { "iris.strain", "phaco.suction_mmhg", "phaco.pedal" },
         },
         error_event "Dropped piece" (phaco_events.dropped_piece { items = { "T11", "G4" } }),
-        error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "G4" } }),
+        error_event "Wound burn" (phaco_events.wound_burn { items = { "T8", "T14", "G1" } }),
     },
 
     over = { "phaco.tip_depth_mm > -0.5", "not phaco.present" },
     time_limit_s = 600,
 
-    scoring = osacss { "T8", "T11", "G3", "G4", "G5", "G6" },
+    scoring = osacss { "T7", "T8", "T11", "G3", "G4", "G5", "G6" },
 }
