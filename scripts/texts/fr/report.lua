@@ -57,6 +57,8 @@ return {
     ["All %d steps were completed."] = "Les %d étapes ont toutes été accomplies.",
     ["%d of %d steps were completed%s."] = "%d étapes sur %d ont été accomplies%s.",
     ["; not completed: "] = " ; non accomplies : ",
+    ["“%s” began with a round opening of the bag: what was torn before could not be its opening."] =
+        "« %s » a commencé avec une ouverture ronde du sac : ce qui avait été déchiré ne pouvait être la sienne.",
     ["No error was made."] = "Aucune erreur.",
     ["One error was made, and put right."] = "Une erreur, corrigée.",
     ["%d errors were made, and all put right."] = "%d erreurs, toutes corrigées.",

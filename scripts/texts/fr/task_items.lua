@@ -147,7 +147,8 @@ return {
 
     -- T10
     ["Nucleus: rotation and manipulation"] = "Noyau : rotation et manipulation",
-    ["the nucleus need not be turned."] = "le noyau n'a pas à être tourné.",
+    ["the probe does not turn the nucleus."] = "la sonde ne tourne pas le noyau.",
+    ["no phaco probe goes into the eye."] = "aucune sonde de phacoémulsification n'entre dans l'œil.",
     ["Turn of the nucleus"] = "Rotation du noyau obtenue",
     ["Push the wall of the groove farther from the middle of the lens, until the groove lies across."] =
         "Poussez la paroi du sillon plus loin du centre du cristallin, jusqu'à ce que le sillon soit en travers.",
