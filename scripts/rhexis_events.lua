@@ -41,7 +41,7 @@ end
 --- this event has the request "Weak zonules declared".
 function rhexis_events.wrinkles(own)
     return with({
-        when = "not rhexis.opened and cystotome.wrinkled_share > 0.05",
+        when = "not rhexis.opened and cystotome.wrinkled_share > 0.05 and not requested.weak_zonules_declared",
         recovered = "requested.weak_zonules_declared",
         deadline_s = 30,
         near_miss_s = 0,

@@ -418,8 +418,8 @@ local function band_of(rubric, scaled)
 end
 
 --- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled: share of the way
---- from the least to the most points, (total - n) / (4 n) where items have 1 to 5; caps: what errors leave of an item, as
---- the rubric has it. A band of skill is told of a completed attempt only: who stops early has not shown it.
+--- from the least to the most points, (total - n) / (4 n) where items have 1 to 5; caps: what errors leave of an item,
+--- as the rubric has it. A band of skill is told of a completed attempt only: who stops early has not shown it.
 function Sheet:score(events, completed)
     local result = { rubric = self.rubric.name, least = self.rubric.least, caps = self.rubric.caps, items = {},
         total = 0, max = 0 }

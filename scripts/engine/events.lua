@@ -75,9 +75,17 @@ local function watch(self, time_s, step, log)
     if time_s - self.since >= self.declared.hold_s - 1e-9 then raise(self, step, log) end
 end
 
+-- What was asked for before an error puts nothing right.
+local function recovered_now(self)
+    self.eye.asked_since = self.record.time_s
+    local right = self.recovered.test()
+    self.eye.asked_since = nil
+    return right
+end
+
 -- Whether the error is put right, and has been for as long as is asked.
 local function is_right(self, time_s)
-    if not (self.recovered and self.recovered.test()) then
+    if not (self.recovered and recovered_now(self)) then
         self.right_since = nil
         return false
     end

@@ -35,8 +35,14 @@ function Eye:is_yes_no(name)
     return name:find("^requested%.") ~= nil or (self.info[name] ~= nil and self.info[name].bool)
 end
 
---- A request was made.
-function Eye:hear(id) self.requested[id] = true end
+--- A request was made, now or at that time.
+function Eye:hear(id, time_s) self.requested[id] = time_s or self.time_s end
+
+--- Whether it was made so far; while `asked_since` is set, only since then.
+function Eye:has_been_asked(id)
+    local time_s = self.requested[id]
+    return time_s ~= nil and time_s >= (self.asked_since or time_s)
+end
 
 --- Value of a measure by its full name; nil when it is not defined now.
 function Eye:value(name)
@@ -55,7 +61,7 @@ function Eye:resolve(name)
     if request then
         local known = {}
         for i, declared in ipairs(self.requests) do
-            if declared.id == request then return function() return self.requested[request] == true end end
+            if declared.id == request then return function() return self:has_been_asked(request) end end
             known[i] = "requested." .. declared.id
         end
         return nil, known
@@ -120,7 +126,7 @@ local function request_view(self)
     local function asked(_, name)
         local id, complaint = requests.find(self.requests, name)
         if not id then error(complaint, 2) end
-        return self.requested[id] == true
+        return self:has_been_asked(id)
     end
     return setmetatable({}, {
         __index = asked,

@@ -144,7 +144,7 @@ function Run:take_up(left)
     for _, record in ipairs(left.asked) do
         words.as_object(record.settings)
         table.insert(self.asked, record)
-        self.eye:hear(record.id)
+        self.eye:hear(record.id, record.time_s)
     end
     local known = {}
     for _, watch in ipairs(left.watches) do known[watch.id] = watch end

@@ -2,7 +2,7 @@
 -- The form with which a person rates a replay, without knowing whose it is. Works from a folder, without a network.
 --
 -- data: case = code of the recording, number, of = which of how many, videos = files beside the page, in
--- order, language
+-- order, or nil, language
 
 local anchors = require "records.anchors"
 local markup = require "report.markup"
@@ -86,7 +86,7 @@ function form.html(data)
         w("<header><h1>", e(title), "</h1><p>", e(t("Watch the whole operation, then give each item of OSACSS 1 to 5 "
             .. "points. 2 and 4 lie between the descriptions. N/A: it was not to be seen, or is no part of this "
             .. "exercise. Save, and send the file to who gave you this form.")), "</p>")
-        for _, file in ipairs(data.videos) do
+        for _, file in ipairs(data.videos or {}) do
             local link = ('<a href="%s">%s</a>'):format(e(file), e(file))
             w('<video controls preload="metadata" src="', e(file), '"></video><p class="soft small">',
                 t("If it does not play here, open %s, which lies beside this page, in any player.", link), "</p>")

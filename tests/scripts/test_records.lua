@@ -11,11 +11,13 @@ local support = require "support"
 local case, equal, check_balance, holds = support.case, support.equal, support.check_balance, support.holds
 
 case("every item of OSACSS has a choice of five and N/A in the form, and anchors for 1, 3 and 5", function()
-    local html = form.html { case = "abc123", number = 2, of = 7, video = "video.mp4" }
+    local html = form.html { case = "abc123", number = 2, of = 7, videos = { "part_1/video.mp4", "part_2/video.mp4" } }
     check_balance(html)
     holds(html, "Rating 2 of 7")
     holds(html, 'data-case="abc123"')
-    holds(html, '<video controls preload="metadata" src="video.mp4">')
+    for _, file in ipairs({ "part_1/video.mp4", "part_2/video.mp4" }) do
+        holds(html, ('<video controls preload="metadata" src="%s">'):format(file))
+    end
     equal(#osacss.items, 20)
     for _, item in ipairs(osacss.items) do
         local _, choices = html:gsub('type="radio" name="' .. item.id .. '"', "")

@@ -55,6 +55,21 @@ case("functions ask by the words of the request, and what was not asked has not 
     equal(support.attempt(exercise, 0.1, nothing, nil, { [2] = { "of_another_exercise" } }):result().completed, false)
 end)
 
+case("what was asked for before an error puts nothing right, what is asked for after it does", function()
+    local exercise = support.demo({ rest = bottle, steps = 'step "a" { done = "requested.bottle_down and time_s > 1" }',
+        errors = [[error_event "Too deep" { when = "tip.depth_mm > 2", recovered = "requested.bottle_down",
+            deadline_s = 0.5, near_miss_s = 0, advice = "Down." }]] })
+    local function deep(t) return { ["tip.depth_mm"] = t > 0.1 and 3 or 0 } end
+    local function outcome(asked)
+        local result = support.attempt(exercise, 2, deep, nil, asked):result()
+        equal(result.completed, true, "conditions of steps know of it all the same")
+        return result.events[1].outcome
+    end
+    equal(outcome({ [5] = { "bottle_down" } }), "not_recovered")
+    equal(outcome({ [30] = { "bottle_down" } }), "recovered")
+    equal(outcome({ [5] = { "bottle_down" }, [30] = { "bottle_down" } }), "recovered")
+end)
+
 case("a request that is written wrong is told the line and what is allowed", function()
     with_settings(function()
         fails(function() support.demo({ rest = 'requests = { request "a" { setings = {} } },' }) end,
