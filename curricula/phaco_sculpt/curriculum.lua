@@ -205,7 +205,7 @@ return exercise {
         error_event "Wound burn" (phaco_events.wound_burn {
             recovered = "wound.temperature_c < 45 and " .. tip_clear,
             recovered_hold_s = look_s,
-            items = { "T8", "G4" },
+            items = { "T8", "T14", "G1" },
         }),
         error_event "Capsule torn" (phaco_events.capsule_torn("not spatula.present", { items = { "T9", "G4" } })),
     },

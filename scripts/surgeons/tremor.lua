@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Physiological tremor: a sum of sine waves spread over 8 to 12 Hz in each direction of space, so that band and root
--- mean square are exact (domain: 8 to 12 Hz; Riviere 1997). Each wave is a rotating pair, advanced by one rotation.
+-- mean square are exact (8 to 12 Hz; Riviere 1997). Each wave is a rotating pair, advanced by one rotation.
 
 local tremor = {}
 
