@@ -131,10 +131,130 @@ return {
         "Le fragment est dans le vitré : ne le poursuivez pas. Irrigation seule, la pointe en haut et hors de la "
             .. "profondeur ; on l'enlèvera plus tard, par l'arrière.",
 
+    -- capsulorhexis
+    ["The chamber is shallow, the lens comes forward, and the capsule is domed."] =
+        "La chambre est étroite, le cristallin avance et la capsule est bombée.",
+    ["Fill the chamber before you go on: a domed capsule tears outwards."] =
+        "Remplissez la chambre avant de continuer : une capsule bombée se déchire en dehors.",
+    ["Overfilled"] = "Chambre trop remplie",
+    ["The eye is hard, the iris bulges towards the wound."] = "L'œil est dur, l'iris bombe vers l'incision.",
+    ["Too much: stop pressing, and let some out through the wound before you go on."] =
+        "Trop : cessez d'appuyer, et laissez-en sortir par l'incision avant de continuer.",
+    ["Edge lost"] = "Bord perdu",
+    ["The end of the tear is gone behind the iris."] = "L'extrémité de la déchirure a disparu derrière l'iris.",
+    ["Do not pull on: let go and fill the chamber. Then begin again from the other end of the cut and lead the new "
+        .. "tear into the old one, gently, without pressing fluid under the edge."] =
+        "Ne tirez plus : lâchez et remplissez la chambre. Repartez ensuite de l'autre bout de l'incision et menez "
+            .. "doucement la nouvelle déchirure dans l'ancienne, sans injecter de liquide sous le bord.",
+
+    -- cracking
+    ["Incomplete split"] = "Fracture incomplète",
+    ["The halves hang together: the bright line in the floor of the groove stops before its ends."] =
+        "Les moitiés tiennent encore : la ligne brillante au fond du sillon s'arrête avant ses bouts.",
+    ["The split is not complete: go back with both tips into the lower third, next to where the halves still hang "
+        .. "together, and part again."] =
+        "La fracture n'est pas complète : revenez des deux pointes dans le tiers inférieur, là où les moitiés tiennent "
+            .. "encore, et écartez de nouveau.",
+    ["Tips too shallow"] = "Pointes trop hautes",
+    ["The walls lean outwards above, the floor stays shut."] = "Les parois s'écartent en haut, le fond reste fermé.",
+    ["The tips are too high: close them, go down to the lower third of the groove, then part."] =
+        "Les pointes sont trop hautes : rapprochez-les, descendez dans le tiers inférieur du sillon, puis écartez.",
+    ["Pushing the nucleus"] = "Noyau poussé",
+    ["The whole lens moves away from the instruments."] = "Tout le cristallin s'éloigne des instruments.",
+    ["You push the nucleus instead of parting it: let go, let it come back, and part with both tips at the same place, "
+        .. "by the same amount."] =
+        "Vous poussez le noyau au lieu de le fendre : lâchez, laissez-le revenir, et écartez des deux pointes au même "
+            .. "endroit, autant l'une que l'autre.",
+    ["Zonules overstrained"] = "Zonule trop étirée",
+    ["The edge of the bag shows, the reflex becomes uneven."] = "Le bord du sac apparaît, la lueur devient inégale.",
+    ["The zonules carry the load: close the tips and take them off the lens. Part in the middle of the groove's width, "
+        .. "not to one side and not down."] =
+        "La zonule porte la charge : rapprochez les pointes et retirez-les du cristallin. Écartez au milieu de la "
+            .. "largeur du sillon, ni d'un côté ni vers le bas.",
+    ["Capsule struck"] = "Capsule heurtée",
+    ["The floor gives way under a tip, folds run from it."] = "Le fond cède sous une pointe, des plis en partent.",
+    ["A tip is on the posterior capsule: lift it straight up, at once. Judge the floor by its reflex before you go "
+        .. "down."] =
+        "Une pointe est sur la capsule postérieure : relevez-la tout droit, aussitôt. Jugez le fond à sa lueur avant "
+            .. "de descendre.",
+    ["The posterior capsule is torn: irrigation only, second instrument out, chamber full, then leave. Do not part any "
+        .. "more."] =
+        "La capsule postérieure est déchirée : irrigation seule, second instrument dehors, chambre pleine, puis "
+            .. "sortez. N'écartez plus.",
+    ["Iris touched: stop, lift the tip to the middle of the pupil, and look at the shaft."] =
+        "Iris touché : arrêtez, relevez la pointe au milieu de la pupille, et regardez la tige.",
+
+    -- vitreous
+    ["Capsule torn, hyaloid intact"] = "Capsule déchirée, hyaloïde intacte",
+    ["The chamber deepens suddenly, a round clear edge shows, pieces no longer come to the tip."] =
+        "La chambre s'approfondit soudain, un bord rond et net apparaît, les fragments ne viennent plus à la pointe.",
+    ["Stay in with the tip, aspirate nothing (pedal 0 or 1). Lay dispersive viscoelastic over the hole through the "
+        .. "side port until the chamber is full, and only then come out. Bottle down, slowly."] =
+        "Restez dans l'œil avec la pointe, n'aspirez rien (pédale en 0 ou 1). Déposez du viscoélastique dispersif sur "
+            .. "le trou par la contre-incision jusqu'à ce que la chambre soit pleine, et ne sortez qu'ensuite. Baissez "
+            .. "le flacon, lentement.",
+    ["The pupil peaks towards the wound, pieces hang, white strands show after triamcinolone."] =
+        "La pupille s'étire en pointe vers l'incision, des fragments restent suspendus, des mèches blanches "
+            .. "apparaissent après la triamcinolone.",
+    ["There is vitreous in the chamber: no more phaco. Cover the hole, make the vitreous white, and cut it away, "
+        .. "cutting before you aspirate and fast; also what hangs in the wound. Look again with triamcinolone."] =
+        "Il y a du vitré dans la chambre : plus de phaco. Couvrez le trou, blanchissez le vitré et coupez-le, à "
+            .. "cadence élevée et avant d'aspirer ; de même ce qui pend dans l'incision. Contrôlez de nouveau à la "
+            .. "triamcinolone.",
+    ["Vitreous pulled"] = "Traction sur le vitré",
+    ["Strands run to the tip, and the edge of the hole moves with it."] =
+        "Des mèches convergent vers la pointe, et le bord du trou la suit.",
+    ["You suck on vitreous that is not cut: pedal up at once, and do not draw back. Cut first, then aspirate: pedal 2 "
+        .. "cuts, pedal 3 aspirates as well."] =
+        "Vous aspirez du vitré qui n'est pas coupé : lâchez aussitôt la pédale, et ne reculez pas. Coupez d'abord, "
+            .. "puis aspirez : la pédale en 2 coupe, en 3 elle aspire aussi.",
+
+    -- zonules
+    ["Zonular dialysis"] = "Désinsertion zonulaire",
+    ["The edge of the bag shows, the lens tilts and wobbles, a bright crescent stands beside it."] =
+        "Le bord du sac apparaît, le cristallin bascule et tremble, un croissant brillant se voit à côté.",
+    ["Zonules tear: stop, pedal to 1, bottle and flow down. Lay viscoelastic over the gap, and hold the edge of the "
+        .. "opening there with hooks. A ring does for a gap of up to four clock hours, not for more."] =
+        "La zonule se déchire : arrêtez, pédale en 1, baissez flacon et débit. Déposez du viscoélastique sur la "
+            .. "brèche, et tenez-y le bord de l'ouverture par des crochets. Un anneau suffit pour une brèche de quatre "
+            .. "heures d'horloge au plus.",
+    ["Bag not supported"] = "Sac non soutenu",
+    ["The lens lies aside, and moves as a whole when the tip works on it."] =
+        "Le cristallin est décentré, et bouge en bloc quand la pointe le travaille.",
+    ["A wide arc of the bag has no hold: support it with hooks or a ring before you go on."] =
+        "Un large arc du sac est sans appui : soutenez-le par des crochets ou un anneau avant de continuer.",
+    ["Vitreous through the gap"] = "Issue de vitré par la brèche",
+    ["The chamber fell, the pupil peaks towards the wound, strands beside the edge of the bag."] =
+        "La chambre s'est affaissée, la pupille s'étire en pointe vers l'incision, des mèches à côté du bord du sac.",
+    ["Vitreous came through the gap: no phaco, bottle down. Cut it away before the gap and in the wound, cutting "
+        .. "before you aspirate, cover the gap before you come out, and look again with triamcinolone."] =
+        "Du vitré est passé par la brèche : pas de phaco, flacon baissé. Coupez-le devant la brèche et dans "
+            .. "l'incision, en coupant avant d'aspirer, couvrez la brèche avant de sortir, et contrôlez de nouveau à "
+            .. "la triamcinolone.",
+
+    -- the eye under the shafts
+    ["Iris prolapse"] = "Prolapsus de l'iris",
+    ["Iris lies in the wound, and the pupil peaks towards it."] =
+        "L'iris est dans l'incision, et la pupille s'étire en pointe vers elle.",
+    ["Do not push it back. Lower the pressure: press on the lip of the side port until fluid comes. Then stroke over "
+        .. "the outer lip of the wound: the iris slips back when nothing presses it out."] =
+        "Ne le repoussez pas. Baissez la pression : appuyez sur la lèvre de la contre-incision jusqu'à ce que du "
+            .. "liquide sorte. Massez ensuite la lèvre externe de l'incision : l'iris rentre quand rien ne le pousse "
+            .. "plus dehors.",
+    ["Eye rolled"] = "Œil entraîné",
+    ["The eye turns away under the microscope, the cornea folds at the wound."] =
+        "L'œil tourne sous le microscope, la cornée se plisse à l'incision.",
+    ["You carry the eye with the instrument: bring the shaft back to the middle of the wound, and turn it about the "
+        .. "wound from there."] =
+        "Vous entraînez l'œil avec l'instrument : ramenez la tige au milieu de l'incision, et de là tournez-la autour "
+            .. "de l'incision.",
+
     -- iris and cornea
     ["Iris touched"] = "Iris touché",
     ["The pupil's edge moves with the instrument."] = "Le bord de la pupille suit l'instrument.",
     ["Iris touched: stop, draw the instrument back to the middle of the pupil, and look at the shaft."] =
+        "Iris touché : arrêtez, ramenez l'instrument au milieu de la pupille, et regardez la tige.",
+    ["Iris touched: stop, bring the instrument back to the middle of the pupil, and look at the shaft."] =
         "Iris touché : arrêtez, ramenez l'instrument au milieu de la pupille, et regardez la tige.",
     ["Iris in the tip"] = "Iris dans l'embout",
     ["The edge of the pupil runs into the tip."] = "Le bord de la pupille part dans l'embout.",
