@@ -210,7 +210,9 @@ private:
     [[nodiscard]] Log full_log() const {
         Log log = session_.log();
         if (!options_.start.opening_note.empty()) {
-            log.insert(log.begin(), {LogLevel::warning, 0.0, options_.start.opening_note});
+            log.insert(log.begin(), {LogLevel::warning, 0.0,
+                                     "this part begins with a round opening, not with what was torn: " +
+                                         options_.start.opening_note});
         }
         if (cut_off_) {
             log.push_back({LogLevel::warning, session_.time_s(), "the run was ended at its limit of simulated time"});

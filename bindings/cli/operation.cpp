@@ -201,8 +201,7 @@ private:
             return torn.error();
         }
         if (torn.value().unfit) {
-            note = "this part begins with a round opening, not with that of " + wanted.opening + ": " +
-                   torn.value().unfit->what;
+            note = torn.value().unfit->what;
             return std::string();
         }
         return done->folder;

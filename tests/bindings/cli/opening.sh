@@ -137,7 +137,7 @@ return operation {
 }
 L
 expect 0 "" "$rhexis" run operation --no-pictures --out unopened
-grep -q "begins with a round opening, not with that of leave: the anterior capsule is not open" unopened/report.json ||
+grep -q "begins with a round opening, not with what was torn: the anterior capsule is not open" unopened/report.json ||
     fail "no word of the round opening: $(cat "$work/stdout")"
 grep -q "“.*” began with a round opening of the bag" unopened/report.html || fail "the page has no word of it"
 
