@@ -62,6 +62,7 @@ return scenarios {
         end },
 
     scenario "rim split, and held" {
+        recover_within_s = 3,
         set = narrow,
         function(t)
             draw_apart(t, split)
