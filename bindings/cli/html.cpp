@@ -14,18 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-Result<json> read_json(const std::string& path) {
-    const Result<std::string> text = read_whole_file(path);
-    if (!text) {
-        return text.error();
-    }
-    json value = json::parse(text.value(), nullptr, false);
-    if (!value.is_object()) {
-        return Error{"this is no JSON object", path, "a file written by rhexis run"};
-    }
-    return value;
-}
-
 /// Pictures that the report names and that are still there, as text that a page can hold.
 std::map<std::string, std::string> read_images(const json& report, const std::string& folder) {
     std::map<std::string, std::string> images;
@@ -42,7 +30,7 @@ std::map<std::string, std::string> read_images(const json& report, const std::st
 }  // namespace
 
 Result<std::string> report_page(const std::string& root, const std::string& folder, const json& instead) {
-    Result<json> report = read_json(folder + "/report.json");
+    Result<json> report = read_json_file(folder + "/report.json");
     if (!report) {
         return report.error();
     }
@@ -51,7 +39,7 @@ Result<std::string> report_page(const std::string& root, const std::string& fold
                      "a newer or older program made it"};
     }
     report.value().update(instead);
-    const Result<json> series = read_json(folder + "/series.json");
+    const Result<json> series = read_json_file(folder + "/series.json");
     if (!series) {
         return series.error();
     }

@@ -145,7 +145,7 @@ Status KeptAttempt::finish(const json& report) {
         return success();
     }
     Attempt& attempt = parts_->attempt;
-    Status status = complete(attempt, report, attempt.folder);
+    Status status = complete(attempt, report);
     if (status) {
         Result<Store> store = Store::open(parts_->store);
         status = store ? store.value().finish(attempt) : Status(store.error());

@@ -16,15 +16,6 @@ using nlohmann::json;
 
 constexpr std::size_t most_moments = 1500;  ///< of the series of the whole
 
-Result<json> read_object(const std::string& path) {
-    const Result<std::string> text = read_whole_file(path);
-    if (!text) {
-        return text.error();
-    }
-    json value = json::parse(text.value(), nullptr, false);
-    return value.is_object() ? Result<json>(std::move(value)) : Error{"this is no JSON object", path, ""};
-}
-
 /// Measures of all parts, one after the other; null where a part has no such measure.
 class WholeSeries {
 public:
@@ -173,8 +164,8 @@ Result<WholeReport> report_of_parts(const OperationOptions& options, const std::
     std::vector<json> reports;
     std::size_t moments = 0;
     for (const DonePart& part : parts) {
-        const Result<json> report = read_object(part.folder + "/report.json");
-        const Result<json> own_series = read_object(part.folder + "/series.json");
+        const Result<json> report = read_json_file(part.folder + "/report.json");
+        const Result<json> own_series = read_json_file(part.folder + "/series.json");
         if (!report || !own_series) {
             return report ? own_series.error() : report.error();
         }

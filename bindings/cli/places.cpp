@@ -108,6 +108,18 @@ Result<std::string> read_whole_file(const std::string& path) {
     return std::move(content).str();
 }
 
+Result<nlohmann::json> read_json_file(const std::string& path) {
+    const Result<std::string> text = read_whole_file(path);
+    if (!text) {
+        return text.error();
+    }
+    nlohmann::json value = nlohmann::json::parse(text.value(), nullptr, false);
+    if (!value.is_object()) {
+        return Error{"this is no JSON object", path, "a file written by rhexis run"};
+    }
+    return value;
+}
+
 std::string recording_path(const std::string& given) {
     std::error_code ignored;
     if (!fs::is_directory(given, ignored)) {

@@ -2,6 +2,7 @@
 // Where things lie on disk.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ Status prepare_folder(const std::string& folder);
 Status write_whole_file(const std::string& path, const std::string& content);
 
 Result<std::string> read_whole_file(const std::string& path);
+
+/// The JSON object in a file that rhexis run wrote.
+Result<nlohmann::json> read_json_file(const std::string& path);
 
 /// "DIR/recording.rhx" for a run's folder (or its .part when the run was cut short), else the path itself.
 std::string recording_path(const std::string& given);

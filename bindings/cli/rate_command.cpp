@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/hash.hpp"
 #include "base/rng.hpp"
 #include "cli/command.hpp"
 #include "cli/film.hpp"
@@ -23,11 +22,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* rate_help =
-    "Makes a folder to hand to a rater: for each run a replay on video (of an operation, of each part) and a form "
-    "with\n"
-    "the twenty items of OSACSS, in an order by chance, without name, group, score or date. The form works without a\n"
-    "network and saves a file of answers. With --answers these are stored beside the attempt, for rhexis records "
-    "agreement.\n"
+    "Makes a folder to hand to a rater: for each run a replay on video (of an operation, one of each part) and a form\n"
+    "with the twenty items of OSACSS, in an order by chance, without name, group, score or date. The form works\n"
+    "without a network and saves a file of answers. With --answers these are stored beside the attempt, for\n"
+    "rhexis records agreement.\n"
     "\n"
     "  rhexis rate runs/groove-P07-20260301-093000\n"
     "  rhexis rate runs/groove-P*/ --out for_rater_1 --seed 1       every rater another order\n"

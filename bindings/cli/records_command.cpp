@@ -42,7 +42,7 @@ void settle(Store& store) {
             continue;
         }
         const Result<Attempt> note = read_note(attempt.folder);
-        if (note && note.value().id == attempt.id && complete_from_folder(attempt, attempt.folder)) {
+        if (note && note.value().id == attempt.id && complete_from_folder(attempt)) {
             static_cast<void>(store.finish(attempt));
         }
     }

@@ -38,7 +38,7 @@ Result<Attempt> attempt_in(const std::string& folder, const RecordsOptions& give
         made.folder = std::filesystem::absolute(folder).lexically_normal().string();
         attempt = made;
     }
-    const Status completed = complete_from_folder(attempt.value(), folder);
+    const Status completed = complete_from_folder(attempt.value());
     return completed ? attempt : completed.error();
 }
 

@@ -161,12 +161,11 @@ void simulate_with(const ReplayOptions& given, SceneDescription& scene) {
 
 /// The operation that a run was of, by its name.
 Result<std::string> operation_of(const std::string& folder) {
-    const Result<std::string> text = read_whole_file(folder + "/report.json");
-    if (!text) {
-        return text.error();
+    const Result<nlohmann::json> report = read_json_file(folder + "/report.json");
+    if (!report) {
+        return report.error();
     }
-    const nlohmann::json report = nlohmann::json::parse(text.value(), nullptr, false);
-    const nlohmann::json named = report.is_object() ? report.value("curriculum", nlohmann::json()) : nlohmann::json();
+    const nlohmann::json named = report.value().value("curriculum", nlohmann::json());
     if (!named.is_object() || !named.contains("id") || !named["id"].is_string()) {
         return Error{"it does not say which operation it was", folder + "/report.json", ""};
     }

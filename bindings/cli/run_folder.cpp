@@ -3,7 +3,6 @@
 
 #include <filesystem>
 
-#include "base/hash.hpp"
 #include "cli/places.hpp"
 #include "records/identity.hpp"
 #include "records/report_fields.hpp"
@@ -14,15 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using records::Attempt;
-
-Result<json> read_json_file(const std::string& path) {
-    const Result<std::string> text = read_whole_file(path);
-    if (!text) {
-        return text.error();
-    }
-    json value = json::parse(text.value(), nullptr, false);
-    return value.is_object() ? Result<json>(std::move(value)) : Error{"this is no JSON object", path, ""};
-}
 
 }  // namespace
 
@@ -47,14 +37,14 @@ Result<Attempt> read_note(const std::string& folder) {
     return attempt;
 }
 
-Status complete(Attempt& attempt, const json& report, const std::string& folder) {
+Status complete(Attempt& attempt, const json& report) {
     const Status taken = records::take_report(report, attempt);
     if (!taken) {
         return taken;
     }
     attempt.ended = records::now_utc();
     attempt.recording_sha256.clear();
-    std::vector<std::string> recordings = recordings_of(folder);
+    std::vector<std::string> recordings = recordings_of(attempt.folder);
     std::erase_if(recordings, [](const std::string& recording) { return !fs::exists(recording); });
     if (!recordings.empty()) {
         const Result<std::string> sha256 = sha256_of_recordings(recordings);
@@ -67,7 +57,8 @@ Status complete(Attempt& attempt, const json& report, const std::string& folder)
     return success();
 }
 
-Status complete_from_folder(Attempt& attempt, const std::string& folder) {
+Status complete_from_folder(Attempt& attempt) {
+    const std::string& folder = attempt.folder;
     const Result<json> report = read_json_file(folder + "/report.json");
     if (!report) {
         return report.error();
@@ -76,7 +67,7 @@ Status complete_from_folder(Attempt& attempt, const std::string& folder) {
     if (note && !note.value().value("added", false) && report.value().value("attempt", json()) != attempt.id) {
         return Error{"the report in this folder is of another attempt", folder, ""};
     }
-    return complete(attempt, report.value(), folder);
+    return complete(attempt, report.value());
 }
 
 bool delete_run(const std::string& folder, const std::string& trainee) {

@@ -17,11 +17,11 @@ Status write_note(const std::string& folder, const records::Attempt& attempt, bo
 Result<records::Attempt> read_note(const std::string& folder);
 
 /// Fills in the end of an attempt whose recordings lie in its folder.
-Status complete(records::Attempt& attempt, const nlohmann::json& report, const std::string& folder);
+Status complete(records::Attempt& attempt, const nlohmann::json& report);
 
 /// The same from the files of its folder; fails where the run did not come to its report, and where the report is one
 /// that an earlier run left there.
-Status complete_from_folder(records::Attempt& attempt, const std::string& folder);
+Status complete_from_folder(records::Attempt& attempt);
 
 /// Deletes what rhexis wrote into the folder of this attempt, and the folder if that was all. Does nothing where the
 /// folder holds another attempt by now. Returns whether it did.
