@@ -37,14 +37,6 @@ return {
         "la taille et la place de l'ouverture sont notées, l'implant et la place de l'optique choisis d'après elles",
     ["On record: the lens is chosen by it."] = "C'est noté : l'implant est choisi en conséquence.",
     ["Underfilled"] = "Chambre insuffisamment remplie",
-    ["The chamber is shallow, the lens comes forward, and the capsule is domed."] =
-        "La chambre est étroite, le cristallin avance et la capsule est bombée.",
-    ["Fill the chamber before you go on: a domed capsule tears outwards."] =
-        "Remplissez la chambre avant de continuer : une capsule bombée se déchire en dehors.",
-    ["Overfilled"] = "Chambre trop remplie",
-    ["The eye is hard, the iris bulges towards the wound."] = "L'œil est dur, l'iris bombe vers l'incision.",
-    ["Too much: stop pressing, and let some out through the wound before you go on."] =
-        "Trop : cessez d'appuyer, et laissez-en sortir par l'incision avant de continuer.",
     ["Weak zonules declared"] = "Zonule fragile signalée",
     ["the zonules are weak: hooks or a ring before the nucleus is touched"] =
         "la zonule est fragile : crochets ou anneau avant de toucher au noyau",
@@ -63,12 +55,6 @@ return {
         .. "pull back along the way it came, in the plane of the capsule, and then to the middle."] =
         "Arrêtez. Remplissez la chambre, dépliez le lambeau à plat, saisissez-le près de la déchirure, tirez "
             .. "en arrière le long du trajet déjà fait, dans le plan de la capsule, puis vers le centre.",
-    ["Edge lost"] = "Bord perdu",
-    ["The end of the tear is gone behind the iris."] = "L'extrémité de la déchirure a disparu derrière l'iris.",
-    ["Do not pull on: let go and fill the chamber. Then begin again from the other end of the cut and lead "
-        .. "the new tear into the old one, gently, without pressing fluid under the edge."] =
-        "Ne tirez plus : lâchez et remplissez la chambre. Repartez ensuite de l'autre bout de l'incision et "
-            .. "menez doucement la nouvelle déchirure dans l'ancienne, sans injecter de liquide sous le bord.",
     ["Opening too small"] = "Ouverture trop petite",
     ["Beside the pupil and the marks on the forceps the opening is narrow."] =
         "Comparée à la pupille et aux repères de la pince, l'ouverture est étroite.",
@@ -95,10 +81,6 @@ return {
         "Des lambeaux blancs de cortex montent autour de l'aiguille.",
     ["Too deep: lift the needle until only its point is under the capsule."] =
         "Trop profond : remontez l'aiguille jusqu'à ce que seule sa pointe soit sous la capsule.",
-    ["Iris touched"] = "Iris touché",
-    ["The pupil's edge moves with the instrument."] = "Le bord de la pupille suit l'instrument.",
-    ["Iris touched: stop, bring the instrument back to the middle of the pupil, and look at the shaft."] =
-        "Iris touché : arrêtez, ramenez l'instrument au milieu de la pupille, et regardez la tige.",
     ["wide pupil, chamber already filled"] = "pupille large, chambre déjà remplie",
     ["narrow pupil, no hints"] = "pupille étroite, sans conseils",
 }

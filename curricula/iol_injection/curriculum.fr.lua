@@ -86,13 +86,8 @@ return {
         "Des plis partent du bout de l'instrument sur le fond du sac.",
     ["You press on the posterior capsule: lift the instrument at once."] =
         "Vous appuyez sur la capsule postérieure : relevez aussitôt l'instrument.",
-    ["Cornea touched"] = "Cornée touchée",
     ["A haptic or the optic shows at the back of the cornea."] =
         "Une haptique ou l'optique apparaît contre la face postérieure de la cornée.",
     ["Too high: lead the implant down, through the opening, before more of it unfolds."] =
         "Trop haut : menez l'implant vers le bas, à travers l'ouverture, avant qu'il ne se déplie davantage.",
-    ["Iris touched"] = "Iris touché",
-    ["The pupil's edge moves with the instrument."] = "Le bord de la pupille suit l'instrument.",
-    ["Iris touched: stop, bring the instrument back to the middle of the pupil, and look at the shaft."] =
-        "Iris touché : arrêtez, ramenez l'instrument au milieu de la pupille, et regardez la tige.",
 }

@@ -2,7 +2,6 @@
 -- The exercise in French. Keys are the English texts, letter for letter.
 
 return {
-    ["Iris prolapse"] = "Prolapsus de l'iris",
     ["The main wound was cut too short and comes out too near to the iris. When the tip left under pressure, the iris "
         .. "came after it. Pushed back, it comes again, and worse. Let the pressure out through the side port, and "
         .. "stroke over the lip of the wound."] =

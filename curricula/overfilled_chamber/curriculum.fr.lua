@@ -21,8 +21,4 @@ return {
             .. "sort tant que la lèvre est ouverte.",
     ["Leave the eye soft"] = "Laisser l'œil souple",
     ["Back to the middle of the wound, and out."] = "Retour au milieu de l'incision, et dehors.",
-    ["Overfilled"] = "Chambre trop remplie",
-    ["The eye is hard, the iris bulges towards the wound."] = "L'œil est dur, l'iris bombe vers l'incision.",
-    ["Too much: stop pressing, and let some out through the wound before you go on."] =
-        "Trop : cessez d'appuyer, et laissez-en sortir par l'incision avant de continuer.",
 }
