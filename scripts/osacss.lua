@@ -7,6 +7,10 @@
 -- A measure counts only where its exercise simulates what it needs; an item without any is left out and the scale
 -- shrinks to the items that were scored.
 --
+-- begun: what must have held once (of a list: any of what the exercise knows) for an item to be judged by its measures:
+-- who did not begin its work has 1 point, as for what was not achieved. whole = true: a measure of all of the work; of
+-- an attempt that was not completed it counts only where it costs points already.
+--
 -- per = "path_mm" divides by the number of that name in `reference` of the exercise: what an expert needed. An exercise
 -- that has no such number is not judged by that measure.
 --
@@ -18,6 +22,9 @@ local scoring = require "scoring"
 -- Some measures count only where an exercise has the goal that they tell of.
 local parting = "goal.bridge_percent >= 0"
 local removing = "fragments.count ~= 1 and goal.left_percent > 0"
+
+-- The least that there is to judge.
+local moved = "instruments.path_mm > 0"
 
 return scoring.rubric {
     name = "OSACSS",
@@ -60,7 +67,8 @@ return scoring.rubric {
                 five = 1, three = 0.5, one = 0, weight = 1, source = "proposal",
                 better = "Say which eye it is before you touch it." },
         } },
-        { id = "T2", name = "Incision and paracentesis", not_scored = "the incision is already made.", measures = {
+        { id = "T2", name = "Incision and paracentesis",
+            begun = "wounds.main_cut", not_scored = "the incision is already made.", measures = {
             { id = "T2.tunnel", name = "Length of the main incision's tunnel", unit = "mm", digits = 2,
                 of = "wounds.main_tunnel_mm", take = "last", during = "wounds.main_cut", five = { 1.75, 2.25 },
                 three = { 1.25, 2.75 }, one = { 1.0, 3.0 }, weight = 2,
@@ -87,7 +95,8 @@ return scoring.rubric {
                 five = { 60, 100 }, three = { 45, 120 }, one = { 30, 150 }, weight = 1, source = "proposal",
                 better = "The side port belongs 60 to 100 degrees from the main incision." },
         } },
-        { id = "T3", name = "Viscoelastic: use and safe insertion", not_scored = "viscoelastic is not simulated.",
+        { id = "T3", name = "Viscoelastic: use and safe insertion",
+            begun = moved, not_scored = "viscoelastic is not simulated.",
             measures = {
             { id = "T3.fill", name = "Chamber filled with viscoelastic when the capsule was opened", unit = "%",
                 digits = 0, of = "100 * viscoelastic.fill", take = "last", during = "not rhexis.opened", five = 90,
@@ -107,7 +116,7 @@ return scoring.rubric {
                 better = "Keep the end of the cannula in the middle of the chamber's depth." },
         } },
         { id = "T4", name = "Capsulorhexis: commencement of flap and follow-through",
-            not_scored = "the capsule is already open.", measures = {
+            begun = "rhexis.opened", not_scored = "the capsule is already open.", measures = {
             { id = "T4.offset", name = "Distance of the puncture from where it belongs, 0.9 mm from the middle",
                 unit = "mm", digits = 2, of = "abs(rhexis.puncture_radius_mm - 0.9)", take = "last", if_never = 1.5,
                 five = 0.3, three = 0.8, one = 1.5, weight = 1, source = "proposal",
@@ -125,7 +134,7 @@ return scoring.rubric {
                 better = "Pull in the plane of the capsule, no harder than it tears." },
         } },
         { id = "T5", name = "Capsulorhexis: formation and circular completion",
-            not_scored = "the capsule is already open.", measures = {
+            begun = "rhexis.opened and " .. moved, not_scored = "the capsule is already open.", measures = {
             { id = "T5.diameter", name = "Mean diameter of the opening", unit = "mm", digits = 2,
                 of = "rhexis.diameter_mm", take = "last", if_never = 0, five = { 5.0, 5.5 }, three = { 4.5, 6.0 },
                 one = { 4.0, 6.5 }, weight = 1.5,
@@ -152,7 +161,7 @@ return scoring.rubric {
                 better = "Take hold near the tear, and lead it as far as the jaws reach before you take hold anew." },
             { id = "T5.time", name = "Time from the puncture to the closed circle", unit = "s", digits = 0,
                 of = "rhexis.opened and not rhexis.closed", take = "time", five = 45, three = 95, one = 180,
-                weight = 0.5, source = "experts 29 to 42 s (Raval 2020), residents 94 s",
+                weight = 0.5, whole = true, source = "experts 29 to 42 s (Raval 2020), residents 94 s",
                 better = "Work without haste, but without pauses: know the next grasp before you let go." },
             { id = "T5.reflex", name = "Time with the forceps outside the pupil", unit = "%", digits = 0,
                 of = "forceps.tip_depth_mm > -1.5 and iris.gap_mm < 0", take = "share",
@@ -161,7 +170,7 @@ return scoring.rubric {
                 better = "Keep the jaws over the red reflex, where you see the capsule." },
         } },
         { id = "T6", name = "Hydrodissection: visible fluid wave and free nuclear rotation",
-            not_scored = "hydrodissection is not simulated.", measures = {
+            begun = "hydro.injected_ml > 0", not_scored = "hydrodissection is not simulated.", measures = {
             { id = "T6.wave", name = "Posterior capsule that the wave has passed in the end", unit = "%", digits = 0,
                 of = "100 * hydro.wave_share", take = "last", five = 90, three = 60, one = 30, weight = 2,
                 source = "proposal",
@@ -184,7 +193,7 @@ return scoring.rubric {
                 weight = 1, source = "proposal", better = "Stop as soon as the nucleus comes forward." },
         } },
         { id = "T7", name = "Phaco probe and second instrument: insertion into the eye",
-            not_scored = "no phaco probe goes into the eye.", measures = {
+            begun = "phaco.path_mm > 0", not_scored = "no phaco probe goes into the eye.", measures = {
             { id = "T7.phaco_entries", name = "Attempts to bring the phaco probe in", unit = "1", digits = 0,
                 of = "phaco.present", take = "count", five = 1, three = 2, one = 3, weight = 1, source = "proposal",
                 better = "Come to the wound slowly and along its tunnel." },
@@ -206,7 +215,8 @@ return scoring.rubric {
                 better = "Let the irrigation run before the tip goes in, and do not press on the lip of the wound." },
         } },
 
-        { id = "T8", name = "Phaco probe and second instrument: effective use and stability", measures = {
+        { id = "T8", name = "Phaco probe and second instrument: effective use and stability",
+            begun = { "phaco.path_mm > 0", "probe.path_mm > 0" }, measures = {
             { id = "T8.safe_ultrasound", name = "Ultrasound given with the tip in safe distance of iris, cornea and "
                 .. "posterior capsule", unit = "%", digits = 0,
                 of = "phaco.endothelium_mm > 1.0 and phaco.tip_posterior_mm > 0.5 and iris.gap_mm > 0.1",
@@ -241,7 +251,7 @@ return scoring.rubric {
         } },
 
         { id = "T9", name = "Nucleus: sculpting or primary chop",
-            not_scored = "no groove is sculpted.", measures = {
+            begun = "lens.removed_mm3 > 0", not_scored = "no groove is sculpted.", measures = {
             { id = "T9.depth", name = "Depth of the groove as a share of the lens's thickness there", unit = "%",
                 digits = 0, of = "100 * groove.depth_share", take = "last", if_never = 0, five = { 80, 90 },
                 three = 60, one = { 40, 95 }, weight = 1.5,
@@ -264,7 +274,7 @@ return scoring.rubric {
                 better = "Turn the nucleus until the first groove lies across, and keep it there while you sculpt." },
             { id = "T9.cde", name = "Ultrasound energy (CDE) over what this nucleus needs", unit = "1", digits = 2,
                 of = "phaco.cde / reference.cde", take = "last", five = 1.2, three = 2, one = 3, weight = 0.5,
-                source = "proposal",
+                whole = true, source = "proposal",
                 better = "Give ultrasound on the forward stroke only, and no more than the nucleus asks for." },
             { id = "T9.posterior", name = "Least distance of the working tip from the posterior capsule", unit = "mm",
                 digits = 2, of = "phaco.tip_posterior_mm", take = "min", during = "phaco.aspirating",
@@ -281,7 +291,8 @@ return scoring.rubric {
                 better = "Shave with half of the mouth free: a shut mouth holds the nucleus and pulls it." },
         } },
 
-        { id = "T10", name = "Nucleus: rotation and manipulation", not_scored = "the probe does not turn the nucleus.",
+        { id = "T10", name = "Nucleus: rotation and manipulation",
+            begun = "spatula.path_mm > 0", not_scored = "the probe does not turn the nucleus.",
             measures = {
             { id = "T10.rotation", name = "Turn of the nucleus", unit = "deg", digits = 0,
                 of = "abs(lens.rotation_deg)", take = "max", during = "spatula.present and goal.angle_deg > 0",
@@ -306,6 +317,7 @@ return scoring.rubric {
                 better = "Let the nucleus swim: lift it a little while it turns." },
         } },
         { id = "T11", name = "Nucleus: cracking or chopping with safe phaco of segments",
+            begun = { "phaco.path_mm > 0", "cutter.path_mm > 0" },
             not_scored = "the nucleus is not divided.", measures = {
             { id = "T11.bridge", name = "Nucleus that still bridges the groove", unit = "%", digits = 0,
                 of = "100 * crack.bridge_share", take = "last", during = parting, five = 0,
@@ -350,11 +362,11 @@ return scoring.rubric {
                 weight = 1, source = "proposal", better = "Cut before you aspirate." },
             { id = "T11.time", name = "Time with the instrument in the eye", unit = "s", digits = 0,
                 of = "phaco.present and " .. removing, take = "time", five = 270, three = 610, one = 900,
-                weight = 0.5, source = "Joshi 2019: 267 to 277 s; Rali 2022: 275 to 611 s",
+                weight = 0.5, whole = true, source = "Joshi 2019: 267 to 277 s; Rali 2022: 275 to 611 s",
                 better = "Hold, draw and emulsify without letting go in between." },
         } },
         { id = "T12", name = "Irrigation and aspiration with adequate removal of cortex",
-            not_scored = "cortex is not aspirated.", measures = {
+            begun = "ia_tip.path_mm > 0", not_scored = "cortex is not aspirated.", measures = {
             { id = "T12.left", name = "Cortex left in the end, of the bag's area", unit = "%", digits = 0,
                 of = "cortex.left_percent", take = "last", five = 2, three = 10, one = 30, weight = 2,
                 source = "proposal", better = "Go round the whole fornix, the part under the incision last." },
@@ -372,10 +384,11 @@ return scoring.rubric {
                 one = 50, weight = 1, source = "proposal", better = "Strip along the capsule, not away from it." },
             { id = "T12.time", name = "Time with the tip in the eye", unit = "s", digits = 0,
                 of = "ia_tip.present and cortex.left_percent >= 0", take = "time", five = 75, three = 245, one = 400,
-                weight = 1, source = "Joshi 2019: 75 s; Rali 2022: 244 s early",
+                weight = 1, whole = true, source = "Joshi 2019: 75 s; Rali 2022: 244 s early",
                 better = "Hold, strip and aspirate in one movement, sector after sector." },
         } },
         { id = "T13", name = "Lens insertion, rotation and final position of the implant",
+            begun = { "injector.path_mm > 0", "hook.path_mm > 0", "lens_forceps.path_mm > 0" },
             not_scored = "no implant is inserted.", measures = {
             { id = "T13.haptics", name = "Haptics that lie in the bag in the end", unit = "1", digits = 0,
                 of = "implant.haptics_in_bag", take = "last", five = 2, three = 1.5, one = 1, weight = 2,
@@ -413,7 +426,8 @@ return scoring.rubric {
                 source = "proposal",
                 better = "Stop when the plunger gets heavy; do not force an implant through." },
         } },
-        { id = "T14", name = "Wound closure", not_scored = "the wound is not simulated.", measures = {
+        { id = "T14", name = "Wound closure",
+            begun = moved, not_scored = "the wound is not simulated.", measures = {
             { id = "T14.leak", name = "What comes through the wounds at 20 mmHg in the end", unit = "ul/s", digits = 2,
                 of = "wounds.leak_at_20_ul_s", take = "last", during = "wounds.main_cut", five = 0.05, three = 1,
                 one = 5, weight = 2, source = "nothing, ooze, stream; figures are a proposal",
@@ -435,7 +449,7 @@ return scoring.rubric {
         } },
 
         { id = "G1", name = "Wound neutrality and minimising eye rolling and corneal distortion",
-            not_scored = "the wound and the rolling of the eye are not simulated.", measures = {
+            begun = moved, not_scored = "the wound and the rolling of the eye are not simulated.", measures = {
             { id = "G1.rotation", name = "Roll of the eye while instruments were in it (RMS)", unit = "degrees",
                 digits = 1, of = "globe.rotation_deg", take = "rms", during = "instruments.out_s <= 0", five = 3,
                 three = 7, one = 15, weight = 1, source = "proposal",
@@ -452,7 +466,7 @@ return scoring.rubric {
                 source = "proposal", better = "Do not lever an instrument in its wound." },
         } },
         { id = "G2", name = "Eye positioned centrally within microscope view",
-            not_scored = "the microscope is not moved.", measures = {
+            begun = moved, not_scored = "the microscope is not moved.", measures = {
             { id = "G2.offset", name = "Distance of the pupil from the middle of the field, share of its radius",
                 unit = "1", digits = 2, of = "microscope.pupil_offset", take = "mean",
                 during = "instruments.out_s <= 0", five = 0.15, three = 0.30, one = 0.50, weight = 1,
@@ -474,7 +488,7 @@ return scoring.rubric {
         } },
 
         { id = "G3", name = "Conjunctival and corneal tissue handling",
-            not_scored = "nothing here comes near the cornea.", measures = {
+            begun = moved, not_scored = "nothing here comes near the cornea.", measures = {
             { id = "G3.endothelium_dose", name = "Ultrasound within 1 mm of the corneal endothelium", unit = "s",
                 digits = 1, of = "phaco.ultrasound and phaco.endothelium_mm < 1.0", take = "time",
                 five = 1, three = 5, one = 15, weight = 1, source = "proposal",
@@ -501,7 +515,8 @@ return scoring.rubric {
                 better = "Never give ultrasound without flow: stop when the mouth stays shut." },
         } },
 
-        { id = "G4", name = "Intraocular spatial awareness", measures = {
+        { id = "G4", name = "Intraocular spatial awareness",
+            begun = moved, measures = {
             { id = "G4.iris_touches", name = "Touches of the iris", unit = "1", digits = 0, of = "iris.touch",
                 take = "count", quiet_s = 1, five = 0, three = 1, one = 3, weight = 0.5, source = "proposal",
                 better = "Look at the shaft and at the pupil's edge as well as at the tip." },
@@ -526,7 +541,8 @@ return scoring.rubric {
                 better = "Work where you see: inside the edge of the pupil." },
         } },
 
-        { id = "G5", name = "Iris protection", measures = {
+        { id = "G5", name = "Iris protection",
+            begun = moved, measures = {
             { id = "G5.touches", name = "Touches of the iris", unit = "1", digits = 0, of = "iris.touch",
                 take = "count", quiet_s = 1, five = 0, three = 2, one = 5, weight = 1, source = "proposal",
                 better = "Turn back before the pupil's edge, and keep the shaft above the iris." },
@@ -550,19 +566,22 @@ return scoring.rubric {
                 source = "proposal", better = "Never push a prolapsed iris back through the wound." },
         } },
 
-        { id = "G6", name = "Overall speed and fluidity of procedure", measures = {
+        { id = "G6", name = "Overall speed and fluidity of procedure",
+            begun = moved, measures = {
             { id = "G6.time", name = "Time, as a multiple of what an expert needs", unit = "x", digits = 2,
                 of = "time_s / reference.time_s", take = "last", five = 1.0, three = 1.67, one = 2.67, weight = 1,
+                whole = true,
                 source = "15, 25 and 40 min of a whole operation; BMJ Open 2013: seniors 13.4, juniors 17.8 min",
                 better = "Plan the next stroke while the tip comes back." },
             { id = "G6.path", name = "Way of the instruments, as a multiple of what an expert needs", unit = "x",
                 digits = 2, of = "instruments.path_mm", per = "path_mm", take = "total", five = 1.2, three = 1.8,
                 one = 2.5, weight = 1,
-                source = "proposal; Smith 2013: path length separates under 200 from over 1000 cases",
+                whole = true, source = "proposal; Smith 2013: path length separates under 200 from over 1000 cases",
                 better = "Fewer and straighter movements; do not search with the tip." },
             { id = "G6.movements", name = "Movements, as a multiple of what an expert needs", unit = "x", digits = 2,
                 of = "instruments.movements", per = "movements", take = "total", five = 1.2, three = 1.8, one = 2.5,
-                weight = 0.5, source = "proposal; Smith 2013: movements separate under 200 from over 1000 cases",
+                weight = 0.5, whole = true,
+                source = "proposal; Smith 2013: movements separate under 200 from over 1000 cases",
                 better = "Know the next two movements before you begin the first." },
             { id = "G6.idle", name = "Time in which all instruments rested for more than 2 s", unit = "%", digits = 0,
                 of = "instruments.idle", take = "share", hold_s = 2, five = 5, three = 15, one = 30, weight = 0.5,
@@ -574,7 +593,7 @@ return scoring.rubric {
                 better = "Begin and end every movement gently." },
             { id = "G6.entries", name = "Entries into the eye, as a multiple of what an expert needs", unit = "x",
                 digits = 2, of = "instruments.entries", per = "entries", take = "total", five = 1.1, three = 1.5,
-                one = 2, weight = 0.5, source = "proposal",
+                one = 2, weight = 0.5, whole = true, source = "proposal",
                 better = "Leave the instrument in the eye until its step is finished." },
         } },
     },

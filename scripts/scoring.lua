@@ -27,6 +27,8 @@ local measure_rules = {
     per = { kind = "text" },                     -- name of a reference number: the result is told as a multiple of it;
                                                  -- an exercise without that number is not judged by the measure
     if_never = { kind = "number" },              -- the value when it never was defined; without it: not scored
+    whole = { kind = "yes_no" },                 -- tells of all of the work: of an attempt that was not completed it
+                                                 -- counts only where it costs points already
     unit = { kind = "text", required = true },
     digits = { kind = "number", default = 1, from = 0, to = 4, whole = true },
     curve = { kind = "table", required = true }, -- { {value, score}, ... } made of five, three, one
@@ -124,9 +126,21 @@ function selecting.__index(rubric, key)
         words.hint(tostring(key), { "all" })))
 end
 
+-- Watches of `begun`: whether what an item judges was begun at all.
+local function read_begun(item)
+    local texts = type(item.begun) == "string" and { item.begun } or item.begun or {}
+    local list = {}
+    for i, text in ipairs(texts) do
+        list[i] = { id = ("%s.begun_%d"):format(item.id, i), take = "max",
+            of = expression.parse(text, words.where() .. ": item " .. item.id .. ", begun") }
+    end
+    return list
+end
+
 local function read_items(rubric)
     for _, item in ipairs(rubric.items) do
         item.measures = item.measures or {}
+        item.begun = read_begun(item)
         for i, measure in ipairs(item.measures) do item.measures[i] = read_measure(measure, item.id, rubric.levels) end
         rubric.by_id[item.id] = item
     end
@@ -135,8 +149,10 @@ end
 --- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
 --- with a list of item ids gives what an exercise writes as `scoring`. levels: points of the thresholds that measures
 --- give, { five = 5, three = 3, one = 1 } if missing; the least of them is the least that an item can have.
---- An item may have anchors, { [points] = what a performance of that level looks like }, and errors_of, ids of items of
---- OSACSS: errors that an exercise counts against those count against it.
+--- An item may have anchors, { [points] = what a performance of that level looks like }; errors_of, ids of items of
+--- OSACSS: it judges where an exercise scores one of those, and errors that count against those count against it; begun,
+--- a condition or a list of them, of which one must have held for the work to have been begun: an item whose work was
+--- not has the least points. Where an exercise knows none of them it is not asked.
 function scoring.rubric(given)
     local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
         bands = given.bands, levels = given.levels or usual_levels, least = 5, by_id = {} }
@@ -222,6 +238,9 @@ local function open_measure(measure, resolve)
     return open
 end
 
+-- Whether this exercise or an earlier part of the operation tells of a measure.
+local function told(open) return open.seen_before or not open.missing end
+
 -- Goes on where a measure of an earlier part had come to.
 local function take_up(open, state)
     if not state then return end
@@ -238,16 +257,27 @@ function scoring.sheet(selection, eye, reference, dt, before, watched)
     local resolve = resolver(eye, reference, self.since_s)
     for i, id in ipairs(selection.items) do
         local item = selection.rubric.by_id[id]
-        local line = { item = item, open = {} }
-        for k, measure in ipairs(item.measures) do
-            line.open[k] = open_measure(measure, resolve)
-            if watched and not watched[id] then line.open[k].missing = true end
-            if before then take_up(line.open[k], before.measures[measure.id]) end
-            if not line.open[k].missing then table.insert(self.open, line.open[k]) end
+        local function opened(measure)
+            local open = open_measure(measure, resolve)
+            if watched and not watched[id] then open.missing = true end
+            if before then take_up(open, before.measures[measure.id]) end
+            if not open.missing then table.insert(self.open, open) end
+            return open
         end
+        local line = { item = item, open = {}, begun = {} }
+        for k, measure in ipairs(item.measures) do line.open[k] = opened(measure) end
+        for k, measure in ipairs(item.begun) do line.begun[k] = opened(measure) end
         self.lines[i] = line
     end
     return self
+end
+
+-- All that is watched of an item.
+local function watches_of(line)
+    local list = {}
+    for _, open in ipairs(line.open) do list[#list + 1] = open end
+    for _, open in ipairs(line.begun) do list[#list + 1] = open end
+    return list
 end
 
 --- What of the sheet this scene cannot tell: list of { item, measures = list of { measure, complaint }, none = no
@@ -284,7 +314,7 @@ end
 --- Goes on where the sheet of the same attempt had come to before its exercise was changed. measures: of Sheet:carried.
 function Sheet:take_up(measures)
     for _, line in ipairs(self.lines) do
-        for _, open in ipairs(line.open) do
+        for _, open in ipairs(watches_of(line)) do
             if not open.missing then take_up(open, measures[open.measure.id]) end
         end
     end
@@ -294,8 +324,8 @@ end
 function Sheet:carried(time_s)
     local measures = words.as_object({})
     for _, line in ipairs(self.lines) do
-        for _, open in ipairs(line.open) do
-            if open.seen_before or not open.missing then
+        for _, open in ipairs(watches_of(line)) do
+            if told(open) then
                 local collector, state = open.collector, words.as_object({})
                 local now = collector.carry and collector.carry() or collector.state
                 for key, value in pairs(now) do state[key] = value end
@@ -306,11 +336,13 @@ function Sheet:carried(time_s)
     return { time_s = self.since_s + time_s, measures = measures }
 end
 
+local full_points = 4.995  -- from here on a measure shows as 5
+
 local function round(value, digits) return tonumber(("%." .. digits .. "f"):format(value)) end
 
 local function measured(open, reference)
     local measure = open.measure
-    if open.missing and not open.seen_before then return nil end
+    if not told(open) then return nil end
     local value, at = open.collector.result()
     if value == nil then value = measure.if_never end
     if value == nil then return nil end
@@ -322,7 +354,7 @@ local function measured(open, reference)
     local result = { id = measure.id, name = t(measure.name), value = round(value, 6), unit = measure.unit,
         score = round(score, 2), weight = measure.weight, threshold_source = measure.source, time_s = at,
         text = t("%s: %s (%s)"):format(t(measure.name), amount(measure, value), scale_text(measure)) }
-    if score < 4.995 then result.better = t(advice_of(measure, value)) end
+    if score <= full_points then result.better = t(advice_of(measure, value)) end
     return result
 end
 
@@ -377,7 +409,7 @@ local function reasons(result, cap)
     local list = {}
     cap_reasons(list, result.capped_by)
     for _, measure in ipairs(result.measures) do
-        if measure.score < 4.995 then
+        if measure.score <= full_points then
             list[#list + 1] = measure.text .. (measure.better and ". " .. measure.better or ".")
         end
     end
@@ -385,16 +417,42 @@ local function reasons(result, cap)
     return list
 end
 
-local function score_item(line, rubric, events, reference)
-    local item = line.item
-    local result = { id = item.id, name = t(item.name), measures = {} }
-    local sum, weight = 0, 0
+-- Whether the exercise tells of an item whose work was never begun.
+local function idle(line)
+    local judged, asked = false, false
+    for _, open in ipairs(line.open) do judged = judged or told(open) end
+    for _, open in ipairs(line.begun) do
+        if open.collector.result() == 1 then return false end
+        asked = asked or told(open)
+    end
+    return judged and asked
+end
+
+-- What stands in place of the measures of an item whose work was not begun.
+local function not_begun(item, rubric)
+    return { id = item.id .. ".begun", name = t("Begun (1: yes)"), value = 0, unit = "1", score = rubric.least,
+        weight = 1, threshold_source = t("the least level of the rubric: not achieved"),
+        text = t("What this item judges was not begun"), better = t("Go on to it: what is not done earns the least.") }
+end
+
+-- The measures that count of an item, each with its points.
+local function counting(line, rubric, reference, completed)
+    if idle(line) then return { not_begun(line.item, rubric) } end
+    local list = {}
     for _, open in ipairs(line.open) do
         local measure = measured(open, reference)
-        if measure then
-            table.insert(result.measures, measure)
-            sum, weight = sum + measure.weight * measure.score, weight + measure.weight
-        end
+        local too_early = open.measure.whole and not completed and measure and measure.score > full_points
+        if measure and not too_early then list[#list + 1] = measure end
+    end
+    return list
+end
+
+local function score_item(line, rubric, events, reference, completed)
+    local item = line.item
+    local result = { id = item.id, name = t(item.name), measures = counting(line, rubric, reference, completed) }
+    local sum, weight = 0, 0
+    for _, measure in ipairs(result.measures) do
+        sum, weight = sum + measure.weight * measure.score, weight + measure.weight
     end
     local cap, by = caps_on(rubric, item, events)
     result.capped_by = by
@@ -425,7 +483,7 @@ function Sheet:score(events, completed)
         total = 0, max = 0 }
     local n = 0
     for i, line in ipairs(self.lines) do
-        result.items[i] = score_item(line, self.rubric, events, self.reference)
+        result.items[i] = score_item(line, self.rubric, events, self.reference, completed)
         local score = result.items[i].score
         if score then n, result.total = n + 1, result.total + score end
     end

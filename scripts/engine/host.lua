@@ -61,16 +61,27 @@ end
 --- After it ran: what it returned. Whether that is a rubric, to judge an exercise by in place of its own.
 function host.is_rubric(value) return type(value) == "table" and value.by_id ~= nil and value.caps ~= nil end
 
---- After the exercise and then a rubric ran: the exercise, and the operation that it is a part of, is judged by all
---- items of the rubric.
+-- Items of another rubric that judge what the exercise is scored by: who drapes is not judged on depth in the eye.
+local function items_for(rubric, scoring_of)
+    local scored, ids = {}, {}
+    for _, id in ipairs(scoring_of and scoring_of.items or {}) do scored[id] = true end
+    for _, item in ipairs(rubric.items) do
+        local wanted = not item.errors_of or not scoring_of
+        for _, id in ipairs(item.errors_of or {}) do wanted = wanted or scored[id] end
+        if wanted then ids[#ids + 1] = item.id end
+    end
+    return rubric(ids)
+end
+
+--- After the exercise and then a rubric ran: the exercise, and the operation that it is a part of, is judged by the
+--- rubric.
 function host.judge_by(value)
     if not host.is_rubric(value) then
         words.fail(words.where(), "a rubric must end with: return rubric { ... }")
     end
-    local all = {}
-    for i, item in ipairs(value.items) do all[i] = item.id end
-    host.exercise.scoring = value(all)
-    if host.exercise.whole then host.exercise.whole.scoring = value(all) end
+    host.exercise.scoring = items_for(value, host.exercise.scoring)
+    local whole = host.exercise.whole
+    if whole then whole.scoring = items_for(value, whole.scoring) end
 end
 
 --- Makes the exercise a part of the operation: place = { index, before, live }. Returns nothing.

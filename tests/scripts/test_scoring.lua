@@ -70,6 +70,38 @@ case("a measure of what is not simulated is left out, one that never was defined
     near(score({ depth_measure({ if_never = 4 }) }, { 0 / 0 }).items[1].score, 1, 1e-9)
 end)
 
+-- tip.depth_mm is what the item is about, and is there from the first step on.
+local function begun_score(begun, depths, completed)
+    local eye = Eye.new(support.schema, {})
+    local judged = scoring.rubric { name = "test", caps = caps, items = {
+        { id = "I1", name = "first", begun = begun, measures = {
+            depth_measure({ take = "last" }), depth_measure({ id = "all", take = "last", whole = true }) } } } }
+    local sheet = scoring.sheet(judged({ "I1" }), eye, {}, 0.5)
+    for i, depth in ipairs(depths) do
+        eye:look(i * 0.5, { depth, 1, 0, 1 }, 0)
+        sheet:tick(i * 0.5)
+    end
+    return sheet:score({}, completed ~= false).items[1]
+end
+
+case("an item whose work was not begun has the least points, and says so", function()
+    local item = begun_score("tip.depth_mm > 0.5", { 0, 0 })
+    equal(item.score, 1)
+    equal(#item.measures, 1)
+    equal(item.measures[1].id, "I1.begun")
+    equal(item.measures[1].value, 0)
+    equal(item.reasons[1]:find("not begun", 1, true) ~= nil, true)
+    equal(begun_score("tip.depth_mm > 0.5", { 0, 0.7, 0 }).score, 5)
+    equal(begun_score({ "nothing.here", "tip.depth_mm > 0.5" }, { 0, 0 }).score, 1)
+    equal(begun_score("nothing.here > 1", { 0, 0 }).score, 5, "not asked where it is not known")
+end)
+
+case("what tells of all of the work counts of an unfinished attempt only where it costs points", function()
+    equal(#begun_score(nil, { 0 }, true).measures, 2)
+    equal(#begun_score(nil, { 0 }, false).measures, 1)
+    equal(#begun_score(nil, { 2 }, false).measures, 2)
+end)
+
 case("a condition is 1 or 0 where a number is made of it", function()
     for take, value in pairs({ max = 1, min = 0, last = 0, mean = 0.25, rms = 0.5, time = 0.5, share = 25,
         count = 1 }) do
