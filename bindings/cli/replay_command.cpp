@@ -172,48 +172,6 @@ Result<std::string> operation_of(const std::string& folder) {
     return named["id"].get<std::string>();
 }
 
-/// The part of an operation that a folder "parts/03_ID" holds.
-int index_of(const Operation& operation, const std::string& folder) {
-    const std::string name = std::filesystem::path(folder).filename().string();
-    for (std::size_t i = 0; i < operation.parts.size(); ++i) {
-        if (name.size() > 3 && name.substr(3) == operation.parts[i].id) {
-            return static_cast<int>(i) + 1;
-        }
-    }
-    return 0;
-}
-
-/// All parts judged again, each going on where the one before it ended. rubric: file to judge by in place of the
-/// operation's own; empty: none.
-Result<nlohmann::json> score_whole(const Operation& operation, const std::string& rubric,
-                                   const std::vector<std::string>& parts, const Context& context) {
-    nlohmann::json whole = nlohmann::json::object();
-    for (const std::string& folder : parts) {
-        const Result<Recording> recording = read_recording(recording_path(folder));
-        if (!recording) {
-            return recording.error();
-        }
-        const int index = index_of(operation, folder);
-        if (index == 0) {
-            return Error{"the operation " + operation.name + " has no such part", folder, ""};
-        }
-        ExerciseOptions options{
-            operation.parts[index - 1].exercise, "none", recording.value().header.seed, {}, context.root};
-        options.rubric = rubric;
-        options.part = PartPlace{operation.name, index, whole.value("carried", nlohmann::json::object())};
-        const Result<Rescore> rescored = rescore(recording.value(), options);
-        if (!rescored) {
-            return rescored.error();
-        }
-        if (!rescored.value().script_error.empty()) {
-            return Error{rescored.value().script_error, folder, ""};
-        }
-        whole = rescored.value().result.at("operation");
-    }
-    whole.erase("carried");
-    return whole;
-}
-
 int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context);
 
 int replay(ReplayOptions given, const Context& context) {
@@ -270,7 +228,7 @@ int replay_whole(const ReplayOptions& given, const std::vector<std::string>& par
             return complain({"these are the parts of an operation, and " + given.score_with + " is an exercise",
                              given.recording, "an operation or a rubric, or one of the folders in parts/"});
         }
-        const Result<nlohmann::json> whole = score_whole(*operation.value(), rubric, parts, context);
+        const Result<nlohmann::json> whole = rescore_operation(*operation.value(), rubric, parts, context.root);
         if (!whole) {
             return complain(whole.error(), found_failures);
         }

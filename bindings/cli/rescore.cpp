@@ -2,9 +2,12 @@
 #include "cli/rescore.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 #include "base/numbers.hpp"
+#include "cli/operation.hpp"
+#include "cli/places.hpp"
 #include "lua/curriculum_files.hpp"
 #include "session/replay.hpp"
 
@@ -121,6 +124,17 @@ private:
     Rescore rescore_;
 };
 
+/// The part of an operation that a folder "parts/03_ID" holds.
+int index_of(const Operation& operation, const std::string& folder) {
+    const std::string name = std::filesystem::path(folder).filename().string();
+    for (std::size_t i = 0; i < operation.parts.size(); ++i) {
+        if (name.size() > 3 && name.substr(3) == operation.parts[i].id) {
+            return static_cast<int>(i) + 1;
+        }
+    }
+    return 0;
+}
+
 }  // namespace
 
 ExerciseOptions judge_of(const Recording& recording, const std::string& score_with, const std::string& root) {
@@ -154,6 +168,34 @@ Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& optio
         return same_goals.error();
     }
     return Judge(recording, std::move(same_goals).value()).judge();
+}
+
+Result<nlohmann::json> rescore_operation(const Operation& operation, const std::string& rubric,
+                                         const std::vector<std::string>& parts, const std::string& root) {
+    nlohmann::json whole = nlohmann::json::object();
+    for (const std::string& folder : parts) {
+        const Result<Recording> recording = read_recording(recording_path(folder));
+        if (!recording) {
+            return recording.error();
+        }
+        const int index = index_of(operation, folder);
+        if (index == 0) {
+            return Error{"the operation " + operation.name + " has no such part", folder, ""};
+        }
+        ExerciseOptions options{operation.parts[index - 1].exercise, "none", recording.value().header.seed, {}, root};
+        options.rubric = rubric;
+        options.part = PartPlace{operation.name, index, whole.value("carried", nlohmann::json::object())};
+        const Result<Rescore> rescored = rescore(recording.value(), options);
+        if (!rescored) {
+            return rescored.error();
+        }
+        if (!rescored.value().script_error.empty()) {
+            return Error{rescored.value().script_error, folder, ""};
+        }
+        whole = rescored.value().result.at("operation");
+    }
+    whole.erase("carried");
+    return whole;
 }
 
 }  // namespace rhexis::cli

@@ -4,9 +4,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "lua/exercise_host.hpp"
+#include "lua/operation_script.hpp"
 #include "session/recording.hpp"
 
 namespace rhexis::cli {
@@ -27,5 +29,10 @@ Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& optio
 /// What to judge a recording with. score_with: an exercise, or a rubric (see find_rubric); with a rubric, the exercise
 /// is the one that was recorded.
 ExerciseOptions judge_of(const Recording& recording, const std::string& score_with, const std::string& root);
+
+/// All parts of an operation judged again, each going on where the one before it ended; as for the report.json of the
+/// whole. rubric: file to judge by in place of the operation's own; empty: none. parts: their folders, in order.
+Result<nlohmann::json> rescore_operation(const Operation& operation, const std::string& rubric,
+                                         const std::vector<std::string>& parts, const std::string& root);
 
 }  // namespace rhexis::cli

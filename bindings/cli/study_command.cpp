@@ -15,6 +15,7 @@
 #include "cli/operation.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
+#include "cli/rescore.hpp"
 #include "cli/study_result.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/operation_script.hpp"
@@ -30,6 +31,7 @@ constexpr const char* study_help =
     "  rhexis study part_exercises              tables, and runs/study-part_exercises/\n"
     "  rhexis study part_exercises --resume     without the attempts that are there already\n"
     "  rhexis study my_study.json --jobs 2 --out DIR\n"
+    "  rhexis study part_exercises --judge-again     attempts that are there, by the rules of today: judged_again.md\n"
     "  rhexis study full_operations             whole operations: hours\n"
     "\n"
     "DIR receives study.json, study.md and a folder per attempt with report and recording. The numbers that the "
@@ -41,6 +43,7 @@ struct StudyOptions {
     std::string out;
     int jobs = 0;
     bool resume = false;
+    bool judge_again = false;
     bool json = false;
 };
 
@@ -103,8 +106,9 @@ Result<Start> try_exercise(const StudyPlan& plan, const StudyExercise& exercise,
 }
 
 /// The start of each exercise, made once, and the exercises with their surgeons loaded once: mistakes show before the
-/// first attempt. An operation begins with its first part; what its parts are decides how an attempt goes, too.
-Status prepare(const StudyPlan& plan, std::vector<StudyJob>& jobs, const Context& context) {
+/// first attempt. An operation begins with its first part; what its parts are decides how an attempt goes, too. What is
+/// only judged again needs no start.
+Status prepare(const StudyPlan& plan, std::vector<StudyJob>& jobs, bool judge_again, const Context& context) {
     for (const StudyExercise& exercise : plan.exercises) {
         const Result<std::optional<Operation>> operation = load_operation(exercise.exercise, context.root);
         if (!operation) {
@@ -113,7 +117,8 @@ Status prepare(const StudyPlan& plan, std::vector<StudyJob>& jobs, const Context
         if (operation.value() && !exercise.start.empty()) {
             return Error{"start is for exercises, and " + exercise.exercise + " is an operation", plan.name, "none"};
         }
-        const Result<Start> start = operation.value() ? Result<Start>(Start{}) : try_exercise(plan, exercise, context);
+        const bool needs_start = !operation.value() && !judge_again;
+        const Result<Start> start = needs_start ? try_exercise(plan, exercise, context) : Result<Start>(Start{});
         if (!start) {
             return start.error();
         }
@@ -178,6 +183,42 @@ void run_job(const StudyPlan& plan, StudyJob& job, const Context& context, bool 
     }
 }
 
+Result<json> judged(const StudyJob& job, const Context& context) {
+    if (job.operation) {
+        return rescore_operation(*job.operation, "", part_folders(job.folder), context.root);
+    }
+    const Result<Recording> recording = read_recording(recording_path(job.folder));
+    if (!recording) {
+        return recording.error();
+    }
+    Result<Rescore> rescored =
+        rescore(recording.value(), judge_of(recording.value(), job.exercise->exercise, context.root));
+    if (rescored && !rescored.value().script_error.empty()) {
+        return Error{rescored.value().script_error, job.folder, ""};
+    }
+    return rescored ? Result<json>(std::move(rescored.value().result)) : rescored.error();
+}
+
+/// What was recorded, by the rules of today: only what those would have set otherwise is simulated again.
+void judge_job(StudyJob& job, const Context& context) {
+    Result<json> report = read_json_file(job.folder + "/report.json");
+    const Result<json> result = report ? judged(job, context) : report;
+    if (!result) {
+        job.error = result.error().text();
+        return;
+    }
+    job.run.report = std::move(report).value();
+    job.run.report.update(result.value());
+}
+
+void do_job(const StudyPlan& plan, StudyJob& job, const StudyOptions& given, const Context& context) {
+    if (given.judge_again) {
+        judge_job(job, context);
+    } else if (!given.resume || !take_up(job)) {
+        run_job(plan, job, context, given.resume);
+    }
+}
+
 /// Runs what is not there already. The first attempt that fails ends the study.
 Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyOptions& given, const Context& context) {
     Progress progress("study", given.json);
@@ -188,9 +229,7 @@ Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyO
     std::string error;
     const auto work = [&] {
         for (std::size_t i = next++; i < jobs.size() && !stop; i = next++) {
-            if (!given.resume || !take_up(jobs[i])) {
-                run_job(plan, jobs[i], context, given.resume);
-            }
+            do_job(plan, jobs[i], given, context);
             const std::lock_guard lock(mutex);
             ++finished;
             progress.show(static_cast<double>(finished) / static_cast<double>(jobs.size()),
@@ -209,7 +248,8 @@ Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyO
     for (std::thread& worker : workers) {
         worker.join();
     }
-    return error.empty() ? success() : Status(Error{error, "study", "--resume goes on with the other attempts"});
+    const char* advice = given.judge_again ? "" : "--resume goes on with the other attempts";
+    return error.empty() ? success() : Status(Error{error, "study", advice});
 }
 
 int study(const StudyOptions& given, const Context& context) {
@@ -219,8 +259,8 @@ int study(const StudyOptions& given, const Context& context) {
     }
     const std::string out = given.out.empty() ? "runs/study-" + plan.value().name : given.out;
     std::vector<StudyJob> jobs = jobs_of(plan.value(), out, context);
-    Status status = prepare(plan.value(), jobs, context);
-    if (status) {
+    Status status = prepare(plan.value(), jobs, given.judge_again, context);
+    if (status && !given.judge_again) {
         status = prepare_folder(out);
     }
     if (!status) {
@@ -237,9 +277,10 @@ int study(const StudyOptions& given, const Context& context) {
     nlohmann::json result = study_result(plan.value(), runs);
     const Result<std::string> groups = read_whole_file(context.root + "/scripts/surgeons/groups.lua");
     result["groups_sha256"] = groups ? sha256_hex(groups.value()) : "";
-    status = write_whole_file(out + "/study.json", result.dump(2) + "\n");
+    const std::string tables = out + (given.judge_again ? "/judged_again" : "/study");
+    status = write_whole_file(tables + ".json", result.dump(2) + "\n");
     if (status) {
-        status = write_whole_file(out + "/study.md", study_text(result));
+        status = write_whole_file(tables + ".md", study_text(result));
     }
     if (!status) {
         return complain(status.error());
@@ -247,8 +288,8 @@ int study(const StudyOptions& given, const Context& context) {
     if (given.json) {
         std::cout << result.dump(2) << '\n';
     } else {
-        std::printf("%s\n  tables     %s/study.md\n  numbers    %s/study.json\n", study_text(result).c_str(),
-                    out.c_str(), out.c_str());
+        std::printf("%s\n  tables     %s.md\n  numbers    %s.json\n", study_text(result).c_str(), tables.c_str(),
+                    tables.c_str());
     }
     return done;
 }
@@ -262,7 +303,10 @@ void add_study(CLI::App& app, Context& context) {
     command->add_option("study", given->study, "File, or name of one in studies/")->required();
     command->add_option("--out", given->out, "Folder for everything [runs/study-NAME]");
     command->add_option("--jobs", given->jobs, "Attempts at a time [one per core]")->check(CLI::Range(1, 64));
-    command->add_flag("--resume", given->resume, "Keep the attempts that are whole in the folder");
+    CLI::Option* resume =
+        command->add_flag("--resume", given->resume, "Keep the attempts that are whole in the folder");
+    command->add_flag("--judge-again", given->judge_again, "Simulate nothing: judge the attempts of the folder anew")
+        ->excludes(resume);
     command->add_flag("--json", given->json, "Print study.json on stdout instead of tables");
     command->callback([given, &context] { context.status = study(*given, context); });
 }

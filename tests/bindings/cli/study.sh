@@ -55,6 +55,28 @@ a, b = (json.load(open(f)) for f in ('before.json', 'study/study.json'))
 a.pop('cpu_s'), b.pop('cpu_s')
 assert a == b" || fail "a resumed study finds something else"
 
+# Judged again: by the same rules the same, by others not; nothing is simulated, and study.json stays.
+same_scores() {  # study.json and judged_again.json of a folder
+    python3 - "$1" <<'P'
+import json, sys
+a, b = (json.load(open(f"{sys.argv[1]}/{name}.json")) for name in ("study", "judged_again"))
+a.pop("cpu_s"), b.pop("cpu_s")
+sys.exit(a != b)
+P
+}
+cp study/study.json before.json
+expect 0 "" "$rhexis" study small.json --out study --judge-again
+says "study/judged_again.md"
+same_scores study || fail "judged by the same rules it is another study"
+sed -i 's/osacss { "T3" }/osacss { "T3", "G6" }/' fill/curriculum.lua
+expect 0 "" "$rhexis" study small.json --out study --judge-again
+says "| G6 |"
+cmp -s before.json study/study.json || fail "judging again has changed study.json"
+sed -i 's/osacss { "T3", "G6" }/osacss { "T3" }/' fill/curriculum.lua
+expect 1 "cannot read" "$rhexis" study small.json --out nowhere --judge-again
+[ ! -e nowhere ] || fail "what is not there was made"
+expect 2 "excludes" "$rhexis" study small.json --out study --judge-again --resume
+
 # An operation in place of an exercise.
 mkdir twice
 cat >twice/curriculum.lua <<'L'
@@ -66,6 +88,8 @@ plan whole <<'J'
 J
 expect 0 "" "$rhexis" study whole.json --out whole
 says "1 of 1"
+expect 0 "" "$rhexis" study whole.json --out whole --judge-again
+same_scores whole || fail "an operation judged by the same rules is another"
 rm whole/1-twice-a-1/study_run.json
 touch -d '2000-01-01' whole/1-twice-a-1/parts/01_fill/recording.rhx
 expect 0 "" "$rhexis" study whole.json --out whole --resume
