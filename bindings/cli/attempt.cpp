@@ -250,6 +250,7 @@ Result<AttemptResult> Attempt::write_results() {
     input.set = options_.exercise.set;
     input.seed = options_.exercise.seed;
     input.start = options_.start.state;
+    input.begun_at = options_.start.chosen;
     input.opening = session_.scene().opening;
     input.opening_note = options_.start.opening_note;
     input.patient = session_.scene().patient;

@@ -103,6 +103,9 @@ public:
     }
 
     Result<OperationResult> run(std::size_t first, std::size_t last) {
+        if (first > 0) {
+            before_ = {{"completed", false}};  // what came before was not done by whoever operates
+        }
         for (std::size_t i = first; i <= last && result_.script_error.empty(); ++i) {
             const Status done = options_.resume && take_up(i) ? success() : do_part(i);
             if (!done) {
@@ -162,7 +165,7 @@ private:
         const OperationPart& wanted = part(index);
         const bool has_before = !done_.empty();
         if (wanted.continues && has_before) {
-            return Start{done_.back().folder + end_state, {}};
+            return Start{done_.back().folder + end_state, {}, {}, {}};
         }
         const Result<ExerciseHost> host = ExerciseHost::load(exercise(index));
         if (!host) {

@@ -190,6 +190,8 @@ Result<WholeReport> report_of_parts(const OperationOptions& options, const std::
     input.surgeon = options.attempt.exercise.surgeon;
     input.set = options.attempt.exercise.set;
     input.seed = options.attempt.exercise.seed;
+    const bool from_later = !parts.empty() && parts.front().id != options.operation.parts.front().id;
+    input.begun_at = from_later ? parts.front().id : "";
     input.duration_s = work.duration_s();
     input.result = parts.empty() ? json::object() : parts.back().left;
     input.result.erase("carried");

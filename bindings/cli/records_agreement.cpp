@@ -40,6 +40,10 @@ std::string reason(const json& row) {
 
 void print(const json& data) {
     std::printf("%d rated attempts, %zu raters\n", data["attempts"].get<int>(), data["raters"].size());
+    for (const json& rater : data["left_out"]) {
+        std::printf("left out of the correlation among raters, because of too few ratings: %s\n",
+                    rater.get<std::string>().c_str());
+    }
     std::printf("       raters among themselves    simulator and mean of raters\n");
     std::printf("%-5s  %-8s  %-8s  %-4s   %-8s  %-26s  %-4s\n", "item", "ICC(2,1)", "ICC(2,k)", "n", "ICC(2,1)",
                 "bias (95 % limits)", "n");

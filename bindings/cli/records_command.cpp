@@ -2,6 +2,9 @@
 // rhexis records: what is stored of trainees.
 #include "cli/records_command.hpp"
 
+#include <set>
+
+#include "base/near_names.hpp"
 #include "base/numbers.hpp"
 #include "cli/gates_file.hpp"
 #include "cli/places.hpp"
@@ -64,6 +67,33 @@ records::Wanted wanted_by(const RecordsOptions& given) {
     wanted.exercise = given.exercise;
     wanted.cohort = given.cohort;
     return wanted;
+}
+
+Status check_wanted(Store& store, const RecordsOptions& given, const std::vector<Attempt>& found) {
+    if (!found.empty()) {
+        return success();
+    }
+    const Result<std::vector<Attempt>> all = store.attempts({});
+    if (!all) {
+        return all.error();
+    }
+    std::set<std::string> trainees;
+    std::set<std::string> exercises;
+    std::set<std::string> cohorts;
+    for (const Attempt& attempt : all.value()) {
+        trainees.insert(attempt.trainee.pseudonym);
+        exercises.insert(attempt.exercise);
+        cohorts.insert(attempt.trainee.cohort);
+    }
+    const auto check = [&store](const std::string& what, const std::string& name, const std::set<std::string>& known) {
+        const std::vector<std::string> names(known.begin(), known.end());
+        return name.empty() || known.contains(name) ? success()
+                                                    : Status(Error{"no attempt is stored of the " + what + " " + name,
+                                                                   store.path(), suggestion(name, names)});
+    };
+    Status status = check("trainee", given.trainee, trainees);
+    status = status ? check("exercise", given.exercise, exercises) : status;
+    return status ? check("cohort", given.cohort, cohorts) : status;
 }
 
 int write_records_page(const RecordsOptions& given, const std::string& module, nlohmann::json data,

@@ -40,6 +40,9 @@ Result<records::Store> open_records(const RecordsOptions& given);
 
 records::Wanted wanted_by(const RecordsOptions& given);
 
+/// Fails where nothing was found because a name of the filter is nowhere in the store.
+Status check_wanted(records::Store& store, const RecordsOptions& given, const std::vector<records::Attempt>& found);
+
 /// --gates FILE and --pass SHARE, or rubrics/gates.json.
 Result<records::Gates> gates_of(const RecordsOptions& given, const Context& context);
 

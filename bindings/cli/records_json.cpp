@@ -76,6 +76,7 @@ json attempt_json(const records::Attempt& a) {
                 {"total", number_or_null(a.total)},
                 {"max", number_or_null(a.max)},
                 {"scaled", number_or_null(a.scaled)},
+                {"begun_at", a.begun_at},
                 {"error", a.error},
                 {"folder", a.folder},
                 {"recording_sha256", a.recording_sha256}};

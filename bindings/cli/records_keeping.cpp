@@ -28,6 +28,9 @@ Result<Attempt> attempt_in(const std::string& folder, const RecordsOptions& give
         return attempt.error();
     }
     if (!attempt) {
+        if (!std::filesystem::exists(folder + "/report.json", ignored)) {
+            return Error{"no run that came to its report lies here", folder, "a folder that rhexis run wrote"};
+        }
         if (given.trainee.empty()) {
             return Error{"the run was of no trainee", folder, "--trainee PSEUDONYM says of whom it is"};
         }
@@ -126,6 +129,9 @@ int export_csv(const RecordsOptions& given) {
         return std::none_of(attempts.value().begin(), attempts.value().end(),
                             [&](const Attempt& attempt) { return attempt.id == rating.attempt; });
     });
+    if (const Status known = check_wanted(store.value(), given, attempts.value()); !known) {
+        return complain(known.error());  // tables that lie there already stay
+    }
     Status status = prepare_folder(given.out);
     for (const auto& [file, content] : records::csv_of(attempts.value(), ratings.value())) {
         status = status ? write_whole_file(given.out + "/" + file, content) : status;

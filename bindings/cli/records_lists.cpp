@@ -26,12 +26,18 @@ std::string score_text(const Attempt& attempt) {
     return text;
 }
 
+/// Where a run that broke off lies; else whether all was done, and from which moment on.
+std::string what_became(const Attempt& a) {
+    if (a.state != AttemptState::finished) {
+        return a.state == AttemptState::interrupted ? a.folder : "";
+    }
+    return std::string(a.completed ? "completed" : "not completed") +
+           (a.begun_at.empty() ? "" : ", begun at " + a.begun_at);
+}
+
 void print_line(const Attempt& a) {
     std::printf("%-8s  %-16s  %-12s  %-20s  %-20s  %s\n", a.id.substr(0, 8).c_str(), a.begun.substr(0, 16).c_str(),
-                a.trainee.pseudonym.c_str(), a.exercise.c_str(), score_text(a).c_str(),
-                a.state == AttemptState::interrupted ? a.folder.c_str()
-                : a.completed                        ? "completed"
-                                                     : "");
+                a.trainee.pseudonym.c_str(), a.exercise.c_str(), score_text(a).c_str(), what_became(a).c_str());
 }
 
 int list(const RecordsOptions& given) {
@@ -42,6 +48,9 @@ int list(const RecordsOptions& given) {
     const Result<std::vector<Attempt>> attempts = store.value().attempts(wanted_by(given));
     if (!attempts) {
         return complain(attempts.error());
+    }
+    if (const Status known = check_wanted(store.value(), given, attempts.value()); !known) {
+        return complain(known.error());
     }
     if (given.json) {
         nlohmann::json all = nlohmann::json::array();
@@ -65,15 +74,17 @@ void print_attempt(const Attempt& a) {
                 a.trainee.arm.empty() ? "" : ", arm ", a.trainee.arm.c_str());
     std::printf("  begun      %s%s%s\n", a.begun.c_str(), a.ended.empty() ? "" : ", ended ", a.ended.c_str());
     std::printf("  exercise   version %g, %s\n", a.version, a.sha256.c_str());
-    std::printf("  hand       %s, seed %llu\n", a.surgeon.c_str(), static_cast<unsigned long long>(a.seed));
+    std::printf("  operated   by %s, seed %llu\n", a.surgeon.c_str(), static_cast<unsigned long long>(a.seed));
     std::printf("  folder     %s\n", a.folder.c_str());
     std::printf("  score      %s\n", score_text(a).c_str());
     if (a.state != AttemptState::finished) {
         std::printf("  recording  %s/recording.rhx.part, as far as it came\n", a.folder.c_str());
         return;
     }
-    std::printf("  went       %s after %.1f s%s%s\n", a.completed ? "completed" : "not completed", a.duration_s,
+    std::printf("  went       %s, after %.1f s%s%s\n", what_became(a).c_str(), a.duration_s,
                 a.error.empty() ? "" : ": ", a.error.c_str());
+    std::printf("  with       mode %s%s%s, patient %s, set %s\n", a.mode.c_str(), a.level.empty() ? "" : ", level ",
+                a.level.c_str(), a.patient.c_str(), a.settings.c_str());
     for (const records::ItemScore& item : a.items) {
         if (item.score) {
             std::printf("  %-4s %4.1f  %s%s%s\n", item.id.c_str(), *item.score, item.name.c_str(),

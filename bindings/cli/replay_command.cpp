@@ -172,13 +172,8 @@ Result<std::string> operation_of(const std::string& folder) {
     return named["id"].get<std::string>();
 }
 
-int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context);
-
-int replay(ReplayOptions given, const Context& context) {
-    const std::vector<std::string> parts = part_folders(given.recording);
-    if (!parts.empty()) {
-        return replay_whole(given, parts, context);
-    }
+/// What was asked for of one recording, found in `out`.
+int look_at(ReplayOptions given, const Context& context, nlohmann::json& out) {
     given.recording = recording_path(given.recording);
     Result<Recording> read = read_recording(given.recording);
     if (!read) {
@@ -186,7 +181,7 @@ int replay(ReplayOptions given, const Context& context) {
     }
     simulate_with(given, read.value().header.scene);
     const Recording& recording = read.value();
-    nlohmann::json out = describe(recording, given.recording);
+    out = describe(recording, given.recording);
     int status = done;
     if (!recording.whole) {
         out["fault"] = recording.fault;
@@ -202,51 +197,76 @@ int replay(ReplayOptions given, const Context& context) {
     if (given.video) {
         status = std::max(status, film(recording, given, out));
     }
-    if (given.json) {
-        std::cout << out.dump(2) << '\n';
-    } else {
-        print_found(out);
-    }
     return status;
+}
+
+/// The score over all parts, as `out["result"]`.
+int score_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context,
+                nlohmann::json& out) {
+    const std::string rubric = find_rubric(given.score_with, context.root);
+    const Result<std::string> name =
+        rubric.empty() ? Result<std::string>(given.score_with) : operation_of(given.recording);
+    if (!name) {
+        return complain(name.error());
+    }
+    const Result<std::optional<Operation>> operation = load_operation(name.value(), context.root);
+    if (!operation) {
+        return complain(operation.error());
+    }
+    if (!operation.value()) {
+        return complain({"these are the parts of an operation, and " + given.score_with + " is an exercise",
+                         given.recording, "an operation or a rubric, or one of the folders in parts/"});
+    }
+    const Result<nlohmann::json> whole = rescore_operation(*operation.value(), rubric, parts, context.root);
+    if (!whole) {
+        return complain(whole.error(), found_failures);
+    }
+    out["result"] = whole.value();
+    if (!given.json) {
+        std::printf("%s: %zu parts\n  score: %s\n", given.recording.c_str(), parts.size(),
+                    score_line(whole.value()).c_str());
+    }
+    return done;
 }
 
 /// Every part by itself, and the score over all of them.
 int replay_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context) {
-    int status = done;
-    if (!given.score_with.empty()) {
-        const std::string rubric = find_rubric(given.score_with, context.root);
-        const Result<std::string> name =
-            rubric.empty() ? Result<std::string>(given.score_with) : operation_of(given.recording);
-        if (!name) {
-            return complain(name.error());
+    nlohmann::json out = {{"recording", given.recording}};
+    int status = given.score_with.empty() ? done : score_whole(given, parts, context, out);
+    const bool each = given.score_with.empty() || given.verify || given.video;
+    for (std::size_t i = 0; each && i < parts.size(); ++i) {
+        ReplayOptions own = given;
+        own.recording = parts[i];
+        own.score_with.clear();
+        own.out = given.out.empty() ? "" : given.out + "/" + std::filesystem::path(parts[i]).filename().string();
+        nlohmann::json found;
+        const int looked = look_at(own, context, found);
+        status = std::max(status, looked);
+        if (!given.json && !found.is_null()) {
+            print_found(found);
         }
-        const Result<std::optional<Operation>> operation = load_operation(name.value(), context.root);
-        if (!operation) {
-            return complain(operation.error());
-        }
-        if (!operation.value()) {
-            return complain({"these are the parts of an operation, and " + given.score_with + " is an exercise",
-                             given.recording, "an operation or a rubric, or one of the folders in parts/"});
-        }
-        const Result<nlohmann::json> whole = rescore_operation(*operation.value(), rubric, parts, context.root);
-        if (!whole) {
-            return complain(whole.error(), found_failures);
-        }
-        if (given.json) {
-            std::cout << nlohmann::json{{"recording", given.recording}, {"result", whole.value()}}.dump(2) << '\n';
-        } else {
-            std::printf("%s: %zu parts\n  score: %s\n", given.recording.c_str(), parts.size(),
-                        score_line(whole.value()).c_str());
-        }
+        out["parts"].push_back(std::move(found));
     }
-    if (given.score_with.empty() || given.verify || given.video) {
-        for (const std::string& part : parts) {
-            ReplayOptions own = given;
-            own.recording = part;
-            own.score_with.clear();
-            own.out = given.out.empty() ? "" : given.out + "/" + std::filesystem::path(part).filename().string();
-            status = std::max(status, replay(own, context));
-        }
+    if (given.json && out.size() > 1) {
+        std::cout << out.dump(2) << '\n';
+    }
+    return status;
+}
+
+int replay(const ReplayOptions& given, const Context& context) {
+    const std::vector<std::string> parts = part_folders(given.recording);
+    if (!parts.empty()) {
+        return replay_whole(given, parts, context);
+    }
+    nlohmann::json out;
+    const int status = look_at(given, context, out);
+    if (out.is_null()) {
+        return status;
+    }
+    if (given.json) {
+        std::cout << out.dump(2) << '\n';
+    } else {
+        print_found(out);
     }
     return status;
 }

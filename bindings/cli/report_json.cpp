@@ -77,6 +77,7 @@ json make_report(const ReportInput& input) {
     report["set"] = json(input.set);
     report["seed"] = input.seed;
     report["start"] = input.start.empty() ? json(nullptr) : json(input.start);
+    report["begun_at"] = input.begun_at.empty() ? json(nullptr) : json(input.begun_at);
     report["opening_mm"] = input.opening.empty() ? json(nullptr) : json(input.opening);
     report["opening_note"] = input.opening_note.empty() ? json(nullptr) : json(input.opening_note);
     report["patient"] = patient_json(input.patient);

@@ -22,6 +22,7 @@ struct ReportInput {
     std::map<std::string, std::string> set;  ///< what --set changed, habits of the surgeon included
     std::uint64_t seed = 0;
     std::string start;            ///< state file that the run began from; empty: the eye at rest
+    std::string begun_at;         ///< moment, state file or part that was asked for to begin at; empty: the beginning
     std::vector<double> opening;  ///< of the bag, as SceneDescription has it
     std::string opening_note;     ///< why it is not the one that was torn before; empty: nothing to say
     Patient patient;

@@ -15,6 +15,7 @@
 #include "cli/language.hpp"
 #include "cli/operation.hpp"
 #include "cli/report_json.hpp"
+#include "cli/run_folder.hpp"
 #include "cli/starts.hpp"
 #include "eye/patient.hpp"
 
@@ -278,6 +279,20 @@ AttemptOptions attempt_options(const RunOptions& given, std::map<std::string, st
     return options;
 }
 
+/// A trainee's attempt is not written over: the store names its folder.
+Status check_folder(const std::string& folder, bool resume) {
+    std::error_code ignored;
+    const bool of_a_trainee = std::filesystem::exists(folder + "/" + note_file, ignored);
+    const std::vector<std::string> results = {"/report.json", "/recording.rhx", "/recording.rhx.part", "/parts"};
+    const bool holds_a_run = std::any_of(results.begin(), results.end(), [&folder, &ignored](const std::string& name) {
+        return std::filesystem::exists(folder + name, ignored);
+    });
+    return folder.empty() || resume || !of_a_trainee || !holds_a_run
+               ? success()
+               : Status(Error{"an attempt of a trainee lies in this folder already", folder,
+                              "another --out, or none: each attempt has a folder of its own then"});
+}
+
 /// The exercise is loaded first, so that its mistakes show before anything is stored.
 Result<KeptAttempt> begin_kept(const RunOptions& given, const AttemptOptions& options) {
     if (given.keep.trainee.empty()) {
@@ -304,6 +319,10 @@ int run(RunOptions given, const Context& context) {
         given.curriculum, context.root, set.value().contains("language") ? set.value().at("language") : "");
     if (!operation) {
         return complain(operation.error());
+    }
+    status = check_folder(given.out, given.resume);
+    if (!status) {
+        return complain(status.error());
     }
     if (operation.value()) {
         return run_whole(given, *operation.value(), attempt_options(given, std::move(set).value(), context));

@@ -353,19 +353,16 @@ Status check_start(const StartRequest& given) {
     return recipe ? success() : Status(recipe.error());
 }
 
-Result<Start> find_start(const StartRequest& given) {
-    const Result<StartRequest> found = default_start(given);
-    if (!found) {
-        return found.error();
-    }
-    const StartRequest& request = found.value();
+namespace {
+
+Result<Start> start_for(const StartRequest& request) {
     if (request.start.empty() || !is_name(request.start)) {
         Result<std::vector<double>> opening = opening_from(request.opening, request);
         if (!opening) {
             return opening.error();
         }
         const Result<std::string> state = request.start.empty() ? at_rest(request) : request.start;
-        return state ? Result<Start>(Start{state.value(), std::move(opening).value()}) : state.error();
+        return state ? Result<Start>(Start{state.value(), std::move(opening).value(), {}, {}}) : state.error();
     }
     Result<Recipe> recipe = find_recipe(request);
     if (!recipe) {
@@ -376,7 +373,21 @@ Result<Start> find_start(const StartRequest& given) {
     }
     const Result<std::string> state =
         happens_by_itself(recipe.value()) ? at_once(recipe.value(), request) : kept(recipe.value(), request);
-    return state ? Result<Start>(Start{state.value(), recipe.value().opening}) : state.error();
+    return state ? Result<Start>(Start{state.value(), recipe.value().opening, {}, {}}) : state.error();
+}
+
+}  // namespace
+
+Result<Start> find_start(const StartRequest& given) {
+    const Result<StartRequest> found = default_start(given);
+    if (!found) {
+        return found.error();
+    }
+    Result<Start> start = start_for(found.value());
+    if (start && given.start != first_moment) {
+        start.value().chosen = given.start;
+    }
+    return start;
 }
 
 }  // namespace rhexis::cli

@@ -24,6 +24,7 @@ struct StartRequest {
 struct Start {
     std::string state{};            ///< path; "": the eye at rest
     std::vector<double> opening{};  ///< of the bag, as SceneDescription has it
+    std::string chosen{};           ///< moment that was asked for in place of the exercise's beginning; "": none was
     std::string opening_note{};     ///< why it is not the one that was torn before; empty: nothing to say
 };
 

@@ -73,6 +73,7 @@ struct Attempt {
     std::optional<double> total;
     std::optional<double> max;
     std::optional<double> scaled;  ///< 0: every item at its least, 1: at its most
+    std::string begun_at;          ///< moment, state file or part that it began at; "": the beginning
     std::string error;             ///< of the exercise's script; "": none
     std::string recording_sha256;
     std::vector<ItemScore> items;

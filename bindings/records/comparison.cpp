@@ -2,6 +2,7 @@
 #include "records/comparison.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -119,7 +120,25 @@ Scores by_all(const std::vector<Target>& targets, const std::vector<std::string>
     return scores;
 }
 
-json among_raters(const std::vector<Target>& targets, const std::vector<std::string>& raters, const std::string& item) {
+/// Those whom the correlation among raters is of: an attempt counts there when all of them have scored it, so who rated
+/// less than half as many as who rated most would leave nothing to correlate.
+std::vector<std::string> steady_raters(const std::vector<Target>& targets, const std::vector<std::string>& raters) {
+    std::map<std::string, std::size_t> rated;
+    std::size_t most = 0;
+    for (const Target& target : targets) {
+        for (const auto& [rater, points] : target.raters) {
+            most = std::max(most, ++rated[rater]);
+        }
+    }
+    std::vector<std::string> steady;
+    std::copy_if(raters.begin(), raters.end(), std::back_inserter(steady),
+                 [&rated, most](const std::string& rater) { return 2 * rated[rater] >= most; });
+    return steady.size() < 2 ? raters : steady;
+}
+
+/// Correlation among the steady ones, limits of every pair.
+json among_raters(const std::vector<Target>& targets, const std::vector<std::string>& raters,
+                  const std::vector<std::string>& steady, const std::string& item) {
     if (raters.size() < 2) {
         return {{"icc", {{"why", "too few raters: two at least"}}}, {"pairs", json::array()}};
     }
@@ -135,7 +154,7 @@ json among_raters(const std::vector<Target>& targets, const std::vector<std::str
             pairs.push_back({{"a", raters[i]}, {"b", raters[j]}, {"limits", limits_json(a, b)}});
         }
     }
-    return {{"icc", correlation_json(by_all(targets, raters, item))}, {"pairs", pairs}};
+    return {{"icc", correlation_json(by_all(targets, steady, item))}, {"pairs", pairs}};
 }
 
 /// The simulator beside the mean of those raters who scored the item.
@@ -202,14 +221,17 @@ json compare_judges(const std::vector<Attempt>& attempts, const std::vector<Rati
     std::vector<std::string> items(item_names.begin(), item_names.end());
     std::sort(items.begin(), items.end(), before);
     items.emplace_back(total);
+    const std::vector<std::string> steady = steady_raters(targets, raters);
+    std::vector<std::string> left_out;
+    std::set_difference(raters.begin(), raters.end(), steady.begin(), steady.end(), std::back_inserter(left_out));
     json rows = json::array();
     for (const std::string& item : items) {
         rows.push_back({{"item", item},
                         {"name", item == total ? "Mean points per item x 20" : titles[item]},
-                        {"raters", among_raters(targets, raters, item)},
+                        {"raters", among_raters(targets, raters, steady, item)},
                         {"simulator", against_raters(targets, item)}});
     }
-    return {{"raters", raters}, {"attempts", targets.size()}, {"rows", rows}};
+    return {{"raters", raters}, {"left_out", left_out}, {"attempts", targets.size()}, {"rows", rows}};
 }
 
 }  // namespace rhexis::records

@@ -47,7 +47,7 @@ std::string attempts_csv(const std::vector<Attempt>& attempts) {
     std::string all =
         "attempt,trainee,cohort,arm,exercise,version,sha256,surgeon,seed,begun_utc,ended_utc,state,completed,duration_"
         "s,"
-        "rubric,total,max,scaled,level,mode,language,patient,settings,error,folder,recording_sha256\n";
+        "rubric,total,max,scaled,level,mode,language,patient,settings,begun_at,error,folder,recording_sha256\n";
     for (const Attempt& a : attempts) {
         all += line({cell(a.id),
                      cell(a.trainee.pseudonym),
@@ -72,6 +72,7 @@ std::string attempts_csv(const std::vector<Attempt>& attempts) {
                      cell(a.language),
                      cell(a.patient),
                      cell(a.settings),
+                     cell(a.begun_at),
                      cell(a.error),
                      cell(a.folder),
                      cell(a.recording_sha256)});

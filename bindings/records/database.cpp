@@ -41,6 +41,19 @@ void make_tables(soci::session& sql) {
     writing.commit();
 }
 
+/// In one transaction: another program that opens the store meanwhile finds it as it was or as it is to be.
+void upgrade(soci::session& sql) {
+    Writing writing(sql);
+    const int version = number(sql, "PRAGMA user_version");
+    for (const char* statement : upgrade_statements(version)) {
+        sql << statement;
+    }
+    if (version < schema_version) {
+        sql << "PRAGMA user_version = " + std::to_string(schema_version);
+    }
+    writing.commit();
+}
+
 Status check_version(soci::session& sql, const std::string& path) {
     const int version = number(sql, "PRAGMA user_version");
     if (number(sql, "PRAGMA application_id") != application_id) {
@@ -125,7 +138,11 @@ Status open_database(soci::session& sql, const std::string& path, Opening how) {
     if (number(sql, "PRAGMA user_version") == 0 && number(sql, "SELECT count(*) FROM sqlite_master") == 0) {
         make_tables(sql);
     }
-    return check_version(sql, path);
+    const Status readable = check_version(sql, path);
+    if (readable && number(sql, "PRAGMA user_version") < schema_version) {
+        upgrade(sql);
+    }
+    return readable;
 }
 
 }  // namespace rhexis::records

@@ -43,8 +43,13 @@ Status take_gate(const json& given, const json& bands, const std::string& where,
             gate.in_a_row = status ? value.get<int>() : gate.in_a_row;
         } else if (key == "no_critical_error_left" && value.is_boolean()) {
             gate.no_critical_error_left = value.get<bool>();
+        } else if (key == "from_the_beginning" && value.is_boolean()) {
+            gate.from_the_beginning = value.get<bool>();
+        } else if (key == "mode" && (value == "exam" || value == "teaching" || value == "")) {
+            gate.mode = value.get<std::string>();
         } else {
-            const std::vector<std::string> known = {"pass", "in_a_row", "no_critical_error_left"};
+            const std::vector<std::string> known = {"pass", "in_a_row", "no_critical_error_left", "from_the_beginning",
+                                                    "mode"};
             status = Error{"what is " + key + " = " + value.dump() + "?", where, suggestion(key, known)};
         }
         if (!status) {
@@ -85,6 +90,7 @@ Result<Gates> gates_from(const json& given, const std::string& where) {
 
 bool passes(const Attempt& attempt, const Gate& gate) {
     return attempt.completed && attempt.error.empty() && attempt.scaled && *attempt.scaled >= gate.pass &&
+           (attempt.begun_at.empty() || !gate.from_the_beginning) && (gate.mode.empty() || attempt.mode == gate.mode) &&
            !(gate.no_critical_error_left && left_a_critical_error(attempt));
 }
 

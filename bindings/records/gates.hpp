@@ -18,6 +18,8 @@ struct Gate {
     double pass = 0.725;                 ///< least share of the scale: 0: every item at its least, 1: at its most
     int in_a_row = 2;                    ///< passes that open the gate
     bool no_critical_error_left = true;  ///< an attempt with a critical error that was not put right is no pass
+    bool from_the_beginning = true;      ///< an attempt that began at a later moment is no pass
+    std::string mode;                    ///< "exam" or "teaching": attempts in another are no pass; "": any
 };
 
 struct Gates {

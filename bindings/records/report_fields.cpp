@@ -94,6 +94,7 @@ Status take_report(const json& report, Attempt& attempt) {
     attempt.mode = text_in(report, "mode");
     attempt.language = text_in(report, "language");
     attempt.error = text_in(report, "error");
+    attempt.begun_at = text_in(report, "begun_at");
     const json osacss = report.value("osacss", json());
     attempt.rubric = text_in(osacss, "rubric");
     attempt.total = number_in(osacss, "total");

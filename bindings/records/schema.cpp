@@ -19,7 +19,8 @@ std::vector<const char*> schema_statements() {
         "  duration_s REAL NOT NULL DEFAULT 0, patient TEXT NOT NULL DEFAULT '', settings TEXT NOT NULL DEFAULT '',"
         "  level TEXT NOT NULL DEFAULT '', mode TEXT NOT NULL DEFAULT '', language TEXT NOT NULL DEFAULT '',"
         "  rubric TEXT NOT NULL DEFAULT '', total REAL, max REAL, scaled REAL,"
-        "  error TEXT NOT NULL DEFAULT '', recording_sha256 TEXT NOT NULL DEFAULT '')",
+        "  error TEXT NOT NULL DEFAULT '', recording_sha256 TEXT NOT NULL DEFAULT '',"
+        "  begun_at TEXT NOT NULL DEFAULT '')",
         "CREATE INDEX attempts_of_trainee ON attempts (trainee, exercise, begun)",
 
         "CREATE TABLE items ("
@@ -49,6 +50,14 @@ std::vector<const char*> schema_statements() {
         "  PRIMARY KEY (attempt, rater, item),"
         "  FOREIGN KEY (attempt, rater) REFERENCES ratings ON DELETE CASCADE) WITHOUT ROWID",
     };
+}
+
+std::vector<const char*> upgrade_statements(int from_version) {
+    std::vector<const char*> statements;
+    if (from_version < 2) {  // where an attempt began was not kept: all count as begun at the beginning
+        statements.push_back("ALTER TABLE attempts ADD COLUMN begun_at TEXT NOT NULL DEFAULT ''");
+    }
+    return statements;
 }
 
 }  // namespace rhexis::records

@@ -72,6 +72,7 @@ Attempt attempt_in(const row& r) {
     a.scaled = number_in(r, "scaled");
     a.error = text("error");
     a.recording_sha256 = text("recording_sha256");
+    a.begun_at = text("begun_at");
     return a;
 }
 

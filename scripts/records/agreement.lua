@@ -103,7 +103,9 @@ function agreement.html(data)
     local title = t("Agreement of simulator and raters")
     return page.html(title, function(w)
         w("<header><h1>", e(title), "</h1><p>", e(t("%d rated attempts, %d raters: %s.", data.attempts, #data.raters,
-            table.concat(data.raters, ", "))), '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
+            table.concat(data.raters, ", "))),
+            #data.left_out > 0 and " " .. e(t("Left out of the correlation among raters, because of too few ratings: %s.",
+                table.concat(data.left_out, ", "))) or "", '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
             .. "effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with "
             .. "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the "
             .. "simulator are not clinically validated.")), "</p></header>")

@@ -111,6 +111,8 @@ expect 0 "" "$rhexis" run both --no-pictures --out whole --resume --seed 2
 expect 0 "" "$rhexis" run both --no-pictures --out middle --from look --to look
 [ "$(ls middle/parts)" = 02_look ] || fail "not the middle: $(ls middle/parts)"
 [ "$(value middle/report.json "['completed']")" = False ] || fail "a part counts as the whole"
+[ "$(value middle/report.json "['begun_at']")" = look ] || fail "it does not say that it began in the middle"
+[ "$(value middle/report.json "['osacss'].get('band')")" = None ] || fail "a part is told a band of skill"
 
 # For one part, and for all.
 expect 0 "" "$rhexis" run both --no-pictures --out set --set fill.goal.fill=0.6 --set patient.age=60

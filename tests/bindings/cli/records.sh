@@ -86,6 +86,32 @@ for name in ("items", "measures", "events", "ratings"):
 assert {row["duration_s"] for row in read("attempts")} == {"1"}
 P
 expect 2 "cannot make this folder" "$rhexis" records export --out /proc/nowhere
+cp "$work/csv/items.csv" "$work/items.csv"
+expect 2 "no attempt is stored of the trainee P99" "$rhexis" records export --out "$work/csv" --trainee P99
+cmp -s "$work/items.csv" "$work/csv/items.csv" || fail "an export of nothing has written over a table"
+expect 2 "did you mean groove?" "$rhexis" records list --exercise grove
+
+# Who began in the middle has not passed; a store of the schema before kept no such moment.
+sql "UPDATE attempts SET begun_at = 'half_way' WHERE trainee = 'P07'"
+expect 0 "" "$rhexis" records gates P07 --pass 0
+says "closed: 0 of 2 in a row"
+expect 0 "" "$rhexis" records list --trainee P07
+says "completed, begun at half_way"
+sql "UPDATE attempts SET begun_at = ''"
+cp "$RHEXIS_RECORDS" "$work/older.db"
+python3 -c "import sqlite3, sys
+sql = sqlite3.connect(sys.argv[1])
+sql.executescript('ALTER TABLE attempts DROP COLUMN begun_at; PRAGMA user_version = 1')" "$work/older.db"
+expect 0 "" "$rhexis" records gates P07 --pass 0 --records "$work/older.db"
+says "open since attempt 2"
+[ "$(python3 -c "import sqlite3, sys; print(*sqlite3.connect(sys.argv[1]).execute('PRAGMA user_version').fetchone())" \
+    "$work/older.db")" = 2 ] || fail "an older store was not brought up to date"
+
+# An attempt of a trainee is not written over.
+sum=$(sha256sum "$work/p4/recording.rhx")
+expect 2 "lies in this folder already" "${attempt[@]}" --out "$work/p4" --trainee P08
+expect 2 "lies in this folder already" "${attempt[@]}" --out "$work/p4"
+[ "$(sha256sum "$work/p4/recording.rhx")" = "$sum" ] || fail "an attempt was written over"
 
 # A killed process: what was done is kept, and shown as interrupted.
 "$rhexis" run groove "${small[@]}" --limit 600 --set patient.tetrahedra=3000 --out "$work/killed" --trainee P07 \
@@ -107,6 +133,7 @@ expect 0 "" "$rhexis" records list --trainee P07
 says "interrupted"
 says "$work/killed"
 expect 0 "cut short" "$rhexis" replay "$work/killed"
+expect 2 "cut short before it came to its report" "$rhexis" report "$work/killed"
 
 # In a folder with the report of an earlier run it stays interrupted.
 cp "$work/p1/report.json" "$work/killed/report.json"

@@ -51,6 +51,20 @@ TEST_SUITE("comparison of judges") {
         CHECK(data["rows"].back() == total);
     }
 
+    TEST_CASE("who rated little is left out of the correlation among raters") {
+        const std::vector<Attempt> attempts = {finished("A", 0.0), finished("B", 0.5), finished("C", 1.0)};
+        std::vector<Rating> ratings = {by("R1", attempts[0], 1, 2), by("R1", attempts[1], 3, 3),
+                                       by("R1", attempts[2], 5, 4), by("R2", attempts[0], 2, 2),
+                                       by("R2", attempts[1], 4, 3), by("R2", attempts[2], 5, 4)};
+        const nlohmann::json two = compare_judges(attempts, ratings);
+        CHECK(two["left_out"].empty());
+        ratings.push_back(by("R3", attempts[0], 1, 1));
+        const nlohmann::json three = compare_judges(attempts, ratings);
+        CHECK(three["left_out"] == nlohmann::json({"R3"}));
+        CHECK(row(three, "T5")["raters"]["icc"] == row(two, "T5")["raters"]["icc"]);
+        CHECK(row(three, "T5")["raters"]["pairs"].size() == 3);
+    }
+
     TEST_CASE("too few raters, constant items and items that nobody scored say so") {
         const std::vector<Attempt> attempts = {finished("A", 0.0), finished("B", 0.5)};
         const nlohmann::json one = compare_judges(attempts, {by("R1", attempts[0], 1, 4), by("R1", attempts[1], 3, 4)});

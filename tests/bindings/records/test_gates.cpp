@@ -34,13 +34,29 @@ TEST_SUITE("gates") {
         CHECK(passes(attempt, Gate{}));
         attempt.events[0].recovered = false;
         CHECK_FALSE(passes(attempt, Gate{}));
-        CHECK(passes(attempt, Gate{0.725, 2, false}));
+        CHECK(passes(attempt, Gate{0.725, 2, false, true, ""}));
         attempt = finished("P07", 0.9);
         attempt.completed = false;
         CHECK_FALSE(passes(attempt, Gate{}));
         attempt = finished("P07", 0.9);
         attempt.error = "groove/curriculum.lua:3: ...";
         CHECK_FALSE(passes(attempt, Gate{}));
+    }
+
+    TEST_CASE("no pass: begun in the middle, or in another mode, where the gate says so") {
+        Attempt attempt = finished("P07", 0.9);
+        attempt.begun_at = "half_way";
+        attempt.mode = "teaching";
+        CHECK_FALSE(passes(attempt, Gate{}));
+        const Result<Gates> gates =
+            gates_from({{"usual", {{"from_the_beginning", false}}}, {"exercises", {{"groove", {{"mode", "exam"}}}}}},
+                       "gates.json");
+        REQUIRE(gates.ok());
+        CHECK(passes(attempt, gates.value().usual));
+        CHECK_FALSE(passes(attempt, gates.value().of("groove")));
+        attempt.mode = "exam";
+        CHECK(passes(attempt, gates.value().of("groove")));
+        CHECK_FALSE(gates_from({{"usual", {{"mode", "exams"}}}}, "gates.json").ok());
     }
 
     TEST_CASE("gates are data, with bands, and mistakes in them are named") {
