@@ -51,16 +51,6 @@ end
 --- What a scene may be made of: names of instruments and tissues.
 words.parts = {}
 
---- " (the exercise does not name the hook)" of a measure whose group is a part of other scenes; or nil.
-function words.missing_part(name, known)
-    local group = name:match("^([%w_]+)%.")
-    if not group or not words.has(words.parts, group) then return nil end
-    for _, other in ipairs(known) do
-        if other:sub(1, #group + 1) == group .. "." then return nil end
-    end
-    return (" (the exercise does not name '%s' among its tissues and instruments)"):format(group)
-end
-
 --- The keys of a table that are strings, in a fixed order.
 function words.keys(t)
     local keys = {}
