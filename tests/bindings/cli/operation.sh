@@ -111,6 +111,9 @@ expect 0 "" "$rhexis" run both --no-pictures --out whole --resume --seed 2
 expect 0 "" "$rhexis" run both --no-pictures --out middle --from look --to look
 [ "$(ls middle/parts)" = 02_look ] || fail "not the middle: $(ls middle/parts)"
 [ "$(value middle/report.json "['completed']")" = False ] || fail "a part counts as the whole"
+[ "$(value middle/report.json "['not_begun']")" = "['fill', 'look again']" ] || fail "what was not begun is not named"
+grep -qF "not begun: “fill”, “look again”." middle/report.html || fail "the page does not name what was not begun"
+! grep -q not_begun whole/report.json || fail "all parts were begun"
 
 # For one part, and for all.
 expect 0 "" "$rhexis" run both --no-pictures --out set --set fill.goal.fill=0.6 --set patient.age=60
@@ -200,4 +203,5 @@ L
 expect 1 "part broken: broken/curriculum.lua:" "$rhexis" run half --no-pictures --out half_run
 [ -s half_run/report.html ] && [ -s half_run/parts/02_broken/recording.rhx ] || fail "nothing is left of a broken operation"
 [ ! -e half_run/parts/03_look ] || fail "the operation went on after its script broke"
+[ "$(value half_run/report.json "['not_begun']")" = "['look']" ] || fail "a broken operation does not name what was not begun"
 finished
