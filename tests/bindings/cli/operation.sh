@@ -148,7 +148,7 @@ wrong() {  # TEXT: check refuses the operation on stdin so
     expect 2 "$1" "$rhexis" run wrong --out never
     [ ! -e never ] || { fail "a wrong operation left files"; rm -r never; }
 }
-wrong "wrong/curriculum.lua:2: circular composition: part me leads back to wrong" <<'L'
+wrong "wrong/curriculum.lua:2: circular composition: part me leads back to wrong (an operation is made of exercises)" <<'L'
 return operation { title = "Wrong", parts = {
     part "me" { exercise = "../wrong" } } }
 L
@@ -164,6 +164,9 @@ return operation { title = "Wrong", parts = { part "both" { exercise = "../both"
 L
 wrong "wrong/curriculum.lua:1: part nowhere: there is no curriculum 'nowhere'" <<'L'
 return operation { title = "Wrong", parts = { part "nowhere" {} } }
+L
+wrong "part set_upp: there is no curriculum 'set_upp' (did you mean 'set_up'?) (or a folder, as seen from" <<'L'
+return operation { title = "Wrong", parts = { part "set_upp" {} } }
 L
 wrong "a rubric has no 'al' (did you mean all?)" <<'L'
 return operation { title = "Wrong", parts = { part "fill" { exercise = "../fill" } }, scoring = osacss.al }
