@@ -28,7 +28,7 @@ local words = require "engine.words"
 local language = {}
 
 local step_rules = {
-    title = { kind = "text" },             -- what the trainee reads; the name of the step if missing
+    title = { kind = "line" },             -- what the trainee reads; the name of the step if missing
     hint = { kind = "text" },              -- said when the step begins, in teaching mode
     hint_after_s = { kind = "number", default = 0, from = 0, to = 7200 },  -- or only if it is not done by then
     enter_when = { kind = "condition" },   -- the step begins once this holds
@@ -42,7 +42,7 @@ local step_rules = {
 }
 
 local event_rules = {
-    title = { kind = "text" },
+    title = { kind = "line" },
     when = { kind = "condition", required = true },  -- the error happens
     hold_s = { kind = "number", default = 0, from = 0, to = 60 },  -- only if it lasts this long
     recovered = { kind = "condition" },    -- it is put right
@@ -74,7 +74,7 @@ local patient_rules = {
 }
 
 local exercise_rules = {
-    title = { kind = "text", required = true },
+    title = { kind = "line", required = true },
     version = { kind = "number", default = 1, from = 0 },
     summary = { kind = "text" },
     objectives = { kind = "texts", default = {} },
@@ -112,7 +112,7 @@ end
 
 -- A level of difficulty: what it changes of the exercise.
 local level_rules = {
-    meaning = { kind = "text" },           -- in a few words
+    meaning = { kind = "line" },           -- in a few words
     patient = { kind = "table", default = {} },
     settings = { kind = "table", default = {} },
     goals = { kind = "table", default = {} },
@@ -128,6 +128,7 @@ function language.declaration(kind, rules, finish)
         if type(name) ~= "string" or id_of(name) == "" then
             words.fail(words.where(nil, words.line_here()), ("%s must be followed by a name in quotes"):format(kind))
         end
+        fields.check_value({ kind = "line" }, name, words.where(nil, words.line_here()), kind .. ": its name")
         return function(given)
             local line = words.line_here()
             local result = fields.read(given, rules, ("%s '%s'"):format(kind, name), line)
@@ -152,7 +153,8 @@ local function read_consequences(event)
         if type(key) == "string" then
             settings[key] = value
         elseif type(value) == "string" then
-            said[#said + 1] = value
+            said[#said + 1] = fields.check_value({ kind = "text" }, value, words.where("consequences", event.line),
+                ("error_event '%s': consequences"):format(event.name))
         else
             words.fail(words.where("consequences", event.line), ("error_event '%s': consequences hold texts and "
                 .. "settings, like { \"The nurse turns the power down.\", [\"phaco.power_limit\"] = 0.3 }"):format(
@@ -187,9 +189,15 @@ end
 -- { phaco = { power_limit = 0.6 } } and { ["phaco.power_limit"] = 0.6 } both become { "phaco.power_limit" = 0.6 }.
 --- line: where to look for them from, or nil.
 function language.flatten(settings, prefix, out, line)
+    fields.named(settings, words.where(prefix ~= "" and prefix:match("([^.]*)%.$") or "settings", line), "settings",
+        "phaco = { power_limit = 0.6 }")
     for _, key in ipairs(words.keys(settings)) do
         local value = settings[key]
         if type(value) == "table" then
+            if prefix ~= "" then
+                words.fail(words.where(key, line), ("settings: %s%s is a table within a table: write phaco = "
+                    .. "{ power_limit = 0.6 }"):format(prefix, key))
+            end
             language.flatten(value, prefix .. key .. ".", out, line)
         elseif type(value) == "boolean" then
             out[prefix .. key] = value and 1 or 0
@@ -200,14 +208,32 @@ function language.flatten(settings, prefix, out, line)
     return out
 end
 
--- A goal is a number, or { number, from = , to = , meaning = }.
+local goal_rules = { from = { kind = "number" }, to = { kind = "number" }, meaning = { kind = "line" } }
+
+-- What a goal may be: { number, from = , to = , meaning = } without its number.
+local function goal_rule(given, name, line)
+    local rest = {}
+    for key, value in pairs(given) do
+        if key ~= 1 then rest[key] = value end
+    end
+    local rule = fields.read(rest, goal_rules, "goal " .. name, line)
+    if rule.from and rule.to and rule.from > rule.to then
+        words.fail(words.where("from", line), ("goal %s: from = %g is above to = %g"):format(name, rule.from, rule.to))
+    end
+    rule.kind = "number"
+    return rule
+end
+
+-- A goal is a number, or a table as above.
 local function read_goals(goals)
     local values, rules = {}, {}
+    fields.named(goals, words.where("goals"), "goals", "length_mm = 4")
     for _, name in ipairs(words.keys(goals)) do
         local given = goals[name]
-        local rule = type(given) == "table" and given or { given }
-        rules[name] = { kind = "number", from = rule.from, to = rule.to, meaning = rule.meaning }
-        values[name] = fields.check_value(rules[name], rule[1], words.where(name, words.line_here()), "goal " .. name)
+        local line = words.line_of(name, words.line_of("goals"))
+        rules[name] = goal_rule(type(given) == "table" and given or {}, name, line)
+        values[name] = fields.check_value(rules[name], type(given) == "table" and given[1] or given,
+            words.where(nil, line), "goal " .. name)
     end
     return values, rules
 end
@@ -231,6 +257,7 @@ end
 
 --- What a good performance needs: a positive number by name.
 function language.read_reference(given)
+    fields.named(given, words.where("reference"), "reference", "path_mm = 80")
     for _, name in ipairs(words.keys(given)) do
         fields.check_value({ kind = "number", from = 1e-9 }, given[name], words.where(name, words.line_of("reference")),
             "reference: " .. name)
@@ -301,6 +328,7 @@ end
 
 local function read_levels(result)
     local levels = {}
+    fields.named(result.levels, words.where("levels"), "levels", "easy = { patient = { age = 60 } }")
     for _, name in ipairs(words.keys(result.levels)) do
         local owner = ("level '%s'"):format(name)
         local line = words.line_of(name, words.line_of("levels"))

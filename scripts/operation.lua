@@ -28,7 +28,7 @@ local operation = {}
 
 local part_rules = {
     exercise = { kind = "text" },          -- folder in curricula/, or beside this one; the part's name if missing
-    title = { kind = "text" },             -- that of the exercise if missing
+    title = { kind = "line" },             -- that of the exercise if missing
     start = { kind = "text" },             -- of its starts.lua, when nothing is handed over
     continues = { kind = "yes_no", default = false },  -- begins in the state that the part before it left: same eye,
                                            -- tissues, instruments and fixed settings; the machine's are its own
@@ -44,7 +44,7 @@ local part_rules = {
 }
 
 local operation_rules = {
-    title = { kind = "text", required = true },
+    title = { kind = "line", required = true },
     version = { kind = "number", default = 1, from = 0 },
     summary = { kind = "text" },
     objectives = { kind = "texts", default = {} },
@@ -60,6 +60,8 @@ local operation_rules = {
 operation.part = language.declaration("part", part_rules, function(part)
     part.exercise = part.exercise or part.id
     part.begins = {}
+    fields.named(part.begins_with, words.where("begins_with", part.line), ("part '%s': begins_with"):format(part.name),
+        "[\"viscoelastic.fill\"] = \"viscoelastic.fill\"")
     for _, setting in ipairs(words.keys(part.begins_with)) do
         local text = part.begins_with[setting]
         local where = words.where(setting, part.line)
@@ -211,7 +213,8 @@ function operation.join(wanted, index, exercise, before, live)
     if part.continues and before.scene then continue_scene(exercise, before.scene, live) end
     exercise.time_limit_s = part.time_limit_s or exercise.time_limit_s
     exercise.mode = wanted.mode
-    exercise.whole = { part = part, scoring = wanted.scoring, reference = wanted.reference, before = before }
+    exercise.whole = { part = part, parts = wanted.parts, scoring = wanted.scoring, reference = wanted.reference,
+        before = before }
 end
 
 return operation

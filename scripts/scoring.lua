@@ -107,12 +107,17 @@ end
 local selecting = {}
 
 function selecting.__call(rubric, wanted)
-    local known = words.keys(rubric.by_id)
+    local known, seen = words.keys(rubric.by_id), {}
+    if type(wanted) ~= "table" then
+        words.fail(words.where("scoring"), "a rubric is followed by a list of items, like { \"T9\", \"G4\" }")
+    end
     for _, id in ipairs(wanted) do
         if not rubric.by_id[id] then
             words.fail(words.where("scoring", nil), ("unknown item '%s'%s"):format(tostring(id),
                 words.hint(tostring(id), known)))
         end
+        if seen[id] then words.fail(words.where("scoring"), ("item '%s' is listed twice"):format(id)) end
+        seen[id] = true
     end
     return { rubric = rubric, items = wanted }
 end
@@ -177,14 +182,26 @@ end
 
 local function number(value, digits) return (("%." .. digits .. "f"):format(value):gsub("^%-(0%.?0*)$", "%1")) end
 
-local function amount(measure, value)
-    if measure.unit == "1" then return number(value, measure.digits) end
-    return number(value, measure.digits) .. " " .. measure.unit
+-- A threshold is told with the digits that it needs: 0.5 is not 0, whatever the digits of what was measured.
+local function digits_of(value, digits)
+    while digits < 6 and math.abs(tonumber(number(value, digits)) - value) > 1e-9 do digits = digits + 1 end
+    return digits
+end
+
+local function amount(measure, value, digits)
+    local text = number(value, digits or measure.digits)
+    return measure.unit == "1" and text or text .. " " .. measure.unit
+end
+
+local function exact(measure, value) return amount(measure, value, digits_of(value, measure.digits)) end
+
+local function pair_text(measure, pattern, pair)
+    return t(pattern):format(number(pair[1], digits_of(pair[1], measure.digits)), exact(measure, pair[2]))
 end
 
 local function threshold_text(measure, threshold)
-    if type(threshold) ~= "table" then return amount(measure, threshold) end
-    return t("%s to %s"):format(number(threshold[1], measure.digits), amount(measure, threshold[2]))
+    if type(threshold) ~= "table" then return exact(measure, threshold) end
+    return pair_text(measure, "%s to %s", threshold)
 end
 
 -- "5 points at 0.2 mm, 3 at 0.5 mm, 1 at 1.0 mm"
@@ -193,7 +210,7 @@ local function scale_text(measure)
     for i, threshold in ipairs(measure.thresholds) do
         local value = threshold.value
         local text = type(value) == "table" and i > 1
-            and t("%s or %s"):format(number(value[1], measure.digits), amount(measure, value[2]))
+            and pair_text(measure, "%s or %s", value)
             or threshold_text(measure, value)
         parts[i] = t(i == 1 and "%d points at %s" or "%d at %s"):format(threshold.points, text)
     end

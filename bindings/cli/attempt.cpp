@@ -124,8 +124,9 @@ private:
         } else {
             note["refused"] = changes.error().text();
         }
-        std::fprintf(stderr, "rhexis: after %.2f s: %s\n", session_.time_s(),
-                     changes ? "the changed exercise is taken up" : changes.error().text().c_str());
+        const std::string said =
+            changes ? "the changed exercise is taken up" : changes.error().text() + "; the run goes on unchanged";
+        std::fprintf(stderr, "rhexis: after %.2f s: %s\n", session_.time_s(), said.c_str());
         reloads_.push_back(std::move(note));
     }
 

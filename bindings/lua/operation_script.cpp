@@ -34,8 +34,10 @@ Status no_operation_within(const OperationPart& part, std::vector<std::string> w
     const Result<CurriculumFiles> files = find_curriculum(part.exercise, root);
     if (!files) {
         const bool bare = part.exercise.find('/') == std::string::npos;
-        const std::string beside = bare ? "; or a folder, as seen from the operation's: ../" + part.exercise : "";
-        return Error{"part " + part.id + ": " + files.error().what, part.where, files.error().allowed + beside};
+        const std::string beside = bare ? "or a folder, as seen from the operation's: ../" + part.exercise : "";
+        const std::string& known = files.error().allowed;
+        const std::string between = known.empty() || beside.empty() ? "" : "; ";
+        return Error{"part " + part.id + ": " + files.error().what, part.where, known + between + beside};
     }
     const Result<json> listing = ExerciseScript::listing(files.value(), root);
     if (!listing) {
@@ -47,7 +49,7 @@ Status no_operation_within(const OperationPart& part, std::vector<std::string> w
     const bool round = std::find(way.begin(), way.end(), files.value().script) != way.end();
     if (round) {
         return Error{"circular composition: part " + part.id + " leads back to " + files.value().id, part.where,
-                     "parts that are exercises"};
+                     "an operation is made of exercises"};
     }
     way.push_back(files.value().script);
     for (const json& inner : listing.value().at("parts")) {

@@ -3,6 +3,7 @@
 -- that must come true one after the other. All become the same thing here.
 
 local expression = require "engine.expression"
+local kinds = require "engine.kinds"
 local words = require "engine.words"
 
 local condition = {}
@@ -64,6 +65,8 @@ local function bind_part(part, eye, what)
         return bound
     end
     local value = expression.bind(part, function(name) return eye:resolve(name) end)
+    local complaint = kinds.complaint(part, function(name) return eye:is_yes_no(name) end)
+    if complaint then words.fail(part.where, ("%s (%s)"):format(complaint, what)) end
     return { names = part.names, test = function() return condition.call(eye, context, value) and true or false end }
 end
 

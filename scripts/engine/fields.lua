@@ -21,6 +21,7 @@ end
 -- What a field may hold: a test, and how the message calls it.
 local kinds = {
     text = { function(v) return type(v) == "string" and v ~= "" end, "a text in quotes" },
+    line = { function(v) return type(v) == "string" and v ~= "" end, "a text in quotes" },  -- without line breaks
     number = { is_number, "a number" },
     yes_no = { function(v) return type(v) == "boolean" end, "true or false" },
     texts = { list_of_text, "a list of texts, like { \"lens\", \"bag\" }" },
@@ -29,11 +30,23 @@ local kinds = {
     call = { function(v) return type(v) == "function" end, "a function" },
 }
 
-local function shown(value)
+--- A value in a message.
+function fields.shown(value)
     if type(value) == "string" then return '"' .. value .. '"' end
     if type(value) == "table" then return "a table" end
     if type(value) == "function" then return "a function" end
+    if value ~= value then return "nan" end
     return tostring(value)
+end
+
+local shown = fields.shown
+
+-- Texts go to terminals and into pages: nothing may be in them that commands a terminal.
+local function check_readable(rule, value, where, name)
+    for _, text in ipairs(type(value) == "table" and value or { value }) do
+        local complaint = words.unreadable(text, rule.kind ~= "line")
+        if complaint then words.fail(where, ("%s %s"):format(name, complaint)) end
+    end
 end
 
 local function check_range(rule, value, where, name)
@@ -60,11 +73,25 @@ function fields.check_value(rule, value, where, name)
     if not kind[1](value) then
         words.fail(where, ("%s must be %s, not %s"):format(name, kind[2], shown(value)))
     end
+    if rule.kind == "text" or rule.kind == "line" or rule.kind == "texts" then
+        check_readable(rule, value, where, name)
+    end
     if rule.from or rule.to or rule.whole then check_range(rule, value, where, name) end
     if rule.choices then
         for _, one in ipairs(type(value) == "table" and value or { value }) do check_choice(rule, one, where, name) end
     end
     return value
+end
+
+--- That a table has names only, which can be read: levels = { "easy" } names nothing. example: how it is written.
+function fields.named(given, where, owner, example)
+    for key, value in pairs(given) do
+        if type(key) ~= "string" then
+            words.fail(where, ("%s: %s has no name: write %s"):format(owner, shown(value), example))
+        end
+        local complaint = words.unreadable(key)
+        if complaint then words.fail(where, ("%s: the name '%s' %s"):format(owner, key, complaint)) end
+    end
 end
 
 --- Reads a table of named fields. rules: name -> rule, with `default` or `required`. Returns a new table of checked

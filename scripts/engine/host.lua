@@ -6,6 +6,7 @@ local condition = require "engine.condition"
 local language = require "exercise"
 local operation = require "operation"
 local osacss = require "osacss"
+local quotes = require "engine.quotes"
 local remarks = require "engine.remarks"
 local requests = require "engine.requests"
 local review = require "engine.review"
@@ -17,15 +18,33 @@ local words = require "engine.words"
 
 local host = {}
 
+local vocabulary_of_files = { exercise = language.exercise, step = language.step, error_event = language.error_event,
+    request = language.request, operation = operation.operation, part = operation.part, osacss = osacss,
+    rubric = scoring.rubric }
+
+-- Of a word that nobody knows, the near ones; a word that is like none may be the author's own, and is nil as usual.
+local function other_word(_, name)
+    local found = _G[name]
+    if found ~= nil or type(name) ~= "string" then return found end
+    local near = words.near(name, words.keys(vocabulary_of_files))
+    if #near > 0 then
+        error(("there is no word '%s' (did you mean %s?)"):format(name, table.concat(near, " or ")), 2)
+    end
+    return nil
+end
+
 --- The words that a curriculum finds besides the standard ones.
 function host.environment()
-    return setmetatable({ exercise = language.exercise, step = language.step, error_event = language.error_event,
-        request = language.request, operation = operation.operation, part = operation.part, osacss = osacss,
-        rubric = scoring.rubric }, { __index = _G })
+    local own = {}
+    for name, word in pairs(vocabulary_of_files) do own[name] = word end
+    return setmetatable(own, { __index = other_word })
 end
 
 --- Before the curriculum runs: its name in messages and its text.
-host.begin_file = words.begin_file
+function host.begin_file(name, text)
+    words.begin_file(name, text)
+    quotes.refuse_curly(name, text)
+end
 
 --- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live, unit, meaning }.
 host.know_settings = settings_check.know

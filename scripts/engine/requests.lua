@@ -9,8 +9,8 @@ local words = require "engine.words"
 local requests = {}
 
 requests.rules = {
-    title = { kind = "text" },                    -- how it is said; the name if missing
-    meaning = { kind = "text" },                  -- for whoever may say it
+    title = { kind = "line" },                    -- how it is said; the name if missing
+    meaning = { kind = "line" },                  -- for whoever may say it
     settings = { kind = "table", default = {} },  -- of the machine, that are changed (only such as may change while it
                                                   -- runs); none: it is only declared
     answer = { kind = "text" },                   -- what the staff says

@@ -2,6 +2,7 @@
 -- What rhexis check finds in an exercise that loads and runs: steps that are never reached, conditions that never
 -- change or can never hold, errors that can never be put right; and what its reader should know besides.
 
+local measures = require "engine.measures"
 local satisfy = require "engine.satisfy"
 local texts = require "engine.texts"
 local words = require "engine.words"
@@ -11,54 +12,57 @@ local review = {}
 local Review = {}
 Review.__index = Review
 
-function Review:fault(where, text, ...) table.insert(self.faults, where .. ": " .. text:format(...)) end
+-- One line, whatever the texts hold.
+function Review:fault(where, text, ...)
+    table.insert(self.faults, where .. ": " .. text:format(...):gsub("%s+", " "))
+end
 
--- limit_s: the longest that step.time_s can get.
+-- What measures can be. limit_s: the longest that step.time_s can get.
 function Review:bounds(limit_s)
     local all = self.exercise.time_limit_s
-    return { time_s = { low = 0, high = all }, ["step.time_s"] = { low = 0, high = math.min(limit_s or all, all) } }
+    local clocks = { time_s = { low = 0, high = all },
+        ["step.time_s"] = { low = 0, high = math.min(limit_s or all, all) } }
+    return function(name)
+        if clocks[name] then return clocks[name] end
+        local info = self.eye.info[name]
+        return info and measures.never_negative(name, info) and { low = 0, high = math.huge } or nil
+    end
 end
 
--- Looks at the texts of a condition. Returns whether it can ever hold.
-function Review:condition(parts, what, limit_s)
-    local possible = true
+-- What never falls: while one step runs, its clock too.
+local function growing(eye, in_step)
+    return function(name)
+        local info = eye.info[name]
+        return name == "time_s" or (in_step and name == "step.time_s") or (info ~= nil and measures.grows(name, info))
+    end
+end
+
+-- Says what is wrong with one text, in brief; nil: nothing. alone: bounds without what came before it.
+function Review:impossible(part, bounds, alone, after)
+    if satisfy.never_changes(part, self.known) then return "never changes: it holds no measure", true end
+    if not satisfy.can_hold(part, self.known, alone) then return "can never hold" end
+    if not satisfy.can_hold(part, self.known, bounds) then
+        return ("can never hold once %s has held: what it needs to be lower never falls"):format(after)
+    end
+    if satisfy.always_holds(part, self.known, alone) then return "always holds, from the first moment on", true end
+    return nil
+end
+
+-- Looks at the texts of a condition, which must come true one after the other. way: { limit_s, in_step, bounds, after =
+-- what has held before }. Returns whether it can ever hold, and the bounds from then on.
+function Review:condition(parts, what, way)
+    local alone, grows = self:bounds(way.limit_s), growing(self.eye, way.in_step)
+    local bounds, after, possible = way.bounds or alone, way.after, true
     for _, part in ipairs(parts or {}) do
         if part.tree then
-            if satisfy.never_changes(part, self.known) then
-                self:fault(part.where, "%s: \"%s\" never changes: it holds no measure", what, part.text)
-            elseif not satisfy.can_hold(part, self.known, self:bounds(limit_s)) then
-                self:fault(part.where, "%s: \"%s\" can never hold", what, part.text)
-                possible = false
-            end
-            self:yes_no_compared(part.tree, part, what)
-            self:number_as_condition(part.tree, part, what)
+            local complaint, holds = self:impossible(part, bounds, alone, after)
+            if complaint then self:fault(part.where, "%s: \"%s\" %s", what, part.text, complaint) end
+            possible = possible and (not complaint or holds == true)
+            bounds = satisfy.after(part, self.known, bounds, grows)
+            after = way.after or after and "what stands before it" or ("\"%s\""):format(part.text)
         end
     end
-    return possible
-end
-
-local orders = { ["<"] = true, ["<="] = true, [">"] = true, [">="] = true }
-
--- "phaco.present > 1": a measure that is true or false has no order.
-function Review:yes_no_compared(node, part, what)
-    for _, inner in ipairs(node) do
-        if orders[node.op] and inner.op == "name" and self.eye:is_yes_no(inner.name) then
-            self:fault(part.where, "%s: %s is true or false and cannot be compared by %s", what, inner.name, node.op)
-        end
-        self:yes_no_compared(inner, part, what)
-    end
-end
-
-local joins = { ["and"] = true, ["or"] = true, ["not"] = true }
-
--- "phaco.occlusion": a number holds whatever it is.
-function Review:number_as_condition(node, part, what)
-    if joins[node.op] then
-        for _, inner in ipairs(node) do self:number_as_condition(inner, part, what) end
-    elseif node.op == "name" and not self.eye:is_yes_no(node.name) then
-        self:fault(part.where, "%s: %s is a number, which holds whatever it is: compare it, as in \"%s > 1\"", what,
-            node.name, node.name)
-    end
+    return possible, bounds
 end
 
 -- "recovered" that holds whenever "when" does: such an error is put right as it happens.
@@ -76,9 +80,10 @@ end
 -- Whether a step can end by itself, and whether its time limit can end it.
 function Review:step(step)
     local what = ("step '%s': "):format(step.name)
-    local enters = self:condition(step.enter_when, what .. "enter_when")
-    self:condition(step.picture_when, what .. "picture_when")
-    local done = self:condition(step.done, what .. "done", step.time_limit_s)
+    local enters = self:condition(step.enter_when, what .. "enter_when", {})
+    local running = { limit_s = step.time_limit_s, in_step = true }
+    self:condition(step.picture_when, what .. "picture_when", running)
+    local done = self:condition(step.done, what .. "done", running)
     return { enters = enters, done = done and enters,
         late = (enters and step.time_limit_s ~= nil) or step.enter_limit_s ~= nil }
 end
@@ -103,10 +108,11 @@ end
 
 function Review:event(event)
     local what = ("error_event '%s': "):format(event.name)
-    self:condition(event.when, what .. "when")
-    self:condition(event.recovered, what .. "recovered")
-    self:condition(event.harm, what .. "harm")
-    self:put_right_at_once(event, what)
+    local before = #self.faults
+    local _, since = self:condition(event.when, what .. "when", {})
+    self:condition(event.recovered, what .. "recovered", { bounds = since, after = "'when'" })
+    self:condition(event.harm, what .. "harm", {})
+    if #self.faults == before then self:put_right_at_once(event, what) end
     if event.recovered and event.deadline_s < self.exercise.step_s then
         self:fault(event.where, "%srecovery can never hold: deadline_s = %g leaves no time for it", what,
             event.deadline_s)
@@ -148,7 +154,7 @@ function review.of(exercise, eye)
     end
     self:steps()
     for _, event in ipairs(exercise.errors) do self:event(event) end
-    self:condition(exercise.over, "over")
+    self:condition(exercise.over, "over", {})
     return { faults = self.faults, notes = self:notes(), untranslated = self:untranslated() }
 end
 

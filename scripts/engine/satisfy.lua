@@ -3,6 +3,8 @@
 -- is. Goals count as the numbers that they are; measures may be anything, but one and the same at a time. What cannot
 -- be decided is taken to be possible.
 
+local interval = require "engine.interval"
+
 local satisfy = {}
 
 local most_cases = 64  -- ways in which a condition could hold that are looked at
@@ -10,29 +12,24 @@ local most_cases = 64  -- ways in which a condition could hold that are looked a
 local flip = { ["<"] = ">", [">"] = "<", ["<="] = ">=", [">="] = "<=", ["=="] = "==", ["~="] = "~=" }
 local opposite = { ["<"] = ">=", [">"] = "<=", ["<="] = ">", [">="] = "<", ["=="] = "~=", ["~="] = "==" }
 
-local fold = {
-    ["+"] = function(a, b) return a + b end,
-    ["-"] = function(a, b) return a - b end,
-    ["*"] = function(a, b) return a * b end,
-    ["/"] = function(a, b) return a / b end,
-    min = math.min,
-    max = math.max,
-    abs = function(a) return math.abs(a) end,
-}
+-- Stands for the value of a part that never has one, such as 1 / 0.
+local undefined = {}
 
--- The value of a part that holds no measure, or nil. known: name -> number that does not change.
+-- The value of a part that holds no measure; undefined; or nil. known: name -> number that does not change.
 local function constant(node, known)
     if node.op == "constant" then return node.value end
     if node.op == "name" then return known(node.name) end
-    if not fold[node.op] then return nil end
-    local value = constant(node[1], known)
-    for i = 2, #node do
-        local right = constant(node[i], known)
-        if type(value) ~= "number" or type(right) ~= "number" then return nil end
-        value = fold[node.op](value, right)
+    if not interval.fold[node.op] then return nil end
+    local values, whole = {}, true
+    for i, inner in ipairs(node) do
+        local value = constant(inner, known)
+        if value == undefined or (i == 2 and node.op == "/" and value == 0) then return undefined end
+        whole = whole and type(value) == "number"
+        values[i] = value or 0
     end
-    if type(value) ~= "number" then return nil end
-    return #node == 1 and fold[node.op](value) or value
+    if not whole then return nil end
+    local value = interval.folded(node.op, values)
+    return math.abs(value) < math.huge and value or undefined  -- not a number is neither
 end
 
 --- Text of a part, the same for the same part.
@@ -44,15 +41,28 @@ local function text_of(node)
     return node.op .. "(" .. table.concat(parts, ",") .. ")"
 end
 
--- A comparison as { key, sign, number }: of a part with a number, or of the difference of two parts with 0.
+-- A comparison as { key, node, sign, number }: of a part with a number, or of the difference of two parts with 0.
 local function atom_of(node, sign, known)
     local left, right = constant(node[1], known), constant(node[2], known)
-    if left ~= nil and right ~= nil then return nil end
-    if type(right) == "number" then return { key = text_of(node[1]), sign = sign, number = right } end
-    if type(left) == "number" then return { key = text_of(node[2]), sign = flip[sign], number = left } end
-    local a, b = text_of(node[1]), text_of(node[2])
-    if a <= b then return { key = a .. " - " .. b, sign = sign, number = 0 } end
-    return { key = b .. " - " .. a, sign = flip[sign], number = 0 }
+    if type(right) == "number" then return { key = text_of(node[1]), node = node[1], sign = sign, number = right } end
+    if type(left) == "number" then
+        return { key = text_of(node[2]), node = node[2], sign = flip[sign], number = left }
+    end
+    local a, b = node[1], node[2]
+    if text_of(a) > text_of(b) then a, b, sign = b, a, flip[sign] end
+    return { key = text_of(a) .. " - " .. text_of(b), node = { op = "-", a, b }, sign = sign, number = 0 }
+end
+
+-- Whether a part has a value at any time: clocks and what does not change, without a division or a root.
+local function always_defined(node, known)
+    if node.op == "name" then
+        return node.name == "time_s" or node.name == "step.time_s" or known(node.name) ~= nil
+    end
+    if node.op == "/" or node.op == "sqrt" then return false end
+    for _, inner in ipairs(node) do
+        if not always_defined(inner, known) then return false end
+    end
+    return true
 end
 
 local compare = {
@@ -66,16 +76,35 @@ local compare = {
 
 local cases_of
 
+local function certain(holds) return holds and { {} } or {} end
+
 local function comparison_cases(node, negated, known)
     local left, right = constant(node[1], known), constant(node[2], known)
+    if left == undefined or right == undefined then return certain(negated) end
     if left ~= nil and right ~= nil then
-        if type(left) ~= type(right) then return { {} } end
-        return compare[node.op](left, right) ~= negated and { {} } or {}
+        return certain(type(left) ~= type(right) or compare[node.op](left, right) ~= negated)
     end
-    if type(left) == "boolean" or type(right) == "boolean" then return { {} } end
+    if type(left) == "boolean" or type(right) == "boolean" then return certain(true) end
+    local sure = always_defined(node, known)
+    if text_of(node[1]) == text_of(node[2]) then
+        return certain(compare[node.op](0, 0) ~= negated or (negated and not sure))
+    end
     local atom = atom_of(node, negated and opposite[node.op] or node.op, known)
-    atom.maybe_undefined = negated
+    atom.maybe_undefined = negated and not sure
     return { { atom } }
+end
+
+-- What is true or false, alone. Whoever touches has touched: the count of touches and their time are no longer 0.
+local function plain_case(node, negated)
+    local case = { { key = text_of(node), node = node, sign = negated and "no" or "yes", maybe_undefined = negated } }
+    if not negated and node.op == "name" and node.name:find("touch$") then
+        for ending, sign in pairs({ es = ">=", _s = ">" }) do
+            local name = node.name .. ending
+            table.insert(case, { key = name, node = { op = "name", name = name }, sign = sign,
+                number = sign == ">" and 0 or 1 })
+        end
+    end
+    return { case }
 end
 
 local function both(left, right)
@@ -105,8 +134,9 @@ function cases_of(node, negated, known)
     end
     if compare[node.op] then return comparison_cases(node, negated, known) end
     local value = constant(node, known)
-    if value ~= nil then return (value and true or false) ~= negated and { {} } or {} end
-    return { { { key = text_of(node), sign = negated and "no" or "yes", maybe_undefined = negated } } }
+    if value == undefined then return certain(negated) end
+    if value ~= nil then return certain((value and true or false) ~= negated) end
+    return plain_case(node, negated)
 end
 
 local function narrow(range, atom)
@@ -133,31 +163,75 @@ local function empty(range)
     return range.low == range.high and (range.open_low or range.open_high or range.without == range.low)
 end
 
--- bounds: key -> { low, high } of measures that have such.
-local function possible(atoms, bounds)
+-- Narrows what a sum, a distance and the like can be by what their measures can be.
+local function bring_in(range, known, bounds)
+    local found = interval.of(range.node, known, bounds)
+    if found.low > range.low then range.low, range.open_low = found.low, found.open_low end
+    if found.high < range.high then range.high, range.open_high = found.high, found.open_high end
+end
+
+-- What each part can be where all atoms hold: key -> { low, high, open_low, open_high }; nil: they cannot all hold.
+-- bounds(name): { low, high } of a measure, or nil.
+local function ranges_of(atoms, known, bounds)
     local ranges, keys = {}, {}
     for _, atom in ipairs(atoms) do
         if not ranges[atom.key] then
-            local bound = bounds[atom.key] or {}
-            ranges[atom.key] = { low = bound.low or -math.huge, high = bound.high or math.huge }
+            ranges[atom.key] = { low = -math.huge, high = math.huge, node = atom.node }
+            bring_in(ranges[atom.key], known, bounds)
             keys[#keys + 1] = atom.key
         end
         narrow(ranges[atom.key], atom)
     end
+    local function narrowed(name) return ranges[name] or bounds(name) end
     for _, key in ipairs(keys) do
-        if empty(ranges[key]) then return false end
+        bring_in(ranges[key], known, narrowed)
+        if empty(ranges[key]) then return nil end
     end
-    return true
+    return ranges
 end
 
---- Whether a parsed condition can hold. known(name): its number where it never changes; bounds: see above.
+--- Whether a parsed condition can hold. known(name): its number where it never changes; bounds(name): { low, high }.
 function satisfy.can_hold(parsed, known, bounds)
     local cases = cases_of(parsed.tree, false, known)
     if not cases then return true end
     for _, atoms in ipairs(cases) do
-        if possible(atoms, bounds) then return true end
+        if ranges_of(atoms, known, bounds) then return true end
     end
     return false
+end
+
+--- Whether it holds at any time, whatever the measures are.
+function satisfy.always_holds(parsed, known, bounds)
+    return not satisfy.can_hold({ tree = { op = "not", parsed.tree } }, known, bounds)
+end
+
+-- The lowest that each measure can be that grows, in any of the ways in which a condition can hold.
+local function least_of(cases, known, bounds, grows)
+    local least
+    for _, atoms in ipairs(cases) do
+        local ranges, here = ranges_of(atoms, known, bounds), {}
+        for key, range in pairs(ranges or {}) do
+            local before = not least and range or least[key]
+            if range.defined and before and grows(key) then
+                here[key] = (range.low < before.low or (range.low == before.low and not range.open_low)) and range
+                    or before
+            end
+        end
+        if ranges then least = here end
+    end
+    return least or {}
+end
+
+--- The bounds from then on that a condition has held: what never falls is never again lower than it was. grows(name):
+--- whether a measure never falls.
+function satisfy.after(parsed, known, bounds, grows)
+    local cases = cases_of(parsed.tree, false, known)
+    local least = cases and least_of(cases, known, bounds, grows) or {}
+    return function(name)
+        local bound, low = bounds(name), least[name]
+        if not low then return bound end
+        return { low = low.low, open_low = low.open_low, high = bound and bound.high or math.huge }
+    end
 end
 
 --- Whether a parsed condition holds nothing that changes.

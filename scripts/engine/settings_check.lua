@@ -36,38 +36,48 @@ local function where_of(name, line)
     return words.where(plain(name), line)
 end
 
---- That there is such a setting.
-function check.name(name, line, owner)
-    if table_of and not table_of[name] then
-        words.fail(where_of(name, line), ("%sthere is no setting '%s'%s"):format(owner, name,
-            words.hint(name, words.keys(table_of))))
-    end
+local function unknown(name)
+    return ("there is no setting '%s'%s"):format(name, words.hint(name, words.keys(table_of)))
 end
 
-local function check_one(name, value, line, owner)
-    check.name(name, line, owner)
+local function beyond(name, value)
     local setting = table_of[name]
-    if value < setting.from or value > setting.to then
-        words.fail(where_of(name, line), ("%s%s = %g is out of range (%g to %g)"):format(owner, name, value,
-            setting.from, setting.to))
-    end
+    return (value < setting.from or value > setting.to) and ("%s = %g is out of range (%g to %g)"):format(name, value,
+        setting.from, setting.to) or nil
+end
+
+local function fixed(name) return not table_of[name].live and name .. " is fixed before the first step" or nil end
+
+--- What is wrong with a setting that is changed while the scene runs, or nil.
+function check.live_complaint(name, value)
+    if not table_of then return nil end
+    if not table_of[name] then return unknown(name) end
+    return beyond(name, value) or fixed(name)
+end
+
+local function refuse(name, line, owner, complaint)
+    if complaint then words.fail(where_of(name, line), owner .. complaint) end
+end
+
+--- That there is such a setting.
+function check.name(name, line, owner)
+    if table_of and not table_of[name] then refuse(name, line, owner, unknown(name)) end
 end
 
 --- settings: name -> number. line: from where on to look for them. owner: before the message.
 function check.all(settings, line, owner)
     if not table_of then return end
-    for _, name in ipairs(words.keys(settings)) do check_one(name, settings[name], line, owner) end
+    for _, name in ipairs(words.keys(settings)) do
+        check.name(name, line, owner)
+        refuse(name, line, owner, beyond(name, settings[name]))
+    end
 end
 
 --- The same for settings that are changed while the scene runs.
 function check.live(settings, line, owner)
     if not table_of then return end
     check.all(settings, line, owner)
-    for _, name in ipairs(words.keys(settings)) do
-        if not table_of[name].live then
-            words.fail(where_of(name, line), ("%s%s is fixed before the first step"):format(owner, name))
-        end
-    end
+    for _, name in ipairs(words.keys(settings)) do refuse(name, line, owner, fixed(name)) end
 end
 
 return check

@@ -4,6 +4,7 @@
 -- `script` has run to its end; its time limit ends it undone. What follows is the next in the list, or the step that
 -- `next` names, or `next_late` after the time limit; what is passed over that way counts for nothing.
 
+local act = require "engine.act"
 local condition = require "engine.condition"
 
 local steps = {}
@@ -11,9 +12,9 @@ local steps = {}
 local Runner = {}
 Runner.__index = Runner
 
---- Prepares all steps of an exercise. act: functions say, picture, set that scripts of steps may use.
-function steps.prepare(declared, eye, act)
-    local self = setmetatable({ declared = declared, eye = eye, act = act, at = 0, records = {}, bound = {} }, Runner)
+--- Prepares all steps of an exercise. out: functions say, picture, set that scripts of steps may use.
+function steps.prepare(declared, eye, out)
+    local self = setmetatable({ declared = declared, eye = eye, act = out, at = 0, records = {}, bound = {} }, Runner)
     for i, step in ipairs(declared) do
         local what = "in step '" .. step.title .. "'"
         self.bound[i] = { what = what, done = step.done and condition.bind(step.done, eye, what),
@@ -24,35 +25,13 @@ function steps.prepare(declared, eye, act)
     return self
 end
 
--- What the function of a step may call. Waiting hands back a test, which is true when to go on.
-local function script_words(self, what, where)
-    local env = { say = self.act.say, picture = self.act.picture, set = self.act.set }
-    function env.wait(seconds)
-        local until_s = self.eye.time_s + seconds
-        coroutine.yield(function() return self.eye.time_s >= until_s - 1e-9 end)
-    end
-    --- True when the condition came true, false when timeout_s passed first.
-    function env.wait_until(text_or_function, timeout_s)
-        local parts = condition.read(text_or_function, where, "wait_until")
-        local wanted = condition.bind(parts, self.eye, what)
-        local until_s = self.eye.time_s + (timeout_s or math.huge)
-        local met = false
-        coroutine.yield(function()
-            met = wanted.test()
-            return met or self.eye.time_s >= until_s - 1e-9
-        end)
-        return met
-    end
-    return env
-end
-
 local function enter(self, time_s)
     local step, record = self.declared[self.at], self.records[self.at]
     self.waiting = false
     record.start_s = time_s
     self.hint = step.hint
     if step.script then
-        local env = script_words(self, self.bound[self.at].what, step.where)
+        local env = act.words(self.act, self.eye, self.bound[self.at].what, step.where)
         self.thread = coroutine.create(function() step.script(self.eye.view, env) end)
         self.go_on = nil
     end
@@ -86,7 +65,10 @@ local function run_script(self)
     if coroutine.status(self.thread) == "dead" then return true end
     if self.go_on and not self.go_on() then return false end
     local ok, result = coroutine.resume(self.thread)
-    if not ok then error(tostring(result) .. " (" .. self.bound[self.at].what .. ")", 0) end
+    if not ok then
+        local message, what = tostring(result), " (" .. self.bound[self.at].what .. ")"
+        error(message:find(what, 1, true) and message or message .. what, 0)
+    end
     self.go_on = result
     return coroutine.status(self.thread) == "dead"
 end

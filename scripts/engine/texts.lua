@@ -3,6 +3,7 @@
 -- looked in: the exercise's own texts (`texts = { fr = {...} }`, or curriculum.fr.lua beside curriculum.lua), then
 -- scripts/texts/fr.lua for the words of engine, rubric and report.
 
+local fields = require "engine.fields"
 local words = require "engine.words"
 
 local texts = {}
@@ -20,6 +21,8 @@ local function check_table(given, owner)
         if type(key) ~= "string" or type(value) ~= "string" or value == "" then
             words.fail(owner, ("texts must be pairs [\"English\"] = \"translated\", not %s"):format(tostring(key)))
         end
+        local complaint = words.unreadable(value, true)
+        if complaint then words.fail(owner, ("the text for \"%s\" %s"):format(key, complaint)) end
     end
 end
 
@@ -31,6 +34,7 @@ end
 
 --- `texts` of an exercise.
 function texts.check(given)
+    fields.named(given, words.where("texts"), "texts", "fr = { [\"English\"] = \"Texte\" }")
     for _, language in ipairs(words.keys(given)) do
         if not language:find("^%l%l$") then
             words.fail(words.where(language, words.line_of("texts")),

@@ -15,10 +15,11 @@ local function items_of(scoring_of_part)
     return items
 end
 
---- given: { part, scoring, reference, before } of operation.join; own: scoring of the part; eye: of the part.
+--- given: { part, parts, scoring, reference, before } of operation.join; own: scoring of the part; eye: of the part.
 function Whole.new(given, own, eye, dt)
     local before = given.before
-    local self = setmetatable({ part = given.part, before = before, eye = eye, since_s = before.time_s or 0 }, Whole)
+    local self = setmetatable({ part = given.part, parts = given.parts, before = before, eye = eye,
+        since_s = before.time_s or 0 }, Whole)
     if given.scoring then
         local score = { time_s = self.since_s, measures = before.score or {} }
         self.sheet = scoring.sheet(given.scoring, eye, given.reference, dt, score, items_of(own))
@@ -59,6 +60,23 @@ local function facts_of(self)
     return facts
 end
 
+-- Ids of the parts that have begun.
+local function begun(self)
+    local ids = {}
+    for i, id in ipairs(self.before.parts or {}) do ids[i] = id end
+    ids[#ids + 1] = self.part.id
+    return ids
+end
+
+-- Titles of the parts that have not, in case that the operation goes no further; nil: all have.
+local function not_begun(self, ids)
+    local titles = {}
+    for _, part in ipairs(self.parts or {}) do
+        if not words.has(ids, part.id) then titles[#titles + 1] = part.title end
+    end
+    return #titles > 0 and titles or nil
+end
+
 --- The operation so far, and in `carried` what the next part begins with. part: the result of the part itself.
 function Whole:result(part, time_s)
     local result = { steps = all_of(self, "steps", part.steps), events = all_of(self, "events", part.events) }
@@ -68,7 +86,9 @@ function Whole:result(part, time_s)
         result.measures = self.sheet:measures()
         result.advice = scoring.advice(result.osacss, result.events)
     end
-    result.carried = { time_s = self.since_s + time_s, facts = facts_of(self), steps = result.steps,
+    local ids = begun(self)
+    result.not_begun = not_begun(self, ids)
+    result.carried = { parts = ids, time_s = self.since_s + time_s, facts = facts_of(self), steps = result.steps,
         events = result.events, completed = result.completed,
         score = self.sheet and self.sheet:carried(time_s).measures }
     return result

@@ -51,16 +51,6 @@ end
 --- What a scene may be made of: names of instruments and tissues.
 words.parts = {}
 
---- " (the exercise does not name the hook)" of a measure whose group is a part of other scenes; or nil.
-function words.missing_part(name, known)
-    local group = name:match("^([%w_]+)%.")
-    if not group or not words.has(words.parts, group) then return nil end
-    for _, other in ipairs(known) do
-        if other:sub(1, #group + 1) == group .. "." then return nil end
-    end
-    return (" (the exercise does not name '%s' among its tissues and instruments)"):format(group)
-end
-
 --- The keys of a table that are strings, in a fixed order.
 function words.keys(t)
     local keys = {}
@@ -158,7 +148,22 @@ end
 --- Line on which `field = ...` stands at or after line `from`, or `from`.
 function words.line_of(field, from) return tonumber(words.where(field, from):match(":(%d+)$")) end
 
+local function escaped(character) return ("\\%d"):format(character:byte()) end
+
+--- A text without what a terminal would take for a command: one line, control characters as \27.
+function words.plain(text)
+    return (text:gsub("[%c\127]", escaped):gsub("\194([\128-\159])", escaped))
+end
+
+--- What of a text nobody can read, in words, or nil. lines: whether it may have several, and tabs.
+function words.unreadable(text, lines)
+    if not utf8.len(text) then return "is no UTF-8: save the file in that form" end
+    local rest = lines and text:gsub("[\n\t]", "") or text
+    local odd = rest:match("%c") or rest:match("\194([\128-\159])")
+    return odd and ("holds the control character %s"):format(escaped(odd)) or nil
+end
+
 --- Raises "where: message" without another position before it.
-function words.fail(where, message) error(where .. ": " .. message, 0) end
+function words.fail(where, message) error(words.plain(where .. ": " .. message), 0) end
 
 return words

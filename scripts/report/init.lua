@@ -115,9 +115,18 @@ local function opening_told(w, report)
     end
 end
 
+-- Of an operation that was broken off, or of which only some parts were wanted.
+local function not_begun_told(w, report)
+    local titles = {}
+    for i, title in ipairs(report.not_begun or {}) do titles[i] = "“" .. title .. "”" end
+    if #titles == 0 then return end
+    w('<p class="tb">', e(t("Parts of the operation that were not begun: ")), e(table.concat(titles, ", ")), ".</p>")
+end
+
 local function summary(w, report)
     w("<section><h2>", e(t("In short")), "</h2><p>", e(story(report)), "</p>")
     opening_told(w, report)
+    not_begun_told(w, report)
     if report.error then
         w('<p class="tb"><b>', e(t("The exercise was stopped by a mistake in its script:")), "</b> ", e(report.error),
             "</p>")

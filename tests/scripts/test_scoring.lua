@@ -153,6 +153,15 @@ case("lost points are explained with value, thresholds and what would have been 
     near(item.measures[1].time_s, 0.5, 1e-9)
 end)
 
+case("thresholds are told with the digits that they need", function()
+    local item = score({ depth_measure { unit = "1", digits = 0, five = 1, three = 0.5, one = 0 } }, { 0.6 }).items[1]
+    equal(item.measures[1].text, "depth: 1 (5 points at 1, 3 at 0.5, 1 at 0)")
+    item = score({ depth_measure { digits = 1, five = { 2, 2.25 }, three = { 1, 1 / 3 + 3 }, one = { 0, 5 } } }, { 4 })
+        .items[1]
+    equal(item.measures[1].text, "depth: 4.0 mm (5 points at 2.0 to 2.25 mm, 3 at 1.0 or 3.333333 mm, "
+        .. "1 at 0.0 or 5.0 mm)")
+end)
+
 case("collectors: mean, rms, time, share, count over an attempt", function()
     local function value(take, depths, more)
         local given = { take = take }

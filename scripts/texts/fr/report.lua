@@ -54,6 +54,7 @@ return {
 
     -- report: in short
     ["In short"] = "En bref",
+    ["Parts of the operation that were not begun: "] = "Parties de l'opération non commencées : ",
     ["All %d steps were completed."] = "Les %d étapes ont toutes été accomplies.",
     ["%d of %d steps were completed%s."] = "%d étapes sur %d ont été accomplies%s.",
     ["; not completed: "] = " ; non accomplies : ",

@@ -71,6 +71,9 @@ never_starts "wrong/curriculum.lua:1: stopped: needs more memory" 'local functio
 never_starts "wrong/curriculum.lua:2: patient: age must be a number" 'return exercise { title = "x", tissues = {}, instruments = {},\n  patient = { age = 0 / 0 }, steps = { step "a" { done = "time_s > 1" } } }\n'
 never_starts "wrong/curriculum.lua:1: is precompiled" '\x1bLua\n'
 never_starts "a curriculum must end with: return exercise" 'return 7\n'
+never_starts "wrong/curriculum.lua:2: “ is a quotation mark of a word processor: write straight ones" 'return exercise {\n title = “x”,\n}\n'
+never_starts "wrong/curriculum.lua:2: there is no word 'stepp' (did you mean step?)" 'return exercise {\n steps = { stepp "a" {} } }\n'
+never_starts "wrong/curriculum.lua:1: exercise: title holds the control character \\27" 'return exercise { title = "a\\27[31m", tissues = {}, instruments = {}, steps = {} }\n'
 never_starts "error with a table instead of a message" 'error({})\n'
 mkdir "$work/nothing"
 expect 2 "nothing: the folder holds no curriculum.lua" "$rhexis" run "$work/nothing" "${quick[@]}"
@@ -107,6 +110,26 @@ runs_wild memory "not enough memory" 'local t = {} while true do t[#t + 1] = ("x
 runs_wild finaliser "curriculum.lua:2:" 'setmetatable({}, { __gc = function() while true do end end })'
 runs_wild pattern "curriculum.lua:2:" 'return (("a"):rep(200000)):find((".-"):rep(30) .. "b") ~= nil'
 runs_wild system "curriculum.lua:2:" 'os.execute("true")'
+
+# A script of a step that gives what cannot be taken: it ends there, and nothing is set, said or waited for.
+gives() { # gives TEXT 'CALL'
+    local folder
+    folder=$(exercise gives <<L
+return exercise {
+    title = "gives", patient = { tetrahedra = 500 }, tissues = { "lens" }, instruments = { "phaco" },
+    steps = { step "speak" { script = function(_, act)
+        $2
+    end } },
+}
+L
+)
+    expect 1 "gives/curriculum.lua:4: $1" "$rhexis" run "$folder" --surgeon none --limit 0.3 --no-pictures --out "$work/out"
+    grep -qF "curriculum.lua:4: $1" "$work/out/report.json" || fail "the report does not say: $1"
+}
+gives "act.set: there is no setting 'phaco.power_limt' (did you mean phaco.power_limit?) (in step 'speak')" 'act.set("phaco.power_limt", 1)'
+gives "act.set: phaco.power_limit = 7 is out of range (0 to 1)" 'act.set("phaco.power_limit", 7)'
+gives "act.wait must be a number of seconds, 0 or more, not nan" 'act.wait(0/0)'
+gives "act.say must be a text in quotes, not nil" 'act.say(nil)'
 
 # rhexis lua.
 echo 'print(' >"$work/wrong.lua"

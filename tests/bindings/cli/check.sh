@@ -81,6 +81,40 @@ curriculum "$good_step" '' 'over = "time_s > 500", time_limit_s = 60,'
 wrong 7 "over: \"time_s > 500\" can never hold"
 curriculum 'step "work" { done = "phaco.present > 1" }' '' ''
 wrong 5 "what is true or false has no size"
+# condition TEXT COMPLAINT: where it stands as `done`. What no measure can be; clocks and counts are never negative, and never fall.
+condition() {
+    curriculum "step \"work\" { done = $1 }" '' ''
+    expect 1 "$2" "$rhexis" check "$work/mine"
+    grep -q "mine/curriculum.lua:5: " "$work/stderr" || fail "not its line: $(head -c 300 "$work/stderr")"
+}
+never() { condition "\"$1\"" "step 'work': done: \"$1\" can never hold"; }
+never "iris.gap_mm > 0/0"
+never "iris.gap_mm * 0 > 1"
+never "abs(iris.gap_mm) < -1"
+never "sqrt(iris.gap_mm) < 0"
+never "iris.touches < 0"
+never "iris.touch_s + time_s < 0"
+never "iris.touch and iris.touches < 1"
+condition '{ "time_s > 5", "time_s < 3" }' "\"time_s < 3\" can never hold once \"time_s > 5\" has held"
+condition '{ "step.time_s > 5", "iris.touch", "step.time_s < 3" }' "\"step.time_s < 3\" can never hold once what stands before it has held"
+condition '"time_s >= 0 or iris.touch"' "always holds"
+curriculum "$good_step" '' 'over = "time_s >= 0",'
+wrong 7 "over: \"time_s >= 0\" always holds, from the first moment on"
+for good in '"iris.touches >= 0"' '{ "step.time_s > 3", "step.time_s < 5" }' '"iris.gap_mm == iris.gap_mm"' \
+    '"sqrt(iris.gap_mm) > 0 and iris.touches < 1"' '"iris.touch == phaco.present"'; do
+    curriculum "step \"work\" { done = $good }" '' ''
+    expect 0 "" "$rhexis" check "$work/mine"
+done
+
+# What does not go together in a condition.
+condition '"phaco.present == 0"' 'phaco.present is true or false, and no number: write "not phaco.present"'
+condition '"phaco.present ~= 0"' 'phaco.present is true or false, and no number: write "phaco.present"'
+condition '"iris.gap_mm + 1"' 'iris.gap_mm + 1 is a number, which holds whatever it is: compare it'
+condition '"iris.touch + 1 > 1"' "iris.touch is true or false: nothing can be reckoned with it (in step 'work')"
+condition '"phaco.tip_posterior_mm > 1"' "(the tissue 'bag' brings it, and the exercise does not name that)"
+condition '"rhexis.closed"' "(the tissue 'anterior_capsule' brings it, and the exercise does not name that)"
+condition '("not "):rep(100000) .. "iris.touch"' "is longer than 4000 characters"
+condition '("("):rep(150) .. "iris.touch" .. (")"):rep(150)' "is nested more than 100 deep"
 
 # Recoveries.
 recovery() { echo "error_event \"e\" { when = \"iris.touch\", advice = \"Up.\", $1 }"; }
@@ -88,6 +122,20 @@ curriculum "$good_step" "$(recovery 'recovered = "iris.touch and not iris.touch"
 wrong 6 "error_event 'e': recovered: \"iris.touch and not iris.touch\" can never hold"
 curriculum "$good_step" "$(recovery 'recovered = "not iris.touch", deadline_s = 0')" ''
 wrong 6 "error_event 'e': recovery can never hold: deadline_s = 0 leaves no time for it"
+# What the error needs never falls again.
+grown() { # grown WHEN RECOVERED
+    curriculum "$good_step" "error_event \"e\" { when = $1, recovered = \"$2\", advice = \"Up.\" }" ''
+}
+for when in '"iris.touch"' '"iris.touches > 1"' '"2 * iris.gap_mm < 1 and iris.touches >= 1"' '{ "iris.touch", "phaco.present" }'; do
+    grown "$when" "iris.touches < 1"
+    wrong 6 "error_event 'e': recovered: \"iris.touches < 1\" can never hold once 'when' has held"
+done
+grown '"iris.touch"' "iris.touch_s <= 0"
+wrong 6 "error_event 'e': recovered: \"iris.touch_s <= 0\" can never hold once 'when' has held"
+for when in '"iris.touch or phaco.present"' '"iris.gap_mm < 0.1"' '"iris.touches >= 0"'; do
+    grown "$when" "iris.touches < 1"
+    expect 0 "" "$rhexis" check "$work/mine"
+done
 # At one level only: a goal makes it impossible.
 curriculum "$good_step" "$(recovery 'recovered = "phaco.tip_depth_mm > goal.deep_mm and phaco.tip_depth_mm < 4"')" \
     'levels = { hard = { goals = { deep_mm = 4.5 } } },'
@@ -95,7 +143,7 @@ expect 1 "can never hold (at level hard)" "$rhexis" check "$work/mine"
 
 # What is well formed and means something else: a number that stands alone, a recovery that the error brings along.
 curriculum "$good_step" 'error_event "e" { when = "phaco.tip_depth_mm", advice = "Up." }' ''
-wrong 6 "error_event 'e': when: phaco.tip_depth_mm is a number, which holds whatever it is: compare it"
+wrong 6 "phaco.tip_depth_mm is a number, which holds whatever it is: compare it, as in \"phaco.tip_depth_mm > 1\" (in error event 'e')"
 curriculum "$good_step" "$(recovery 'recovered = "iris.touch or phaco.tip_depth_mm > 1"')" ''
 wrong 6 "error_event 'e': recovered: \"iris.touch or phaco.tip_depth_mm > 1\" holds whenever 'when' does"
 curriculum "$good_step" "$(recovery 'recovered = "iris.gap_mm > 0.2"')" ''

@@ -113,6 +113,9 @@ expect 0 "" "$rhexis" run both --no-pictures --out middle --from look --to look
 [ "$(value middle/report.json "['completed']")" = False ] || fail "a part counts as the whole"
 [ "$(value middle/report.json "['begun_at']")" = look ] || fail "it does not say that it began in the middle"
 [ "$(value middle/report.json "['osacss'].get('band')")" = None ] || fail "a part is told a band of skill"
+[ "$(value middle/report.json "['not_begun']")" = "['fill', 'look again']" ] || fail "what was not begun is not named"
+grep -qF "not begun: “fill”, “look again”." middle/report.html || fail "the page does not name what was not begun"
+! grep -q not_begun whole/report.json || fail "all parts were begun"
 
 # For one part, and for all.
 expect 0 "" "$rhexis" run both --no-pictures --out set --set fill.goal.fill=0.6 --set patient.age=60
@@ -147,7 +150,7 @@ wrong() {  # TEXT: check refuses the operation on stdin so
     expect 2 "$1" "$rhexis" run wrong --out never
     [ ! -e never ] || { fail "a wrong operation left files"; rm -r never; }
 }
-wrong "wrong/curriculum.lua:2: circular composition: part me leads back to wrong" <<'L'
+wrong "wrong/curriculum.lua:2: circular composition: part me leads back to wrong (an operation is made of exercises)" <<'L'
 return operation { title = "Wrong", parts = {
     part "me" { exercise = "../wrong" } } }
 L
@@ -163,6 +166,9 @@ return operation { title = "Wrong", parts = { part "both" { exercise = "../both"
 L
 wrong "wrong/curriculum.lua:1: part nowhere: there is no curriculum 'nowhere'" <<'L'
 return operation { title = "Wrong", parts = { part "nowhere" {} } }
+L
+wrong "part set_upp: there is no curriculum 'set_upp' (did you mean 'set_up'?) (or a folder, as seen from" <<'L'
+return operation { title = "Wrong", parts = { part "set_upp" {} } }
 L
 wrong "a rubric has no 'al' (did you mean all?)" <<'L'
 return operation { title = "Wrong", parts = { part "fill" { exercise = "../fill" } }, scoring = osacss.al }
@@ -202,4 +208,5 @@ L
 expect 1 "part broken: broken/curriculum.lua:" "$rhexis" run half --no-pictures --out half_run
 [ -s half_run/report.html ] && [ -s half_run/parts/02_broken/recording.rhx ] || fail "nothing is left of a broken operation"
 [ ! -e half_run/parts/03_look ] || fail "the operation went on after its script broke"
+[ "$(value half_run/report.json "['not_begun']")" = "['look']" ] || fail "a broken operation does not name what was not begun"
 finished

@@ -108,7 +108,7 @@ fails no_direction 3 "shaft = { 0, 0, 0 } is no direction" "$into t.phaco:move_t
 fails wound 3 "phaco:enter: the eye has no 'incison' (did you mean incision?)" 't.phaco:enter { through = "incison" }'
 fails backwards 3 "wait: seconds = -1 is out of range (0 to 7200)" 't:wait(-1)'
 fails endless 3 "stopped: used up its budget" 'while true do end'
-fails no_wait 3 "scripts/engine/" 'while true do t:wait(0) end'
+fails no_wait 3 "scripts/" 'while true do t:wait(0) end'  # wherever the budget ends there
 fails swallowed 3 "stopped: used up its budget" 'while true do pcall(function() while true do end end) end'
 fails change 3 "t cannot be changed" 't.failures = {}'
 fails tampered 3 "t has no 'failures'" 't.failures[1] = nil'

@@ -89,6 +89,7 @@ text 61 Before 1 >"$work/watched/curriculum.lua"
 echo 'return exercise { title = ' >"$work/changed"
 watched
 grep -qF "watched/curriculum.lua:" "$work/stderr" || fail "the mistake is not told: $(cat "$work/stderr")"
+grep -qF "the run goes on unchanged" "$work/stderr" || fail "not told what follows: $(cat "$work/stderr")"
 report out/report.json '"title": "Before"'
 report out/report.json '"completed": true'
 report out/report.json '"refused": "watched/curriculum.lua:'
