@@ -29,10 +29,11 @@ end
 
 return scenarios {
     scenario "piece left alone, hole covered, then out" {
-        set = { tamponade = { fill = 0.17 } },
+        start = "some_viscoelastic",
         function(t)
             come_in(t)
             t:expect_event("Dropped piece")
+            t:expect("tamponade.cover < 0.05")
             cover(t)
             t.phaco:withdraw { speed = quick }
             t.cannula:withdraw { speed = quick }
