@@ -35,9 +35,22 @@ return scenarios {
             t:expect_event("Posterior capsule drawn in", { recovered = false, within = 3 })
         end },
 
+    scenario "as low, with the mouth turned to the capsule and hardly any vacuum" {
+        set = { cortex = { left = 0 } },
+        silent_twin_of = "Posterior capsule drawn in",
+        near = "ia_tip.tip_posterior_mm < 0.05 and ia_tip.suction_mmhg > 15",
+        function(t)
+            t:set { ["ia.vacuum_mmhg"] = 15 }
+            low(t, 180)
+            t.ia_tip:pedal(2)
+            t:wait(2)
+            t:expect("not capsule.open")
+        end },
+
     scenario "as low, with the mouth up" {
         set = { cortex = { left = 0 } },
         silent_twin_of = "Posterior capsule drawn in",
+        near = "ia_tip.tip_posterior_mm < 0 and ia_tip.suction_mmhg > 20",
         function(t)
             low(t, 0)
             t.ia_tip:pedal(2)

@@ -70,6 +70,7 @@ return scenarios {
     scenario "a little is left" {
         set = { cortex = { left = 0.125 } },
         silent_twin_of = "Cortex left",
+        near = "cortex.taken_mm3 > 0 and cortex.left_percent > 6 and not ia_tip.present",
         function(t)
             enter(t)
             take(t, 11)

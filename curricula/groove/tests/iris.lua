@@ -34,6 +34,7 @@ return scenarios {
 
     scenario "turns back before the iris" {
         silent_twin_of = "Iris touched",
+        near = "iris.gap_mm < 0.15",
         function(t)
             go_to_middle(t)
             t.phaco:move_to({ 3.7, 1, 1.7 }, { speed = 4, stop = "iris.gap_mm < 0.15" })

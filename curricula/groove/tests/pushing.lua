@@ -32,14 +32,18 @@ return scenarios {
             t:expect_event("Pushing the lens", { recovered = false, within = 6 })
         end },
 
-    scenario "the same way with ultrasound cuts and does not push" {
+    scenario "the lens begins to move, and ultrasound frees the tip" {
         silent_twin_of = "Pushing the lens",
+        near = "lens.displacement_mm > 0.36",
         function(t)
             come_to_lens(t)
+            t.phaco:move_to({ 0, -1.5, 1.2 }, { speed = 2, motion = "even" })
+            t.phaco:move_to({ 0, 2.4, 1 }, { speed = 2, motion = "even", stop = "lens.displacement_mm > 0.37" })
             t.phaco:pedal(3)
-            t.phaco:move_to({ 0, -1.5, 1.6 }, { speed = 2 })
-            t.phaco:move_to({ 0, 2, 1.5 }, { speed = 2 })
-            t:expect("lens.removed_mm3 > 0.2")
+            t:wait(1)
+            t:expect("lens.displacement_mm < 0.25")
+            t.phaco:move_to({ 0, 2, 1 }, { speed = 2 })
+            t:expect("lens.removed_mm3 > 2")
         end },
 
     scenario "aspiration alone removes nothing" {

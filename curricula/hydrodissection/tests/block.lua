@@ -32,6 +32,15 @@ return scenarios {
             t:expect_event("Capsular block", { recovered = false, within = 7 })
         end },
 
+    scenario "the nucleus begins to bulge, and the hand stops" {
+        silent_twin_of = "Capsular block",
+        near = "hydro.forward_mm > 0.4",
+        function(t)
+            inject(t, "hydro.forward_mm > 0.4")
+            t:wait(2)
+            t:expect("hydro.forward_mm < 0.1")
+        end },
+
     scenario "the capsule bursts, and the nucleus is held up" {
         set = { capsule = { strength = 0.6 } },
         function(t)
@@ -58,6 +67,7 @@ return scenarios {
 
     scenario "close to what the capsule bears" {
         silent_twin_of = "Hydrorupture",
+        near = "hydro.strain_share > 0.7",
         function(t)
             inject(t, "hydro.strain_share > 0.7")
             t:wait(0.5)

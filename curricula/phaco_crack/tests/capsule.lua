@@ -39,12 +39,23 @@ return scenarios {
         end },
 
     scenario "close to the capsule" {
-        silent_twin_of = { "Capsule struck", "Capsule torn" },
+        silent_twin_of = "Capsule struck",
+        near = "phaco.tip_posterior_mm < 0.45",
         function(t)
             press(t, "phaco.tip_posterior_mm < 0.45")
             t:wait(2)
             t:expect("phaco.tip_posterior_mm < 0.5")
             t.phaco:move_to({ 0, 0, 2.6 }, { speed = 10 })
+        end },
+
+    scenario "capsule pressed without ultrasound" {
+        silent_twin_of = "Capsule torn",
+        near = "capsule.strain_share > 0.6",
+        function(t)
+            press(t, "capsule.strain_share > 0.6")
+            t:wait(0.5)
+            t.phaco:move_to({ 0, 0, 2.6 }, { speed = 10 })
+            t:wait(0.5)
         end },
 
     scenario "capsule torn; irrigation only, then out" {

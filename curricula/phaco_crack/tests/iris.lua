@@ -33,6 +33,7 @@ return scenarios {
     scenario "close to the iris" {
         set = narrow,
         silent_twin_of = "Iris touched",
+        near = "iris.gap_mm < 0.15 and phaco.tip_depth_mm > -1.5",
         function(t)
             approach(t, "iris.gap_mm < 0.15")
             t:wait(2)

@@ -43,6 +43,7 @@ return scenarios {
 
     scenario "nucleus pushed a little" {
         silent_twin_of = { "Pushing the nucleus", "Zonules overstrained" },
+        near = "lens.displacement_mm > 0.4 and zonules.strain > 0.25",
         function(t)
             engage(t)
             push(t, 3, "lens.displacement_mm > 0.4")

@@ -44,15 +44,30 @@ return scenarios {
             t.phaco:pedal(1)
         end },
 
-    scenario "close to the capsule, without aspiration" {
+    scenario "close to the capsule, with hardly any vacuum" {
         start = "hole",
         set = coarse,
-        silent_twin_of = { "Capsule in the tip", "Capsule torn" },
+        silent_twin_of = "Capsule in the tip",
+        near = "phaco.tip_posterior_mm < 0.06 and phaco.suction_mmhg > 10",
+        function(t)
+            t:set { ["machine.vacuum_mmhg"] = 5, ["machine.flow_ml_min"] = 5 }
+            drill(t)
+            t.phaco:pedal(2)
+            t:wait(2)
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+        end },
+
+    scenario "the capsule pressed without ultrasound" {
+        start = "hole",
+        set = coarse,
+        silent_twin_of = "Capsule torn",
+        near = "capsule.strain_share > 0.6",
         function(t)
             drill(t)
-            t:wait(3)
-            t:expect("phaco.tip_posterior_mm < 0.3")
+            t.phaco:move_by({ 0, 0, -1.5 }, { speed = 1, motion = "even", stop = "capsule.strain_share > 0.6" })
             t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
+            t:wait(0.5)
         end },
 
     scenario "capsule torn by ultrasound; irrigation only, chamber kept, then out" {

@@ -57,15 +57,21 @@ return scenarios {
             t:expect_event("Dropped piece", { recovered = false, within = 6 })
         end },
 
-    scenario "capsule torn, piece drawn up and away from the hole" {
+    scenario "piece led behind the capsule while the bottle is low, held, and drawn up with the bottle" {
         start = "torn",
         set = coarse,
         silent_twin_of = "Dropped piece",
+        near = "fragments.sunk_mm > 1.2",
         function(t)
             come_in(t)
             hold(t)
-            t.phaco:move_to({ 0, 0, 1 }, { speed = 2 })
-            t:wait(1)
-            t:expect("fragments.sunk_mm < 2")
+            t:set { ["machine.bottle_cm"] = 14 }
+            t.phaco:move_to({ 0, 0, 0 }, { speed = 4 })
+            t.phaco:move_to({ 0, 0, -4.5 }, { speed = 2, motion = "even", stop = "fragments.sunk_mm > 1.2" })
+            t:set { ["machine.bottle_cm"] = 95 }
+            t:wait(0.3)
+            t.phaco:move_to({ 0, 0, 1 }, { speed = 8 })
+            t:wait(0.2)
+            t:expect("fragments.sunk_mm <= 0")
         end },
 }

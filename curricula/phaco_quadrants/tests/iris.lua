@@ -35,6 +35,7 @@ return scenarios {
     scenario "the same way with irrigation only" {
         set = coarse,
         silent_twin_of = "Iris in the tip",
+        near = "iris.touch",
         function(t)
             t.phaco:enter()
             t.phaco:pedal(1)

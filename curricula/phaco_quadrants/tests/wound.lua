@@ -37,13 +37,28 @@ return scenarios {
             t:expect("wound.temperature_c > 60")
         end },
 
-    scenario "as much ultrasound with flow" {
+    scenario "ultrasound without flow, let go before it burns" {
         set = coarse,
         silent_twin_of = "Wound burn",
+        near = "wound.temperature_c > 52",
+        function(t)
+            come_in(t)
+            t:set { ["machine.infusion"] = 0 }
+            t.phaco:pedal(3)
+            t:wait_until("wound.temperature_c > 52", 4)
+            t.phaco:pedal(1)
+            t:set { ["machine.infusion"] = 1 }
+            t:wait(1)
+            t:expect("wound.burn_share == 0 and wound.temperature_c < 45")
+        end },
+
+    scenario "long ultrasound with flow" {
+        set = coarse,
         function(t)
             come_in(t)
             t.phaco:pedal(3)
             t:wait(8)
             t:expect("wound.temperature_c < 45 and phaco.ultrasound_s > 4")
+            t:expect_no_event("Wound burn")
         end },
 }

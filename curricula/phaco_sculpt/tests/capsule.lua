@@ -53,11 +53,11 @@ return scenarios {
         start = "hole",
         set = coarse,
         silent_twin_of = "Capsule torn",
+        near = "capsule.strain_share > 0.6",
         function(t)
             drill(t)
-            t.phaco:move_by({ 0, 0, -0.6 }, { speed = 1, motion = "even" })
+            t.phaco:move_by({ 0, 0, -1.5 }, { speed = 1, motion = "even", stop = "capsule.strain_share > 0.6" })
             t:wait(1)
-            t:expect("capsule.dimple_mm > 0.2")
             t.phaco:move_to(over_lens, { speed = 6 })
         end },
 }

@@ -49,15 +49,16 @@ return scenarios {
     scenario "infusion shut for a moment" {
         set = coarse,
         silent_twin_of = "Chamber collapse",
+        near = "chamber.depth_share < 0.55",
         function(t)
             come_in(t)
             t:set(no_infusion)
             t.phaco:pedal(2)
-            t:wait_until("chamber.depth_share < 0.7", 3)
+            t:wait_until("chamber.depth_share < 0.53", 3)
             t.phaco:pedal(1)
             t:set(infusion)
             t:wait(1)
-            t:expect("chamber.depth_share > 0.9 and chamber.least_depth_share < 0.75")
+            t:expect("chamber.depth_share > 0.9 and chamber.least_depth_share > 0.4")
         end },
 
     scenario "no infusion; ultrasound off at once, infusion opened" {
@@ -92,6 +93,7 @@ return scenarios {
     scenario "no infusion, seen before ultrasound" {
         set = coarse,
         silent_twin_of = "Infusion off",
+        near = "chamber.infusion_ml_min < 5 and phaco.aspirating and not phaco.ultrasound",
         function(t)
             come_in(t)
             t:set(no_infusion)
@@ -127,13 +129,26 @@ return scenarios {
             t:expect("wound.burn_share > 0.9")
         end },
 
-    scenario "as much ultrasound with flow" {
+    scenario "ultrasound without flow, let go before it burns" {
         set = coarse,
         silent_twin_of = "Wound burn",
+        near = "wound.temperature_c > 52",
+        function(t)
+            run_dry(t)
+            t:wait_until("wound.temperature_c > 52", 4)
+            t.phaco:pedal(1)
+            t:set(infusion)
+            t:wait(1)
+            t:expect("wound.burn_share == 0 and wound.temperature_c < 45")
+        end },
+
+    scenario "long ultrasound with flow" {
+        set = coarse,
         function(t)
             come_in(t)
             t.phaco:pedal(3)
             t:wait(8)
             t:expect("wound.temperature_c < 40 and phaco.ultrasound_s > 7")
+            t:expect_no_event("Wound burn")
         end },
 }

@@ -36,12 +36,12 @@ return scenarios {
     scenario "deep, but stops in time" {
         set = coarse,
         silent_twin_of = "Groove too deep",
+        near = "phaco.tip_posterior_mm < 0.45 and phaco.ultrasound",
         function(t)
-            drill(t, 0.55)
-            t.phaco:pedal(2)
-            t:wait(2)
-            t:expect("phaco.tip_posterior_mm < 0.7 and phaco.aspirating")
+            drill(t, 0.44)
             t.phaco:pedal(1)
+            t:wait(1)
+            t:expect("phaco.tip_posterior_mm < 0.6")
             t.phaco:move_to(over_lens, { speed = 10 })
         end },
 }

@@ -63,13 +63,14 @@ return scenarios {
 
     scenario "spatula at a groove just deep enough" {
         start = "thin_groove",
-        set = shallow(24),
+        set = shallow(30),
         silent_twin_of = "Groove too shallow",
+        near = "spatula.in_contact and 100 * groove_1.depth_share < 33",
         function(t)
             come_in(t)
             layers(t, 0, 0.4)
             touch_with_spatula(t)
-            t:expect("100 * groove_1.depth_share > 24")
+            t:expect("100 * groove_1.depth_share > 30")
         end },
 
     scenario "second groove askew; another one across" {
@@ -100,9 +101,10 @@ return scenarios {
         hold_within_s = 1,
         set = shallow(10),
         silent_twin_of = "Groove askew",
+        near = "groove_2.length_mm >= 3 and grooves.angle_deg < 83",
         function(t)
             come_in(t)
-            layers(t, 82, 0.9)
+            layers(t, 79, 0.9)
             t:wait(1.5)
             t:expect("groove_2.length_mm >= 3 and grooves.angle_deg > 80")
         end },

@@ -40,6 +40,7 @@ return scenarios {
     scenario "turns back before the iris" {
         set = coarse,
         silent_twin_of = "Iris touched",
+        near = "iris.gap_mm < 0.15 and phaco.tip_depth_mm > -1",
         function(t)
             come_to_lens(t)
             t.phaco:move_to(beyond_pupil, { speed = 4, stop = "iris.gap_mm < 0.15" })

@@ -42,6 +42,7 @@ return scenarios {
     scenario "nucleus pushed a little, and the tip lifted" {
         set = hard,
         silent_twin_of = "Pushing the nucleus",
+        near = "lens.displacement_mm > 0.38 and phaco.in_contact",
         function(t)
             push(t, 0.38)
             t:wait(1)

@@ -42,10 +42,11 @@ return scenarios {
     scenario "spatula touches the edge of the capsule and is lifted" {
         set = coarse,
         silent_twin_of = "Spatula on the capsule",
+        near = "spatula.capsule_gap_mm < -0.15",
         function(t)
             come_in(t)
-            press(t, 0.1)
-            t:expect("spatula.capsule_gap_mm < -0.1")
+            press(t, 0.15)
+            t:expect("spatula.capsule_gap_mm < -0.15")
             t:wait(1)
             t.spatula:move_to(over_lens, { speed = 6 })
         end },

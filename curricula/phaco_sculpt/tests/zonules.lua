@@ -39,6 +39,7 @@ return scenarios {
     scenario "the tip bears down less" {
         set = weak,
         silent_twin_of = "Zonules overstrained",
+        near = "zonules.strain > 0.27 and phaco.in_contact",
         function(t)
             bear_down(t, 0.27)
             t:wait(2)
@@ -49,6 +50,7 @@ return scenarios {
     scenario "the chamber empties and stretches them" {
         set = { patient = { tetrahedra = 1000 } },
         silent_twin_of = { "Zonules overstrained", "Pushing the nucleus" },
+        near = "zonules.strain > 0.30",
         function(t)
             come_in(t)
             t:set { ["machine.infusion"] = 0 }

@@ -2,6 +2,7 @@
 -- A hole in the posterior capsule, with the hyaloid behind it whole.
 
 local quick = 30  -- where nothing depends on it [mm/s]
+local weak = { capsule = { hole_mm = 0, strength = 0.3 } }
 
 -- The tip over the hole with irrigation, as it was when the edge showed.
 local function found(t)
@@ -21,11 +22,20 @@ local function cover(t)
     t.cannula:jaw(0)
 end
 
+-- The tip through the chamber and down at a capsule that is whole, with irrigation, until a condition holds.
+local function press(t, stop)
+    t.phaco:enter { speed = quick }
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 20 })
+    t.phaco:move_to({ 0.6, 0.8, -6 }, { speed = 4, stop = stop })
+end
+
 return scenarios {
     scenario "a hole, covered before the tip leaves" {
-        set = { tamponade = { fill = 0.25 } },
+        start = "some_viscoelastic",
         function(t)
             found(t)
+            t:expect("tamponade.cover < 0.05")
             cover(t)
             t:expect("tamponade.cover > 0.95 and chamber.depth_share > 0.9")
             t:request("Bottle down")
@@ -77,32 +87,40 @@ return scenarios {
             t:expect("capsule.hole_growth <= 0.1 and not vitreous.hyaloid_broken")
         end },
 
-    scenario "close to a whole capsule" {
-        set = { capsule = { hole_mm = 0 } },
+    scenario "the tip presses a weak capsule, and is drawn back before it tears" {
+        set = weak,
         silent_twin_of = "Capsule torn, hyaloid intact",
+        near = "capsule.strain_share > 0.7",
         function(t)
-            t.phaco:enter { speed = quick }
-            t.phaco:pedal(1)
-            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
-            t.phaco:move_to({ 0.6, 0.8, -3 }, { speed = 3, stop = "phaco.tip_posterior_mm < 0.1" })
-            t:wait(1)
+            press(t, "capsule.strain_share > 0.7")
             t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 6 })
             t.phaco:withdraw { speed = quick }
+            t:wait(0.5)
             t:expect("not capsule.open")
         end },
 
-    scenario "the tip pushes through a weak capsule" {
-        set = { capsule = { hole_mm = 0, strength = 0.3 }, tamponade = { fill = 0.35 } },
+    scenario "the tip pushes through a weak capsule; covered, then out" {
+        start = "some_viscoelastic",
+        set = weak,
         function(t)
-            t.phaco:enter { speed = quick }
-            t.phaco:pedal(1)
-            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
-            t.phaco:move_to({ 0.6, 0.8, -6 }, { speed = 3, stop = "capsule.open" })
+            press(t, "capsule.open")
             t:wait(0.1)
             t:expect_event("Capsule torn, hyaloid intact")
-            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 4 })
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 6 })
             cover(t)
             t.phaco:withdraw { speed = quick }
             t:expect_event("Capsule torn, hyaloid intact", { recovered = true, within = 2 })
+        end },
+
+    scenario "the tip pushes through a weak capsule, and comes out at once" {
+        recover_within_s = 3,
+        set = weak,
+        function(t)
+            press(t, "capsule.open")
+            t:wait(0.1)
+            t:expect_event("Capsule torn, hyaloid intact")
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 6 })
+            t.phaco:withdraw { speed = quick }
+            t:expect_event("Capsule torn, hyaloid intact", { recovered = false, within = 4 })
         end },
 }

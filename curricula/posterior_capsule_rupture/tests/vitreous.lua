@@ -1,9 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Vitreous in the chamber: cut away, left, pulled at, and not there.
+-- Vitreous in the chamber: cut away, left, pulled at, and next to none. It came as the tip sucked at the hyaloid:
+-- here, or in the start "vitreous".
 
--- As the operation left it: a hole with a broken hyaloid, vitreous before it and a strand in the wound.
-local came = { capsule = { hole_mm = 2.5 }, vitreous = { hyaloid = 0, front_mm3 = 6, wound_mm3 = 1 },
-    tamponade = { fill = 0.3 } }
 local hole = { 0.4, 0.8, -1.5 }
 
 local quick = 60  -- where nothing depends on it [mm/s]
@@ -32,9 +30,20 @@ local function cut(t)
     t.cutter:pedal(1)
 end
 
+-- The tip over the hole, sucking at the hyaloid until a condition holds.
+local function suck(t, condition)
+    t.phaco:enter { speed = quick }
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0.6, 0.8, -2 }, { speed = 8 })
+    t:wait(0.5)
+    t:set { ["machine.flow_ml_min"] = 50, ["machine.vacuum_mmhg"] = 500 }
+    t.phaco:pedal(2)
+    t:wait_until(condition, 4)
+end
+
 return scenarios {
     scenario "vitreous made white, cut away, and looked for again" {
-        set = came,
+        start = "vitreous",
         function(t)
             t:wait(0.1)
             t:expect_event("Vitreous")
@@ -51,7 +60,7 @@ return scenarios {
 
     scenario "vitreous cut away, but nobody looks for what is left" {
         recover_within_s = 3,
-        set = came,
+        start = "vitreous",
         function(t)
             t:wait(0.1)
             t:expect_event("Vitreous")
@@ -63,7 +72,7 @@ return scenarios {
         end },
 
     scenario "vitreous sucked in without cutting, pedal up at once" {
-        set = came,
+        start = "vitreous",
         function(t)
             t.phaco:enter()
             t.phaco:pedal(1)
@@ -76,7 +85,7 @@ return scenarios {
         end },
 
     scenario "vitreous sucked in without cutting, and drawn up with the tip" {
-        set = came,
+        start = "vitreous",
         function(t)
             t.phaco:enter()
             t.phaco:pedal(1)
@@ -89,7 +98,7 @@ return scenarios {
         end },
 
     scenario "the cutter sucks before it cuts: it pulls" {
-        set = came,
+        start = "vitreous",
         function(t)
             t:set { ["cutter.cut_first"] = 0, ["cutter.flow_ml_min"] = 30, ["cutter.vacuum_mmhg"] = 500 }
             t.cutter:enter()
@@ -101,8 +110,7 @@ return scenarios {
         end },
 
     scenario "the cutter cuts before it sucks: it does not" {
-        set = came,
-        silent_twin_of = "Vitreous pulled",
+        start = "vitreous",
         function(t)
             t.cutter:enter()
             t.cutter:pedal(1)
@@ -110,32 +118,49 @@ return scenarios {
             t.cutter:pedal(3)
             t:wait(1)
             t:expect("vitreous.cut_mm3 > 1 and vitreous.uncut_s <= 0")
+            t:expect_no_event("Vitreous pulled")
         end },
 
-    scenario "a hole with the hyaloid whole: no vitreous" {
-        set = { tamponade = { fill = 0.6 } },
-        silent_twin_of = "Vitreous",
-        function(t)
-            t.phaco:enter { speed = quick }
-            t.phaco:pedal(1)
-            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
-            cover(t)
-            t.phaco:withdraw { speed = quick }
-            make_white(t)
-            t:expect("vitreous.front_mm3 <= 0 and vitreous.checked_ml > 0.01")
-        end },
-
-    scenario "the tip sucks at the hyaloid until it breaks" {
+    scenario "vitreous begins to pull at the tip, and the pedal is let go before it does" {
+        start = "vitreous",
+        silent_twin_of = "Vitreous pulled",
+        near = "vitreous.traction_mN > 0.35",
         function(t)
             t.phaco:enter()
             t.phaco:pedal(1)
-            t.phaco:move_to({ 0.6, 0.8, -2 }, { speed = 8 })
-            t:wait(0.5)
-            t:set { ["machine.flow_ml_min"] = 50, ["machine.vacuum_mmhg"] = 500 }
+            t.phaco:move_to({ 0.6, 0.8, -1.5 }, { speed = 8 })
             t.phaco:pedal(2)
-            t:wait_until("vitreous.hyaloid_broken", 4)
+            t:wait_until("vitreous.traction_mN > 0.3", 3)
+            t.phaco:pedal(1)
+            t:wait(0.5)
+            t:expect("not vitreous.held")
+        end },
+
+    scenario "the hyaloid breaks under the tip, and the pedal is let go at once: next to none comes" {
+        silent_twin_of = "Vitreous",
+        near = "vitreous.front_mm3 > 0.5",
+        function(t)
+            suck(t, "vitreous.hyaloid_broken")
+            t.phaco:pedal(1)
+            t:wait(0.3)
+            t.phaco:move_to({ 0.6, 0.8, 0.5 }, { speed = 8 })
+            cover(t, 4.5)
+            t.phaco:withdraw { speed = quick }
+            t:wait(1)
+            t:expect("vitreous.hyaloid_broken and vitreous.front_mm3 < 1 and vitreous.wound_mm3 < 0.5")
+        end },
+
+    scenario "the tip sucks at the hyaloid until it breaks, and vitreous is left where it came" {
+        recover_within_s = 3,
+        function(t)
+            suck(t, "vitreous.hyaloid_broken")
             t:expect_event("Capsule torn, hyaloid intact")
-            t:wait_until("vitreous.front_mm3 > 1", 3)
+            t:wait_until("vitreous.front_mm3 > 2", 3)
             t:expect_event("Vitreous", { within = 1 })
+            t.phaco:pedal(1)
+            t.phaco:withdraw { speed = quick }
+            t:wait(1)
+            t:expect("vitreous.wound_mm3 > 0.2")
+            t:expect_event("Vitreous", { recovered = false, within = 4 })
         end },
 }

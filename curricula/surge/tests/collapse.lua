@@ -48,14 +48,23 @@ return scenarios {
             t:expect_event("Chamber collapse", { recovered = false, within = 5 })
         end },
 
-    scenario "much flow from a bottle that is high enough" {
+    scenario "bottle sinks under much flow, seen while the chamber is shallow" {
         silent_twin_of = "Chamber collapse",
+        near = "chamber.depth_share < 0.55",
         function(t)
             come_in(t)
-            t:set { ["machine.bottle_cm"] = 95, ["machine.flow_ml_min"] = 45 }
+            t:set { ["machine.flow_ml_min"] = 45 }
             t.phaco:pedal(2)
-            t:wait(3)
-            t:expect("chamber.depth_share > 0.6")
+            for height = 65, 49, -2 do
+                t:set { ["machine.bottle_cm"] = height }
+                t:wait(0.4)
+            end
+            t:wait(1)
+            t:set { ["machine.bottle_cm"] = 95 }
+            t.phaco:pedal(1)
+            t:wait(1)
+            t:expect("chamber.depth_share > 0.9 and chamber.least_depth_share > 0.4")
+            t:expect_no_event("Surge")
         end },
 
     scenario "capsule in the tip, let go in time" {
@@ -71,11 +80,13 @@ return scenarios {
             t:expect_event("Capsule in the tip", { recovered = false, within = 3 })
         end },
 
-    scenario "close to the capsule without aspiration" {
+    scenario "close to the capsule, with hardly any vacuum" {
         silent_twin_of = "Capsule in the tip",
+        near = "phaco.tip_posterior_mm < 0.06 and phaco.suction_mmhg > 10",
         function(t)
+            t:set { ["machine.vacuum_mmhg"] = 5, ["machine.flow_ml_min"] = 5 }
             drill(t)
+            t.phaco:pedal(2)
             t:wait(1)
-            t:expect("phaco.tip_posterior_mm < 0.3")
         end },
 }

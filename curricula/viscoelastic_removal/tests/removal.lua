@@ -59,15 +59,17 @@ return scenarios {
             t:expect_event("Viscoelastic left behind the implant", { recovered = false, within = 4 })
         end },
 
-    scenario "the optic is rocked" {
+    scenario "the optic is rocked, and a little is left behind it" {
         set = { viscoelastic = { front_mm3 = 20 } },
         silent_twin_of = "Viscoelastic left behind the implant",
+        near = "viscoelastic.behind_percent > 3 and viscoelastic.left_percent < 90 and not ia_tip.present",
         function(t)
             enter(t)
             t.ia_tip:move_to({ 0, 2.4, -0.75 }, { speed = 5 })
             t.ia_tip:pedal(2)
-            t:wait_until("viscoelastic.behind_percent < 4", 8)
+            t:wait_until("viscoelastic.behind_percent < 5", 8)
             t:expect("viscoelastic.rocked > 0.5 and not viscoelastic.under_optic")
+            t.ia_tip:pedal(1)
             t.ia_tip:withdraw { speed = 12 }
             t:wait(0.1)
         end },
@@ -99,8 +101,23 @@ return scenarios {
             t:expect_event("Posterior capsule drawn in", { recovered = false, within = 3 })
         end },
 
+    scenario "as low behind the optic, with the mouth turned to the capsule and hardly any vacuum" {
+        silent_twin_of = "Posterior capsule drawn in",
+        near = "ia_tip.tip_posterior_mm < 0.05 and ia_tip.suction_mmhg > 15",
+        function(t)
+            t:set { ["ia.vacuum_mmhg"] = 15 }
+            enter(t)
+            t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.0, 0, -2.0 } }, { speed = 8 })
+            t.ia_tip:turn(180)
+            t.ia_tip:move_to({ 0.1, -1.4, -3.05 }, { speed = 3 })
+            t.ia_tip:pedal(2)
+            t:wait(2)
+            t:expect("not capsule.open")
+        end },
+
     scenario "as low behind the optic, with the mouth up" {
         silent_twin_of = "Posterior capsule drawn in",
+        near = "ia_tip.tip_posterior_mm < 0 and ia_tip.suction_mmhg > 20",
         function(t)
             enter(t)
             t.ia_tip:path({ { 3.75, 0.3, -0.4 }, { 3.4, 0.3, -1.2 }, { 1.0, 0, -2.0 } }, { speed = 8 })

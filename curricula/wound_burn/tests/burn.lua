@@ -35,6 +35,7 @@ return scenarios {
 
     scenario "the flow is tried before ultrasound, and the tip cleared" {
         silent_twin_of = "Infusion off",
+        near = "chamber.infusion_ml_min < 5 and phaco.aspirating and not phaco.ultrasound",
         function(t)
             come_in(t)
             t.phaco:pedal(2)
@@ -70,9 +71,10 @@ return scenarios {
 
     scenario "ultrasound without flow, let go before it burns" {
         silent_twin_of = "Wound burn",
+        near = "wound.temperature_c > 52",
         function(t)
             run_dry(t)
-            t:wait_until("wound.temperature_c > 50", 3)
+            t:wait_until("wound.temperature_c > 52.5", 3)
             t.phaco:pedal(1)
             t:wait(2)
             t:expect("wound.burn_share == 0 and wound.temperature_c > 40")

@@ -70,6 +70,7 @@ return scenarios {
     scenario "a hook first, then ultrasound" {
         set = coarse,
         silent_twin_of = "Bag not supported",
+        near = "phaco.ultrasound and zonules.unsupported_deg > 25",
         function(t)
             hand.set_hook(t)
             sound(t)

@@ -68,10 +68,28 @@ return scenarios {
 
     scenario "viscoelastic over the gap before the tip leaves: it does not come" {
         set = gap,
-        silent_twin_of = "Vitreous through the gap",
         function(t)
             hand.cover(t)
             in_and_out(t)
             t:expect("not vitreous.hyaloid_broken and vitreous.front_mm3 <= 0 and chamber.lowest_pressure_mmhg < 20")
+            t:expect_no_event("Vitreous through the gap")
+        end },
+
+    scenario "the hyaloid breaks in a chamber that falls, and that is filled at once: next to none comes" {
+        set = gap,
+        silent_twin_of = "Vitreous through the gap",
+        near = "vitreous.front_mm3 > 0.6",
+        function(t)
+            t.phaco:enter({ speed = 20 })
+            t.phaco:pedal(1)
+            t.phaco:move_to({ 0, -1, 3.6 }, { speed = 15 })
+            t:wait(0.8)
+            t:set { ["machine.flow_ml_min"] = 40, ["machine.vacuum_mmhg"] = 300 }
+            t.phaco:pedal(2)
+            t:wait_until("vitreous.hyaloid_broken", 3)
+            t.phaco:pedal(1)
+            hand.cover(t, "side_port")
+            t:wait(0.5)
+            t:expect("vitreous.front_mm3 < 1 and tamponade.gap_cover > 0.9")
         end },
 }
