@@ -22,6 +22,7 @@ local scenario_rules = {
     set = { kind = "table", default = {} },
     start = { kind = "text" },             -- a state of the exercise's starts.lua, or a state file (.rhxs)
     silent_twin_of = { kind = "texts", default = {} },  -- error events that it nearly raises, and must not
+    near = { kind = "condition" },         -- of a silent twin: what must hold at some time, so that it came near
     recover_within_s = { kind = "number", from = 0.1, to = 7200 },  -- as --set recover_within_s
     hold_within_s = { kind = "number", from = 0, to = 60 },         -- as --set hold_within_s
     time_limit_s = { kind = "number", default = 300, from = 0.1, to = 7200 },  -- simulated time it may take
@@ -88,6 +89,9 @@ function language.scenario(name)
         local named, play = split(given, owner, line)
         named.silent_twin_of = as_list(named.silent_twin_of)
         local result = fields.read(named, scenario_rules, owner, line)
+        if result.near and #result.silent_twin_of == 0 then
+            words.fail(words.where("near", line), owner .. " has near, but names no error event in silent_twin_of")
+        end
         result.kind, result.name, result.play, result.line = "scenario", name, play, line
         result.set = flatten(result.set, words.where("set", line), "", {})
         for _, field in ipairs { "recover_within_s", "hold_within_s" } do

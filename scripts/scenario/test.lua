@@ -5,6 +5,7 @@
 local Eye = require "engine.eye"
 local Hand = require "scenario.hand"
 local Microscope = require "scenario.microscope"
+local Near = require "scenario.near"
 local condition = require "engine.condition"
 local fields = require "engine.fields"
 local microscope = require "surgeons.microscope"
@@ -317,6 +318,7 @@ end
 
 local function check_twin(self)
     local where = words.where("silent_twin_of", self.scenario.line)
+    if self.near and not self.near.came then fail(self, self.near.where, self.near:lacking()) end
     for _, name in ipairs(self.scenario.silent_twin_of) do
         local id = event_id(self, name, where)
         if find_event(self, id) then
@@ -343,12 +345,15 @@ function Test:begin()
     for _, name in ipairs(self.scenario.silent_twin_of) do  -- before any time is spent
         event_id(self, name, words.where("silent_twin_of", self.scenario.line))
     end
+    local near = self.scenario.near
+    if near then self.near = Near.new(near, self.eye, words.where("near", self.scenario.line)) end
     self.thread = coroutine.create(function() self.scenario.play(self.t) end)
 end
 
 --- One step: what is observed now and the events so far; gives samples, commands and whether it is over.
 function Test:step(time_s, row, events)
     self.eye:look(time_s, row, 0)
+    if self.near then self.near:look() end
     for _, command in ipairs(self.commands) do
         if command.kind == "request" then self.eye:hear(command.name) end
     end

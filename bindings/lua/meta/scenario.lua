@@ -25,6 +25,7 @@ function starts(list) end
 ---@field recover_within_s? number # no error has longer to be put right, whatever its own deadline [s]
 ---@field hold_within_s? number # no error has to last longer before it is told, whatever its own hold_s [s]
 ---@field silent_twin_of? string | string[] # error events that it nearly raises, and must not have raised at its end
+---@field near? string | function | table # of a silent twin: holds at some time in it, else it stayed away and fails
 ---@field time_limit_s? number # simulated time it may take; default 300
 ---@field [1] fun(t: rhexis.ScenarioTest)
 

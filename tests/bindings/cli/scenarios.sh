@@ -47,6 +47,8 @@ fails() {
 }
 
 passes calm 't:wait(0.1)' 'silent_twin_of = "Too far",'
+passes close "$into t.phaco:move_to({ 0.9, 0, 3 }) t.phaco:move_to({ 0, 0, 3 })" \
+    'silent_twin_of = "Too far", near = "phaco.tip_x_mm > 0.8",'
 passes far "$into t.phaco:move_to({ 1.2, 0, 3 }, { speed = 10 }) t:expect_event('Too far')
 t.phaco:move_to({ 0, 0, 3 }, { speed = 10 }) t:expect_event('too_far', { recovered = true })"
 passes stays "$into t.phaco:move_to({ 1.2, 0, 3 }, { speed = 10 }) t:expect_event('Too far', { recovered = false, within = 1 })"
@@ -81,6 +83,10 @@ t:expect_no_event('Too far')"
 fails never_came 3 'expected "time_s > 9" within 0.1 s, seen after it: time_s = 0.1' 't:wait_until("time_s > 9", 0.1)'
 fails no_twin 2 'expected to the end no error event "Too far", seen: "Too far" at' \
     "$into t.phaco:move_to({ 1.2, 0, 3 })" 'silent_twin_of = "Too far",'
+fails far_away 2 'expected the silent twin to come near at some time, seen: phaco.tip_x_mm from ' \
+    "$into t.phaco:move_to({ 0.3, 0, 3 })" 'silent_twin_of = "Too far", near = "phaco.tip_x_mm > 0.8",'
+says ' to 0.3 (after'
+fails near_what 2 "unknown measure 'phaco.tip_q_mm'" 't:wait(0.1)' 'silent_twin_of = "Too far", near = "phaco.tip_q_mm > 1",'
 fails both_fail 4 'expected "false", seen: no measure' 't:expect("time_s > 5")
 t:expect("false")'
 says "both_fail.lua:3: expected"
@@ -125,6 +131,7 @@ refused syntax "tests/syntax.lua:3: '}' expected" 'return scenarios {\n  scenari
 refused nothing "the file must end with: return scenarios" 'return 3\n'
 refused loop "tests/loop.lua:1: stopped: used up its budget" 'while true do end\n'
 refused field "tests/field.lua:2: scenario 'x' has no field 'sede' (did you mean seed or set?)" 'return scenarios {\n scenario "x" { sede = 3, function(t) end } }\n'
+refused near "tests/near.lua:2: scenario 'x' has near, but names no error event in silent_twin_of" 'return scenarios {\n scenario "x" { near = "time_s > 1", function(t) end } }\n'
 refused empty "scenario 'x' lacks what happens in it" 'return scenarios { scenario "x" { seed = 3 } }\n'
 refused same "scenario 'x' is there twice" 'return scenarios { scenario "x" { function(t) end }, scenario "x" { function(t) end } }\n'
 refused value "scenario 'x': --set patient.aeg=70: nothing is called 'patient.aeg' (did you mean patient.age" 'return scenarios { scenario "x" { set = { patient = { aeg = 70 } }, function(t) end } }\n'
