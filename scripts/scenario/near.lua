@@ -13,16 +13,25 @@ function Near.new(parts, eye, where)
         seen = {} }, Near)
 end
 
--- Smallest and largest value of each measure that the condition reads.
+-- Smallest and largest value of each measure that the condition reads; of one that is true or false, as 1 or 0.
 local function note(self)
     for _, name in ipairs(self.wanted.names()) do
         local get = self.eye:resolve(name)
         local value = get and get()
-        if math.type(value) then
+        if type(value) == "boolean" then value = value and 1 or 0 end
+        if value then
             local range = self.seen[name] or { value, value }
             self.seen[name] = { math.min(range[1], value), math.max(range[2], value) }
         end
     end
+end
+
+-- What a measure went through, in words.
+local function shown(self, name)
+    local range = self.seen[name]
+    if not range then return name .. " undefined" end
+    if not self.eye:is_yes_no(name) then return ("%s from %.4g to %.4g"):format(name, range[1], range[2]) end
+    return name .. (range[1] == 1 and " always" or range[2] == 1 and " at times" or " never")
 end
 
 --- Looks at the eye in this step.
@@ -36,9 +45,7 @@ end
 function Near:lacking()
     local ranges = {}
     for _, name in ipairs(self.wanted.names()) do
-        local range = self.seen[name]
-        ranges[#ranges + 1] = range and ("%s from %.4g to %.4g"):format(name, range[1], range[2])
-            or name .. " without a number"
+        ranges[#ranges + 1] = shown(self, name)
     end
     return ("expected the silent twin to come near at some time, seen: %s"):format(
         #ranges > 0 and table.concat(ranges, ", ") or "no measure")
