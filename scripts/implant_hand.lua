@@ -15,8 +15,8 @@ function implant_hand.thin_with(set)
     return set
 end
 
---- The same of a material whose surfaces stick to each other so strongly [kPa].
-function implant_hand.tacky(kpa) return implant_hand.thin_with { ["implant.tackiness_kpa"] = kpa } end
+--- The exercise's own lens, of a material whose surfaces stick to each other so strongly [kPa].
+function implant_hand.sticky(kpa) return { ["implant.tackiness_kpa"] = kpa } end
 
 local stroke = 0.18    -- of the plunger, share per second
 local at_once = 0.3    -- of its stroke: before that it does not meet the implant

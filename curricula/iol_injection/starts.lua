@@ -2,7 +2,8 @@
 -- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one that
 -- the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the bag
 -- on its side; in the bag but for its trailing haptic, which the injector has drawn out again because it left at once;
--- some time ago, with haptics that stick to the optic, and with such as come off it.
+-- in the bag, of a sticky material: with both haptics folded on the optic, tilted by 7 degrees for 20 s, and with
+-- haptics that stick as well on an optic that is about to lie flat.
 
 local implant_hand = require "implant_hand"
 
@@ -14,15 +15,20 @@ local function let_out(place, turned, set, then_s)
     end }
 end
 
+-- Let out as one should, but that the injector stays so long [s] before it leaves; then so long [s].
+local function led_in(set, stays, then_s)
+    return { set = set, function(t)
+        implant_hand.inject_from_two(t, { 0, -0.2, 0.5 }, { 0, -1.7, 0.35 }, stays)
+        t:wait(then_s)
+    end }
+end
+
 return starts {
     torn = { opening = "capsulorhexis:round" },
     before_capsule = let_out({ 0, -1.2, 2.2 }, 0),
     upside_down = let_out({ 0, -0.8, 0.8 }, 180),
-    trailing_out = { function(t)
-        implant_hand.inject_from_two(t, { 0, -0.2, 0.5 }, { 0, -1.7, 0.35 }, 0.1)
-        t:wait(15)
-    end },
+    trailing_out = led_in(nil, 0.1, 15),
     on_its_side = let_out({ 0, -1.0, 0.9 }, 70),
-    stuck = let_out({ 0, -1.2, 2.2 }, 0, implant_hand.tacky(50), 15),
-    came_off = let_out({ 0, -0.8, 0.8 }, 180, implant_hand.tacky(0), 5),
+    stuck = led_in(implant_hand.sticky(10), 0.6, 24),
+    settles = led_in(implant_hand.sticky(50), 0.6, 9.5),
 }

@@ -26,8 +26,21 @@ local good = { { 5.9, 2.2 }, { 4.7, 3.0 }, { 2.1, 2.9 } }
 local short = { { 5.9, 2.16 }, { 3.1, 2.16 } }
 local long = { { 5.9, 2.2 }, { 4.7, 3.0 }, { 3.3, 3.65 }, { 1.2, 3.4 } }
 local back = { { 6.9, 1.45 }, { 3.8, 1.45 } }
+-- On the right side of each limit.
+local barely_long_enough = { { 5.9, 2.16 }, { 5.3, 2.5 }, { 3.0, 2.45 } }
+local barely_short_enough = { { 5.9, 2.2 }, { 4.7, 3.0 }, { 3.75, 3.42 }, { 1.2, 3.25 } }
+local barely_before_the_iris = { { 6.9, 0.8 }, { 6.0, 1.7 }, { 3.5, 1.75 } }
 
 local function gone(t) t.keratome:withdraw { speed = 60 } end
+
+-- A main incision through these places; far_back: begun behind the limbus.
+local function main(t, places, far_back)
+    t.keratome:enter()
+    if far_back then t.keratome:move_to(at(0, 7.4, 2.0), { speed = 15 }) end
+    cut(t, 0, places)
+    gone(t)
+    t:wait(0.5)
+end
 
 -- Saline into the stroma beside the main wound.
 local function hydrate(t, seconds)
@@ -56,16 +69,40 @@ local cuts_main = { wounds = { uncut = 1 } }
 return scenarios {
     scenario "a tunnel of two planes shuts itself" {
         set = cuts_main,
-        silent_twin_of = { "Tunnel too short", "Tunnel too long", "Posterior entry", "Descemet's membrane peeled" },
         function(t)
-            t.keratome:enter()
-            cut(t, 0, good)
-            gone(t)
-            t:wait(0.5)
+            main(t, good)
+            t:expect_no_event()
             t:expect("wounds.main_cut and wounds.main_planes >= 2")
             t:expect_near("wounds.main_tunnel_mm", 2.1, 0.3)
             t:expect_near("wounds.main_width_mm", 2.4, 0.1)
             t:expect("wounds.main_leak_at_20_ul_s < 0.05 and wounds.touches == 0")
+        end },
+
+    scenario "a tunnel that is just long enough" {
+        set = cuts_main,
+        silent_twin_of = "Tunnel too short",
+        near = "wounds.main_cut and wounds.main_tunnel_mm < 1.38",
+        function(t)
+            main(t, barely_long_enough)
+            t:expect("wounds.main_cut and wounds.main_leak_at_20_ul_s < 0.5")
+        end },
+
+    scenario "a tunnel that is nearly too long" {
+        set = cuts_main,
+        silent_twin_of = "Tunnel too long",
+        near = "wounds.main_cut and wounds.main_tunnel_mm > 2.6",
+        function(t)
+            main(t, barely_short_enough)
+            t:expect("wounds.main_cut and wounds.main_leak_at_20_ul_s <= 0")
+        end },
+
+    scenario "begun behind the limbus, it comes out just in front of the root of the iris" {
+        set = cuts_main,
+        silent_twin_of = "Posterior entry",
+        near = "wounds.main_cut and wounds.main_inner_lip_mm < 0.62",
+        function(t)
+            main(t, barely_before_the_iris, true)
+            t:expect("wounds.main_cut and wounds.main_inner_lip_mm < 0.65")
         end },
 
     scenario "the point of the blade alone cuts less than its width" {

@@ -33,11 +33,29 @@ end
 
 return scenarios {
     scenario "hydrated, and dry under the sponge" {
-        silent_twin_of = "Leak",
         function(t)
             hydrate(t, 1.5)
             test(t, 0.9)
             t:expect("wounds.checked and wounds.tested_leak_ul_s <= 0.05 and wounds.peak_press_mN > 200")
+            t:expect_no_event("Leak")
+        end },
+
+    scenario "hydrated for a moment: a trace comes under the sponge" {
+        silent_twin_of = "Leak",
+        near = "wounds.checked and wounds.tested_leak_ul_s > 0.03",
+        function(t)
+            hydrate(t, 0.6)
+            test(t, 0.9)
+            t:wait(0.5)
+        end },
+
+    scenario "a short tunnel, hydrated until next to nothing comes" {
+        set = short,
+        silent_twin_of = "Leak",
+        near = "instruments.out_s > 0.5 and wounds.leak_at_20_ul_s > 0.03",
+        function(t)
+            hydrate(t, 1.15)
+            t:wait(1)
         end },
 
     scenario "not hydrated: the test shows what comes; hydrated and tested again" {
@@ -51,16 +69,17 @@ return scenarios {
             t:expect_event("Leak", { recovered = true, within = 1 })
         end },
 
-    scenario "a short tunnel leaks, and nobody does anything" {
+    scenario "a short tunnel, hydrated too little: the test shows what comes, and it is left" {
         recover_within_s = 3,
         set = short,
         function(t)
-            t:wait(1)
+            hydrate(t, 0.5)
+            test(t, 0.9)
+            t:expect("wounds.checked and wounds.tested_leak_ul_s > 1")
             t:expect_event("Leak")
             t:expect("wounds.leak_at_20_ul_s > 1")
-            t:wait(6)
-            t:expect("chamber.pressure_mmhg < 12")
             t:expect_event("Leak", { recovered = false, within = 4 })
+            t:expect("chamber.pressure_mmhg < 12")
         end },
 
     scenario "a burnt wound: hydration does not close it, stitches do" {
