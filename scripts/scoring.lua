@@ -155,9 +155,9 @@ end
 --- with a list of item ids gives what an exercise writes as `scoring`. levels: points of the thresholds that measures
 --- give, { five = 5, three = 3, one = 1 } if missing; the least of them is the least that an item can have.
 --- An item may have anchors, { [points] = what a performance of that level looks like }; errors_of, ids of items of
---- OSACSS: it judges where an exercise scores one of those, and errors that count against those count against it; begun,
---- a condition or a list of them, of which one must have held for the work to have been begun: an item whose work was
---- not has the least points. Where an exercise knows none of them it is not asked.
+--- OSACSS: it judges where an exercise scores one of those, and errors that count against those count against it;
+--- begun, a condition or a list of them, of which one must have held for the work to have been begun: an item whose
+--- work was not has the least points. Where an exercise knows none of them it is not asked.
 function scoring.rubric(given)
     local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
         bands = given.bands, levels = given.levels or usual_levels, least = 5, by_id = {} }

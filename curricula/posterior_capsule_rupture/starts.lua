@@ -21,8 +21,8 @@ return starts {
         t:wait(1)
     end },
 
-    -- The tip sucks at the hyaloid until it breaks, and goes on: vitreous comes. Too late covered, the tip leaves, and a
-    -- strand runs after it into the wound.
+    -- The tip sucks at the hyaloid until it breaks, and goes on: vitreous comes. Too late covered, the tip
+    -- leaves, and a strand runs after it into the wound.
     vitreous = { function(t)
         t.phaco:enter { speed = quick }
         t.phaco:pedal(1)

@@ -102,10 +102,11 @@ function agreement.html(data)
     report_words.use(data.language)
     local title = t("Agreement of simulator and raters")
     return page.html(title, function(w)
+        local few = table.concat(data.left_out or {}, ", ")
         w("<header><h1>", e(title), "</h1><p>", e(t("%d rated attempts, %d raters: %s.", data.attempts, #data.raters,
-            table.concat(data.raters, ", "))),
-            #data.left_out > 0 and " " .. e(t("Left out of the correlation among raters, because of too few ratings: %s.",
-                table.concat(data.left_out, ", "))) or "", '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
+            table.concat(data.raters, ", "))), few ~= "" and " "
+            .. e(t("Left out of the correlation among raters, because of too few ratings: %s.", few)) or "",
+            '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
             .. "effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with "
             .. "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the "
             .. "simulator are not clinically validated.")), "</p></header>")
