@@ -104,4 +104,25 @@ function implant_hand.tuck_in(t, middle, elbow)
     t.lens_forceps:withdraw({ speed = 50 })
 end
 
+--- An implant that lies upside down in the bag, as in the start "upside_down", while it unfolds: taken by its edge on the
+--- right, and turned over by drawing that edge up and across to the left and letting it down there. meanwhile: what is
+--- done while the forceps hold it, before it is turned.
+function implant_hand.turn_over(t, meanwhile)
+    local turning = { speed = 4, motion = "even" }
+    t.lens_forceps:enter({ speed = 50 })
+    t.lens_forceps:jaw(1)
+    t.lens_forceps:move_to({ 2.0, 0.8, 1.0 }, { speed = 17 })
+    t.lens_forceps:move_to({ 2.0, 0.8, 0.0 }, { speed = 10 })
+    t.lens_forceps:jaw(0)
+    t:wait(0.1)
+    meanwhile()
+    t.lens_forceps:move_to({ 1.9, 0.9, 2.4 }, turning)
+    t.lens_forceps:move_to({ 0.5, 1.1, 2.9 }, turning)
+    t.lens_forceps:move_to({ -0.9, 1.1, 2.8 }, turning)
+    t.lens_forceps:move_to({ -2.0, 0.9, 1.2 }, turning)
+    t.lens_forceps:move_to({ -2.2, 0.8, 0.2 }, turning)
+    let_go(t)
+    t.lens_forceps:withdraw({ speed = 50 })
+end
+
 return implant_hand

@@ -35,13 +35,14 @@ return scenarios {
             t:expect_event("Haptic not in the bag", { recovered = false, within = 4 })
         end },
 
+    -- Its silent twin is in upside_down.lua: a haptic before the rim that is in the bag again when the forceps leave.
     scenario "both haptics in the bag when the hook leaves" {
         set = implant_hand.thin,
         start = "upside_down",
-        silent_twin_of = "Haptic not in the bag",
         function(t)
             hook_comes_and_goes(t)
             t:wait(1.5)
             t:expect("implant.haptics_in_bag >= 2")
+            t:expect_no_event("Haptic not in the bag")
         end },
 }

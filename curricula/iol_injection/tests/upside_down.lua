@@ -23,6 +23,22 @@ return scenarios {
             t:expect_event("Upside down", { recovered = true, within = 6 })
         end },
 
+    -- One haptic comes before the rim on the way over, and is in the bag again when the forceps leave.
+    scenario "upside down in the bag, taken by its edge with forceps and turned over" {
+        set = implant_hand.thin,
+        start = "upside_down",
+        silent_twin_of = { "Haptic not in the bag", "Rim overstretched" },
+        near = "implant.haptics_in_bag < 2 and bag.rim_stretch > 1.17",
+        function(t)
+            t:wait(0.2)
+            t:expect("implant.tilt_deg < 20")
+            implant_hand.turn_over(t, function() t:expect_event("Upside down", { within = 2 }) end)
+            t:expect("implant.haptics_in_bag >= 2")
+            t:expect_event("Upside down", { recovered = true, within = 2 })
+            t:wait(1)
+            t:expect("not implant.upside_down and implant.tilt_deg < 45 and bag.rim_peak_stretch < 1.2")
+        end },
+
     scenario "upside down in the bag, and left so" {
         recover_within_s = 3,
         set = implant_hand.thin,
@@ -32,11 +48,14 @@ return scenarios {
             t:expect_event("Upside down", { recovered = false, within = 4 })
         end },
 
-    scenario "the right way up" {
+    scenario "on its side with its front to the front" {
         set = implant_hand.thin,
-        start = "before_capsule",
+        start = "nearly_over",
         silent_twin_of = "Upside down",
+        near = "implant.released and implant.tilt_deg > 70",
         function(t)
-            t:wait(3)
+            t.cannula:enter({ speed = 20 })
+            t:wait(4)
+            t:expect("implant.released and implant.unfolded > 0.9")
         end },
 }
