@@ -104,9 +104,9 @@ function implant_hand.tuck_in(t, middle, elbow)
     t.lens_forceps:withdraw({ speed = 50 })
 end
 
---- An implant that lies upside down in the bag, as in the start "upside_down", while it unfolds: taken by its edge on the
---- right, and turned over by drawing that edge up and across to the left and letting it down there. meanwhile: what is
---- done while the forceps hold it, before it is turned.
+--- An implant that lies upside down in the bag, as in the start "upside_down", while it unfolds: taken by its edge on
+--- the right, and turned over by drawing that edge up and across to the left and letting it down there. meanwhile: what
+--- is done while the forceps hold it, before it is turned.
 function implant_hand.turn_over(t, meanwhile)
     local turning = { speed = 4, motion = "even" }
     t.lens_forceps:enter({ speed = 50 })

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one that
--- the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the bag
--- on its side, its front to the back, or nearly so; in the bag but for its trailing haptic, which the injector has drawn
--- out again because it left at once; in the bag, of a sticky material: with both haptics folded on the optic, tilted by
--- 7 degrees for 20 s, and with haptics that stick as well on an optic that is about to lie flat.
+-- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one
+-- that the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the
+-- bag on its side, its front to the back, or nearly so; in the bag but for its trailing haptic, which the injector has
+-- drawn out again because it left at once; in the bag, of a sticky material: with both haptics folded on the optic,
+-- tilted by 7 degrees for 20 s, and with haptics that stick as well on an optic that is about to lie flat.
 
 local implant_hand = require "implant_hand"
 

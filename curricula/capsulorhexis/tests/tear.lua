@@ -27,6 +27,16 @@ local out = "rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 or rhex
 
 local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
 
+-- Pulled at and let go, again and again until a condition holds.
+local function pull_until(t, stop)
+    come_in(t)
+    for _ = 1, 4 do
+        local stopped = rhexis_hand.pull(t, 2, 1.5, stop)
+        open_jaws(t)
+        if stopped then break end
+    end
+end
+
 local function run_out(t)
     come_in(t)
     for _ = 1, 6 do
@@ -61,7 +71,6 @@ return scenarios {
     scenario "the flap led round: no error" {
         set = full,
         start = "flap",
-        silent_twin_of = { "Tear runs out", "Edge lost", "Underfilled", "Iris touched" },
         function(t)
             come_in(t)
             local _, angle = take_hold(t, 0.7, 0.4)
@@ -70,24 +79,32 @@ return scenarios {
             t.forceps:move_to(place(1.7, angle - 10, 0.4), { speed = 2 })
             t.forceps:path(way, { speed = 1.5, motion = "even" })
             t:expect("rhexis.turned_deg > 130")
+            t:expect_no_event()
         end },
 
-    scenario "pulled outwards a little" {
+    scenario "pulled outwards until it is nearly out, and let go" {
         set = shallow,
         start = "pulled",
         silent_twin_of = "Tear runs out",
+        near = "rhexis.tip_radius_mm > 2.98 and rhexis.tip_heading_deg > 30",
         function(t)
-            come_in(t)
-            rhexis_hand.pull(t, 2, 1.5, "rhexis.tip_radius_mm > 2.5")
-            open_jaws(t)
+            pull_until(t, "rhexis.tip_radius_mm > 2.95")
             t:wait(1)
-            t:expect("rhexis.tip_radius_mm > 2.5")
+        end },
+
+    scenario "the tear has run out and is pulled on, nearly to the zonules" {
+        set = shallow,
+        start = "run_out",
+        silent_twin_of = "Edge lost",
+        near = "rhexis.tip_radius_mm > 3.5",
+        function(t)
+            pull_until(t, "rhexis.tip_radius_mm > 3.5")
+            t:wait(1)
         end },
 
     scenario "the tear runs out, and is brought back" {
         set = shallow,
         start = "run_out",
-        silent_twin_of = "Edge lost",
         function(t)
             t:wait(0.05)
             t:expect_event("Tear runs out")

@@ -52,12 +52,20 @@ return scenarios {
             t:expect_event("Iris touched", { recovered = false, within = 3 })
         end },
 
-    scenario "nearly too much, close to the iris, no hand on the capsule" {
+    scenario "pressed a little too long" {
         set = full,
-        silent_twin_of = { "Overfilled", "Iris touched" },
+        silent_twin_of = "Overfilled",
+        near = "viscoelastic.pressure_mmhg > 55",
         function(t)
             press_until(t, 55)
             t.cannula:withdraw({ speed = 20 })
+            t:wait(1)
+        end },
+
+    scenario "close to the iris, no hand on the capsule" {
+        silent_twin_of = "Iris touched",
+        near = "iris.gap_mm < 0.2",
+        function(t)
             to_the_iris(t, "iris.gap_mm < 0.2")
             t:wait(1)
         end },

@@ -29,14 +29,24 @@ end
 
 return scenarios {
     scenario "the chamber filled, the tear brought back" {
-        silent_twin_of = { "Pulled in a shallow chamber", "Overfilled", "Edge lost", "Iris touched" },
+        silent_twin_of = "Edge lost",
+        near = "rhexis.tip_radius_mm > 3.25",
         function(t)
-            t:expect("rhexis.tip_radius_mm > 3.2")
             rhexis_hand.fill(t, { press = 1, speed = 50 })
             t:expect("lens.lift_mm < 0.2")
             t.forceps:enter({ speed = 50 })
             bring_back(t)
             t:expect(back)
+        end },
+
+    scenario "forceps on the capsule in a chamber that is just full enough" {
+        silent_twin_of = "Pulled in a shallow chamber",
+        near = "forceps.in_contact and viscoelastic.fill < 0.78",
+        function(t)
+            rhexis_hand.fill(t, { to = 0.78, press = 1, speed = 50 })
+            t.forceps:enter({ speed = 50 })
+            rhexis_hand.take_hold(t, 0.5, 0.4)
+            t:wait(0.5)
         end },
 
     scenario "forceps on the capsule before the chamber is filled, then filled" {

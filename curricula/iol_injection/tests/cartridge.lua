@@ -13,11 +13,12 @@ return scenarios {
             t:expect_event("Iris touched", { recovered = true, within = 2 })
         end },
 
-    scenario "cartridge that rests on the iris with its mouth under the rim" {
+    scenario "cartridge that rests on the iris, rather hard" {
         silent_twin_of = "Iris touched",
+        near = "iris.touch and iris.gap_mm < -0.8",
         function(t)
-            implant_hand.bring(t, { 0, -0.2, 0.4 })
+            implant_hand.bring(t, { 0, -1.7, 0.4 })
+            t.injector:move_to({ 0, -2.4, -0.8 }, { speed = 4, stop = "iris.gap_mm < -0.8" })
             t:wait(1)
-            t:expect("iris.touch and iris.gap_mm < -0.2")
         end },
 }

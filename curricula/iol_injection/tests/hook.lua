@@ -37,11 +37,11 @@ return scenarios {
 
     scenario "close to the iris" {
         silent_twin_of = "Iris touched",
+        near = "iris.gap_mm < 0.2",
         function(t)
             come_in(t)
             to_iris(t, "iris.gap_mm < 0.2")
             t:wait(1)
-            t:expect("iris.gap_mm < 0.25")
         end },
 
     scenario "posterior capsule struck, and lifted" {
@@ -60,11 +60,12 @@ return scenarios {
             t:expect_event("Posterior capsule struck", { recovered = false, within = 3 })
         end },
 
-    scenario "posterior capsule felt" {
+    scenario "posterior capsule pressed on, but not hard" {
         silent_twin_of = "Posterior capsule struck",
+        near = "bag.posterior_force_mN > 3.5",
         function(t)
             come_in(t)
-            to_back(t, "bag.posterior_force_mN > 1")
+            to_back(t, "bag.posterior_force_mN > 3.5")
             t:expect("bag.posterior_touches >= 1")
         end },
 
@@ -86,10 +87,10 @@ return scenarios {
 
     scenario "hook close to the cornea" {
         silent_twin_of = "Cornea touched",
+        near = "hook.endothelium_mm < 0.3 and hook.tip_x_mm > -2.5",
         function(t)
             come_in(t)
             to_cornea(t, "hook.endothelium_mm < 0.3")
             t:wait(0.5)
-            t:expect("hook.endothelium_mm < 0.35")
         end },
 }

@@ -10,9 +10,13 @@ local function rubbing(friction)
 end
 local dry, coated = rubbing(0.6), rubbing(0.1)
 
-local function push_until_it_jams(t)
+local function push_until(t, test)
     implant_hand.bring(t, { 0, -1.0, 1.0 })
-    implant_hand.push(t, function() return t:value("injector.jammed") end)
+    implant_hand.push(t, test)
+end
+
+local function push_until_it_jams(t)
+    push_until(t, function() return t:value("injector.jammed") end)
     t:expect_event("Implant jammed")
 end
 
@@ -35,12 +39,21 @@ return scenarios {
             t:expect_event("Implant jammed", { recovered = false, within = 6 })
         end },
 
+    scenario "the plunger is felt to bind, and drawn back" {
+        set = dry,
+        silent_twin_of = "Implant jammed",
+        near = "injector.force_mN > 1500",
+        function(t)
+            push_until(t, function() return t:value("injector.force_mN") > 1500 end)
+            t.injector:jaw(0)
+            t:wait(1)
+        end },
+
     scenario "pushed as hard through a coated cartridge" {
         set = coated,
-        silent_twin_of = "Implant jammed",
         function(t)
-            implant_hand.bring(t, { 0, -1.0, 1.0 })
-            implant_hand.push(t, function() return t:value("implant.delivered") > 0.1 end)
-            t:expect("injector.force_mN > 50")
+            push_until(t, function() return t:value("implant.delivered") > 0.1 end)
+            t:expect("injector.force_mN > 50 and injector.force_mN < 1000")
+            t:expect_no_event("Implant jammed")
         end },
 }

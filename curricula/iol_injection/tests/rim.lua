@@ -39,6 +39,7 @@ return scenarios {
     scenario "rim overstretched, and held" {
         set = narrow,
         silent_twin_of = "Rim split",
+        near = "bag.rim_stretch > 1.25",
         function(t)
             draw_apart(t, overstretched)
             t:expect_event("Rim overstretched", { recovered = false, within = 4 })
@@ -47,6 +48,7 @@ return scenarios {
     scenario "rim stretched by a sixth" {
         set = narrow,
         silent_twin_of = "Rim overstretched",
+        near = "bag.rim_stretch > 1.17",
         function(t)
             draw_apart(t, "bag.rim_stretch > 1.17")
             t:wait(1)

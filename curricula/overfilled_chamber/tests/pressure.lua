@@ -45,6 +45,7 @@ return scenarios {
     scenario "pressed a little too long" {
         set = full,
         silent_twin_of = "Overfilled",
+        near = "viscoelastic.pressure_mmhg > 55",
         function(t)
             inject(t, "viscoelastic.pressure_mmhg > 55")
             t:wait(1)

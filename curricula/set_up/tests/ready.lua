@@ -33,18 +33,17 @@ local function open(t)
     t.speculum:withdraw { speed = 60 }
 end
 
-local function test_pedal(t, last)
+local function test_pedal(t, last, seconds)
     t.phaco:enter { through = "hand_rest" }
     for position = 1, last do
         t.phaco:pedal(position)
-        t:wait(0.4)
+        t:wait(seconds or 0.4)
     end
     t.phaco:pedal(0)
 end
 
 return scenarios {
     scenario "all done, then ready" {
-        silent_twin_of = { "Lashes uncovered", "Pedal not tested" },
         function(t)
             drape(t, 12)
             t:expect("lids.covered_percent > 99")
@@ -59,6 +58,29 @@ return scenarios {
             t:request("Ready to begin")
             t:wait(0.1)
             t:expect("microscope.in_focus and microscope.pupil_offset < 0.1")
+            t:expect_no_event()
+        end },
+
+    scenario "the last lash is seen and covered before one is ready" {
+        silent_twin_of = "Lashes uncovered",
+        near = "lids.covered_percent > 95 and lids.covered_percent < 98 and not drape.present",
+        function(t)
+            drape(t, 10)
+            t:wait(0.2)
+            t.drape:enter()
+            cover(t, 1, 11, 12)
+            t.drape:withdraw { speed = 60 }
+            t:request("Ready to begin")
+            t:wait(0.1)
+        end },
+
+    scenario "the pedal tested for no longer than it takes" {
+        silent_twin_of = "Pedal not tested",
+        near = "lids.pedal_tested and lids.pedal_1_s < 0.36 and lids.pedal_2_s < 0.36 and lids.pedal_3_s < 0.36",
+        function(t)
+            test_pedal(t, 3, 0.32)
+            t:request("Ready to begin")
+            t:wait(0.1)
         end },
 
     scenario "a corner left out, and covered when it is told" {
