@@ -8,7 +8,7 @@ local function rubbing(friction)
     return { ["cartridge.tucked"] = 1, ["cartridge.nozzle_mm"] = 2.6, ["cartridge.friction"] = friction,
         ["injector.push_n"] = 3 }
 end
-local dry, coated = rubbing(0.6), rubbing(0.1)
+local dry, worn, coated = rubbing(0.6), rubbing(0.2), rubbing(0.1)
 
 local function push_until(t, test)
     implant_hand.bring(t, { 0, -1.0, 1.0 })
@@ -40,7 +40,7 @@ return scenarios {
         end },
 
     scenario "the plunger is felt to bind, and drawn back" {
-        set = dry,
+        set = worn,
         silent_twin_of = "Implant jammed",
         near = "injector.force_mN > 1500",
         function(t)
