@@ -197,6 +197,9 @@ void print_parts(const nlohmann::json& report) {
                     part["completed"] == true ? "completed" : "not completed", part["duration_s"].get<double>(),
                     part["score"].get<std::string>().c_str());
     }
+    for (const nlohmann::json& title : report.value("not_begun", nlohmann::json::array())) {
+        std::printf("  %s: not begun\n", title.get<std::string>().c_str());
+    }
 }
 
 void print_whole(const RunOptions& given, const std::string& folder, const OperationResult& result) {
@@ -204,6 +207,7 @@ void print_whole(const RunOptions& given, const std::string& folder, const Opera
     std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), given.surgeon.c_str(),
                 static_cast<unsigned long long>(given.seed),
                 report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
+    print_objectives(report);
     print_parts(report);
     std::printf("  score      %s\n", score_line(report).c_str());
     print_errors(report);

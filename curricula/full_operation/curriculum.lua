@@ -8,6 +8,9 @@ return operation {
     summary = "The whole operation on one eye, from the drape to the closed wound: incisions, viscoelastic and the "
         .. "opening of the capsule, hydrodissection, the nucleus, which a laser has cut into quarters, cortex, an "
         .. "implant in the bag, viscoelastic out, wounds tight.",
+    objectives = { "Complete every part, and leave the eye tight, with the implant centred in the bag",
+        "Hand on to each part what it needs: a round opening, a free nucleus, a whole posterior capsule",
+        "Notice each error at once, and put it right before going on" },
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 8 },
 

@@ -2,6 +2,8 @@
 -- The exercise in French. Keys are the English texts, letter for letter.
 
 return {
+    ["the hyaloid is broken too: vitreous is in the chamber and in the wound"] =
+        "la hyaloïde est rompue aussi : du vitré est dans la chambre et dans l'incision",
     ["The posterior capsule is torn"] = "La capsule postérieure est déchirée",
     ["The lens is out, and a round clear edge shows in the reflex: a hole in the posterior capsule. Whatever lets the "
         .. "pressure fall now makes the hole larger and lets the vitreous come. Keep the chamber up, lay viscoelastic "

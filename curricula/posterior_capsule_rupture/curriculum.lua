@@ -27,6 +27,10 @@ return exercise {
         ["machine.flow_ml_min"] = 25,
         ["machine.vacuum_mmhg"] = 250,
     },
+    levels = {
+        vitreous = { meaning = "the hyaloid is broken too: vitreous is in the chamber and in the wound",
+            settings = { ["vitreous.hyaloid"] = 0, ["vitreous.front_mm3"] = 6, ["vitreous.wound_mm3"] = 1 } },
+    },
 
     goals = {
         fill_percent = { 40, from = 35, to = 95, meaning = "how full of viscoelastic the chamber must be" },

@@ -6,7 +6,7 @@
   scripts/dev/recordings.py NAME... --update   writes what is expected now (groups d and a, seed 101, where none is)
   scripts/dev/recordings.py --all --longest 30 those whose attempt takes at most 30 s simulated
 
-A file says who operated, with which seed and settings, and what came of it. The recording itself is made again: it is
+A file says who operated, with which seed, level and settings, and what came of it. The recording itself is made again: it is
 too large to be kept here, and the same inputs give the same bits. Compared are the state hash, the events and their
 outcomes, completed exactly (of an operation the hash of each part); the score to 1e-9, both as the run gave it and as
 the replay is judged.
@@ -21,7 +21,7 @@ import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TOLERANCE = 1e-9
-KNOWN = {"surgeon", "seed", "set", "start", "expected"}
+KNOWN = {"surgeon", "seed", "level", "set", "start", "expected"}
 EXPECTED = {"completed", "duration_s", "state_hash", "events", "total", "max", "scaled"}
 
 
@@ -79,8 +79,9 @@ def make(program, name, given, folder):
              "--out", folder]
     for key, value in given.get("set", {}).items():
         words += ["--set", f"{key}={value}"]
-    if given.get("start"):
-        words += ["--start", given["start"]]
+    for option in ("level", "start"):
+        if given.get(option):
+            words += ["--" + option, given[option]]
     status, text, said = run(program, words)
     if status != 0:
         return None, None, said
