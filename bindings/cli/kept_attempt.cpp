@@ -87,7 +87,7 @@ Status check_keep_options(const KeepOptions& options) {
     for (const auto& [option, name] : {std::pair("--trainee", options.trainee), std::pair("--cohort", options.cohort),
                                        std::pair("--arm", options.arm)}) {
         const bool must = option == std::string("--trainee");
-        if (const Status status = must || !name.empty() ? records::check_pseudonym(name, option) : success(); !status) {
+        if (Status status = must || !name.empty() ? records::check_pseudonym(name, option) : success(); !status) {
             return status;
         }
     }

@@ -198,7 +198,7 @@ void print_parts(const nlohmann::json& report) {
                     part["score"].get<std::string>().c_str());
     }
     for (const nlohmann::json& title : report.value("not_begun", nlohmann::json::array())) {
-        std::printf("  %s: not begun\n", title.get<std::string>().c_str());
+        std::printf("  %-22s not begun\n", title.get<std::string>().c_str());
     }
 }
 

@@ -38,7 +38,7 @@ Result<Attempt> read_note(const std::string& folder) {
 }
 
 Status complete(Attempt& attempt, const json& report) {
-    const Status taken = records::take_report(report, attempt);
+    Status taken = records::take_report(report, attempt);
     if (!taken) {
         return taken;
     }

@@ -63,7 +63,7 @@ void Spectra::add(const Observation& observation) {
     if (step_s_ <= 0.0 || step_s_ > 0.02) {
         return;
     }
-    const std::size_t length = static_cast<std::size_t>(window_s / step_s_ + 0.5);
+    const std::size_t length = static_cast<std::size_t>(std::lround(window_s / step_s_));
     for (Tip& tip : tips_) {
         const bool present = std::isfinite(observation.values[tip.first]);
         for (std::size_t axis = 0; axis < 3; ++axis) {

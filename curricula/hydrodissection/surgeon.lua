@@ -10,17 +10,21 @@ local under_rim = 0.35      -- outside the edge of the opening
 local below_rim = 0.3       -- under it
 local over_lens = 0.8       -- height at which nothing touches it
 local press = 0.28          -- of the syringe
+local firmer = 0.45         -- once viscoelastic has gone, saline finds its way out past the nucleus
 local crossed = 0.99        -- size of the wave that a surgeon is content with
 local inject_longest = 7.0  -- [s]
 local bulges = 0.4          -- forward: no more saline
 local pressed = 0.5         -- depth to which the nucleus is pressed back
 local press_s = 0.8
 local sites = { 90, 20, 160 }  -- anticlockwise from the surgeon's right [deg]
+local more_sites = { 0, 180, 90, 20, 160 }  -- while the nucleus is held [deg]
 local arm, dent = 2.0, 0.7  -- of the turn
 local stroke = { 20, 100 }  -- [deg]
 local turn_speed = 3.0
 local turned_enough = 70    -- [deg]
 local most_strokes = 6
+local held = 15             -- turned by less after some strokes, the nucleus is held [deg]
+local strokes_to_tell = 2
 
 local function at(middle, radius, angle, z)
     return { middle[1] + radius * math.cos(math.rad(angle)), middle[2] + radius * math.sin(math.rad(angle)), z }
@@ -44,11 +48,11 @@ local function press_back(me)
     over(me)
 end
 
-local function inject(me, rim, rest, angle)
+local function inject(me, rim, rest, angle, how_hard)
     local edge = at(rim.position, rim.size - 0.5, angle, rim.position[3] + 0.5)
     me.go(edge, speed)
     me.go(at(rim.position, rim.size + under_rim, angle, rim.position[3] - below_rim), careful)
-    me.jaw(me.about(press))
+    me.jaw(me.about(how_hard))
     me.wait_until(function(seen)
         return wave(seen) > crossed or burst(seen)
             or (me.notices(function(now) return now.landmarks.lens_front.position[3] - rest > bulges end) and true)
@@ -63,10 +67,10 @@ local function spoke(me)
     return math.deg(math.atan(mark[2], mark[1]))
 end
 
--- Anticlockwise, in strokes.
+-- Anticlockwise, in strokes. Whether it turned.
 local function turn(me)
     local start = spoke(me)
-    for _ = 1, most_strokes do
+    for done = 1, most_strokes do
         local middle = front(me)
         over(me)
         me.go(at(middle, arm, stroke[1], middle[3] + over_lens), speed)
@@ -75,8 +79,22 @@ local function turn(me)
             return at(middle, arm, stroke[1] + (stroke[2] - stroke[1]) * share, middle[3] - dent)
         end, turn_speed)
         over(me)
-        if (spoke(me) - start) % 360 > turned_enough and (spoke(me) - start) % 360 < 300 then return end
+        local turned = (spoke(me) - start + 60) % 360 - 60
+        if turned > turned_enough then return true end
+        if done >= strokes_to_tell and turned < held then return false end
     end
+    return false
+end
+
+-- What the wave has not reached still holds the nucleus: saline from another side, and another try.
+local function free(me, rest)
+    for _, angle in ipairs(more_sites) do
+        if turn(me) then return end
+        inject(me, me.see().landmarks.capsulorhexis, rest, angle, firmer)
+        if me.notices(burst) then return end
+        press_back(me)
+    end
+    turn(me)
 end
 
 -- The capsule has burst: viscoelastic under the nucleus, and no turning.
@@ -102,16 +120,13 @@ return function(me)
     me.wait(0.5)
     me.go(wound, speed)
     for _, angle in ipairs(sites) do
-        inject(me, rim, rest, angle)
+        inject(me, rim, rest, angle, press)
         if me.notices(burst) then break end
         press_back(me)
         if wave(me.see()) > crossed then break end
     end
-    if me.notices(burst) then
-        lift(me, rim, wound)
-    else
-        turn(me)
-    end
+    if not me.notices(burst) then free(me, rest) end
+    if me.notices(burst) then lift(me, rim, wound) end
     over(me)
     me.go(wound, speed)
     me.go(instruments.outside(wound), speed)

@@ -109,7 +109,7 @@ expect 0 "" "$rhexis" run both --no-pictures --out whole --resume --seed 2
 
 # From the middle, and only so far.
 expect 0 "" "$rhexis" run both --no-pictures --out middle --from look --to look
-says "look again: not begun"
+says "look again             not begun"
 [ "$(ls middle/parts)" = 02_look ] || fail "not the middle: $(ls middle/parts)"
 [ "$(value middle/report.json "['completed']")" = False ] || fail "a part counts as the whole"
 [ "$(value middle/report.json "['begun_at']")" = look ] || fail "it does not say that it began in the middle"
