@@ -138,7 +138,7 @@ Status open_database(soci::session& sql, const std::string& path, Opening how) {
     if (number(sql, "PRAGMA user_version") == 0 && number(sql, "SELECT count(*) FROM sqlite_master") == 0) {
         make_tables(sql);
     }
-    const Status readable = check_version(sql, path);
+    Status readable = check_version(sql, path);
     if (readable && number(sql, "PRAGMA user_version") < schema_version) {
         upgrade(sql);
     }

@@ -207,7 +207,7 @@ std::string default_store() {
         const char* value = std::getenv(name);
         return std::string(value != nullptr ? value : "");
     };
-    if (const std::string named = environment("RHEXIS_RECORDS"); !named.empty()) {
+    if (std::string named = environment("RHEXIS_RECORDS"); !named.empty()) {
         return named;
     }
     if (const std::string data = environment("XDG_DATA_HOME"); !data.empty()) {

@@ -219,6 +219,9 @@ void hang(const BagModel& bag, const Rings& rings, MembraneModel& model) {
                 inserted = &zonule;
             }
         }
+        if (inserted == nullptr) {
+            continue;  // no zonules there
+        }
         const std::vector<int> ring = insertion(mesh, rings, front, from_axis(inserted->on_bag));
         for (const int node : ring) {
             const Vec3& place = mesh.nodes[at(node)];

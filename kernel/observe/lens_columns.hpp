@@ -30,7 +30,8 @@ struct ColumnGrid {
 
     [[nodiscard]] int cells() const { return count * count; }
     [[nodiscard]] Vec2 centre(int index) const {
-        return {origin + (index % count) * cell, origin + (index / count) * cell};
+        const int row = index / count;
+        return {origin + (index % count) * cell, origin + row * cell};
     }
     /// The cell that holds a place, or -1 outside the grid.
     [[nodiscard]] int cell_at(const Vec2& place) const {
