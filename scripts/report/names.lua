@@ -245,6 +245,31 @@ names.of_instrument = {
     ultrasound = "%s: ultrasound",
 }
 
+local function set(list)
+    local result = {}
+    for name in list:gmatch("%S+") do result[name] = true end
+    return result
+end
+
+--- Names, or their last words, of what is yes or no where the kernel writes 1 or 0.
+names.yes_no = set [[
+    aspirating capsule_touch holding in_contact present ultrasound
+    bag.rim_split beads.dropped capsule.captured capsule.open cartridge.inverted cartridge.tucked cortex.held
+    cutter.cut_first hydro.burst ia_tip.port_down implant.haptic_leading_in_bag implant.haptic_trailing_in_bag
+    implant.released implant.upside_down injector.jammed iris.captured iris.touch lids.pedal_tested machine.infusion
+    rhexis.closed rhexis.opened rhexis.run_out viscoelastic.under_optic vitreous.held vitreous.hyaloid_broken
+    wounds.checked wounds.main_cut wounds.side_cut zonules.ring ]]
+
+--- Names, or their last words, of shares from 0 to 1 that do not end with _share.
+names.shares = set [[
+    occlusion power
+    cannula.press capsule.hole_growth capsule.peak_strain capsule.strain capsule.strength capsule.toughness
+    capsule.trypan_blue cortex.adhesion cortex.left hydro.viscoelastic_fill hydrodissection.freed
+    hydrodissection.viscoelastic_fill implant.delivered implant.unfolded iris.prolapse_damage iris.strain phaco.duty
+    phaco.power_limit tamponade.cover tamponade.fill tamponade.gap_cover viscoelastic.fill vitreous.hyaloid
+    wounds.main_burn wounds.main_swelling wounds.side_swelling zonules.peak_strain zonules.strain zonules.strength
+    zonules.tension zonules.toughness ]]
+
 names.goals = {
     angle_deg = "angle between the grooves",
     beads = "beads in the tray",

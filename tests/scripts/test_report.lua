@@ -64,8 +64,9 @@ case("a full report holds score, reasons, errors, pictures and charts, all escap
     for _, text in ipairs({ "Groove &lt;b&gt;", "Dig &amp; be gentle.", "7.5", "supervised",
         "Too deep: at most 3 points.", "Too &lt;deep&gt;", "Up &amp; away.", "put right after 0.8 s",
         "not put right in time", "Do &lt;less&gt;.",
-        "data:image/png;base64,aGVsbG8=", "After &lt;it&gt;", "not been validated clinically", "<svg", "tip.x_mm 0.25",
-        "1 of 3 steps", "3000", "seed 7", "NO3" }) do
+        "data:image/png;base64,aGVsbG8=", "After &lt;it&gt;", "not been validated clinically", "<svg",
+        '<span class="quantity" title="tip.x_mm">tip x <b>0.25\u{A0}mm</b></span>', "One of 3 steps was completed",
+        "3000", "seed 7", "NO3" }) do
         holds(html, text)
     end
     equal(html:find("<deep>", 1, true), nil)
@@ -78,16 +79,16 @@ case("earlier attempts and a cohort are compared with, where there are any and t
     equal(report.html(told, series(), {}):find("earlier attempts", 1, true), nil)
     told.history = { { date = "2026-01-02", score = 4, max = 10, passed = false, items = { T9 = 2 } },
         { date = "<b>", score = 7, max = 10, passed = true, items = { T9 = 2.5 } }, { score = "x" }, 7 }
-    told.cohort = { group = "experts & co", mean = 9, sd = 0.5, items = { T9 = 4.5 } }
+    told.cohort = { group = "experts & co", n = 7, mean = 9, sd = 0.5, items = { T9 = 4.5 } }
     local html = report.html(told, series(), {})
     check_balance(html)
     for _, text in ipairs({ "Compared with earlier attempts and with others", "Attempt 3. The best so far",
-        "experts &amp; co", "90 % ± 5", "2026-01-02: 4 of 10 points", "7 of 10 points, passed",
-        '<span class="tg">+0.5</span>', "<td>4.5</td>" }) do holds(html, text) end
+        "experts &amp; co, 7 trainees", "88 % ± 6 of the scale", "2026-01-02: 25 % of the scale",
+        "62 % of the scale, passed", '<span class="tg">+0.5</span>', "<td>4.5</td>" }) do holds(html, text) end
     equal(html:find("<b>:", 1, true), nil)
     told.osacss.total = 3
     html = report.html(told, series(), {})
-    holds(html, "The best so far had 70 % of its points, this one 30 %.")
+    holds(html, "The best so far had 62 % of the scale, this one 12 %.")
     told.history, told.cohort = "broken", 5
     check_balance(report.html(told, series(), {}))
 end)

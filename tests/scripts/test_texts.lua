@@ -123,7 +123,7 @@ case("a report in French has no English word of its own left", function()
     local html = page("fr")
     equal(table.concat(report_words.missing, " | "), "")
     for _, part in ipairs({ '<html lang="fr">', "Note, critère par critère", "En bref", "œil gauche",
-        "chirurgien gaucher", "examen (sans conseils)", "1 étapes sur 2", "2 erreurs, dont 1 corrigées.",
+        "chirurgien gaucher", "examen (sans conseils)", "Une étape sur 2", "2 erreurs, dont une corrigée.",
         "Avant le premier instant.", "Déroulement", "non corrigée à temps", "Remplissage de la chambre" }) do
         has(html, part)
     end
