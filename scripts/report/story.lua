@@ -24,9 +24,15 @@ local function errors_told(events)
     return t("%d errors were made, and %d of them put right.", made, right)
 end
 
+-- A part that was never loaded is known by its folder only: "phaco_quadrants".
+local function title_of(entry)
+    local title = type(entry) == "table" and (entry.title or entry.id) or tostring(entry)
+    return title:find("^[%l%d_]+$") and title:gsub("_", " ") or known(title)
+end
+
 local function titles_of(list)
     local titles = {}
-    for i, entry in ipairs(list) do titles[i] = quoted(known(entry.title or entry.id or entry)) end
+    for i, entry in ipairs(list) do titles[i] = quoted(title_of(entry)) end
     return table.concat(titles, ", ")
 end
 
@@ -47,7 +53,7 @@ local function steps_told(report)
         return count(all, "The only step that was begun was completed.",
             "All %d steps that were begun were completed.", all)
     end
-    local rest = t("; not completed: ") .. titles_of(undone)
+    local rest = (#undone == 1 and t("; not completed: ") or t("; these were not completed: ")) .. titles_of(undone)
     if all == 1 then return t("The only step was not completed.") end
     if done == 0 then return t("None of the %d steps was completed.", all) end
     return done == 1 and t("One of %d steps was completed%s.", all, rest)

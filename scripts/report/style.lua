@@ -17,9 +17,9 @@ p { margin:.35rem 0; max-width:46rem; }
 .soft { color:var(--soft); }
 .small { font-size:.86rem; }
 .head { display:grid; grid-template-columns:1fr auto; gap:1.5rem; align-items:center; }
-.score { text-align:center; min-width:11rem; }
+.score { text-align:center; min-width:11rem; max-width:14rem; }
 .score b { display:block; font-size:2.6rem; line-height:1.1; font-variant-numeric:tabular-nums; }
-.band { display:inline-block; padding:.15rem .7rem; border-radius:99px; color:#fff; font-weight:600; font-size:.9rem; }
+.band { display:inline-block; padding:.15rem .7rem; border-radius:1rem; color:#fff; font-weight:600; font-size:.9rem; }
 .good { background:var(--good); } .fair { background:var(--fair); } .bad { background:var(--bad); }
 .none { background:var(--soft); }
 .tg { color:var(--good); } .tf { color:var(--fair); } .tb { color:var(--bad); }

@@ -71,7 +71,8 @@ return {
     ["This exercise was begun in the middle: %s."] = "Cet exercice a été commencé en cours de route : %s.",
     ["What came before is not judged, and a band of skill is not told."] =
         "Ce qui précède n'est pas jugé, et aucun palier n'est donné.",
-    ["; not completed: "] = " ; non accomplies : ",
+    ["; not completed: "] = " ; non accomplie : ",
+    ["; these were not completed: "] = " ; non accomplies : ",
     ["%s began with a round opening of the bag: what was torn before could not be its opening."] =
         "%s a commencé avec une ouverture ronde du sac : ce qui avait été déchiré ne pouvait être la sienne.",
     ["No error was made."] = "Aucune erreur.",
