@@ -16,10 +16,9 @@ end
 
 --- One piece of French text.
 function typography.french(text)
-    text = text:gsub("(%d)%.(%d)", "%1,%2")
+    text = text:gsub("(%d)%.(%d)", "%1,%2"):gsub("(%d) ([^%s,;:%.%)%(&]+)", before_unit)
     text = text:gsub("“%s*", "«" .. joined):gsub("%s*”", joined .. "»"):gsub("« ", "«" .. joined)
     text = text:gsub(" ([:;?!%%])", joined .. "%1"):gsub(" »", joined .. "»")
-    text = text:gsub("(%d) ([^%s,;:%.%)%(&]+)", before_unit)
     return (text:gsub("(%d" .. joined .. "min) (%d)", "%1" .. joined .. "%2"))
 end
 

@@ -2,6 +2,7 @@
 -- Exercises and reports in French.
 local language = require "exercise"
 local osacss = require "osacss"
+local names = require "report.names"
 local report_page = require "report"
 local report_words = require "report.words"
 local support = require "support"
@@ -68,6 +69,14 @@ case("all that the rubric says is there in French", function()
     for _, band in ipairs(osacss.bands) do
         wanted(band.name)
         wanted(band.meaning)
+    end
+end)
+
+case("all that a report calls measures, settings and goals is there in French", function()
+    for _, list in ipairs({ names.own, names.of_instrument, names.goals }) do
+        for _, meaning in pairs(list) do
+            if not texts.has("fr", { texts = {} }, meaning) then error("no French for \"" .. meaning .. "\"") end
+        end
     end
 end)
 
