@@ -5,6 +5,7 @@ local charts = require "report.charts"
 local events = require "report.events"
 local history = require "report.history"
 local markup = require "report.markup"
+local names = require "report.names"
 local pictures = require "report.pictures"
 local quantity = require "report.quantity"
 local scores = require "report.scores"
@@ -25,11 +26,11 @@ local function title_of(report)
 end
 
 local function who(report)
-    local names = { a = "virtual surgeon of group A (fewer than 50 operations)", b = "virtual surgeon of group B",
+    local surgeons = { a = "virtual surgeon of group A (fewer than 50 operations)", b = "virtual surgeon of group B",
         c = "virtual surgeon of group C", d = "virtual surgeon of group D (over 500 operations)",
         novice = "virtual novice (fewer than 50 operations)", expert = "virtual expert (over 500 operations)",
         none = "trainee" }
-    local name = names[report.surgeon] or not report.surgeon and "trainee"
+    local name = surgeons[report.surgeon] or not report.surgeon and "trainee"
     return name and t(name) or report.surgeon
 end
 
@@ -74,7 +75,7 @@ local function header(w, report)
     fact("By", who(report))
     fact("Patient", patient_text(report.patient))
     fact("Incision", incision_text(report.orientation))
-    fact("Level", report.level)
+    fact("Level", known(report.level))
     fact("Mode", mode_text(report))
     fact("Time", time(report.duration_s))
     w("</ul></div>", scores.badge(report), "</div></header>")
@@ -108,6 +109,10 @@ local function rows(w, pairs_of)
     w("</table>")
 end
 
+local function simulated_name(part)
+    return names.simulated[part] and t(names.simulated[part]) or (known(tostring(part)):gsub("_", " "))
+end
+
 local function background(w, report)
     local p, c = report.performance or {}, report.curriculum or {}
     w('<section class="background"><h2>', e(t("Patient, machine and simulation")), "</h2>")
@@ -126,8 +131,9 @@ local function background(w, report)
         w('<h3 class="after">', e(t("What was simulated")), '</h3><div class="scroll"><table><tr><th>', e(t("Part")),
             "</th><th>", e(t("Elements")), "</th><th>", e(t("Computing time")), "</th></tr>")
         for _, part in ipairs(parts) do
-            w("<tr><td>", e(known(part.part)), "</td><td>", part.elements ~= 0 and number(part.elements, 0) or "–",
-                "</td><td>", number(part.cpu_s, 2), " s</td></tr>")
+            w("<tr><td>", e(simulated_name(part.part)), "</td><td>",
+                part.elements ~= 0 and number(part.elements, 0) or "–", "</td><td>", number(part.cpu_s, 2),
+                " s</td></tr>")
         end
         w("</table></div>")
     end

@@ -270,6 +270,20 @@ names.shares = set [[
     wounds.main_burn wounds.main_swelling wounds.side_swelling zonules.peak_strain zonules.strain zonules.strength
     zonules.tension zonules.toughness ]]
 
+--- Parts of the simulation, as the kernel's profile names them.
+names.simulated = {
+    anterior_capsule = "anterior capsule",
+    bag = "bag",
+    capsule = "capsule",
+    chamber = "fluid in the chamber",
+    debris = "loose pieces",
+    implant = "implant",
+    lens = "lens",
+    observe = "measuring",
+    sculpt = "work of the tip",
+    topology = "parting of what is cut",
+}
+
 names.goals = {
     angle_deg = "angle between the grooves",
     beads = "beads in the tray",

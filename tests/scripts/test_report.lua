@@ -299,6 +299,7 @@ case("what happened is told in sentences that fit one, some and all", function()
         .. "made, and none put right.")
     told.language = "fr"
     holds(story(1, 0, 1, 1, true), "La seule étape a été accomplie. Une erreur, non corrigée.")
+    equal(report_words.count(0, "%d trainee", "%d trainees", 0), "0 interne")
     holds(story(3, 2, 2, 3, false), "2 étapes sur 3 ont été accomplies ; non accomplie : « S3 ». 3 erreurs, dont 2 "
         .. "corrigées.")
 end)
@@ -395,6 +396,9 @@ case("a line breaks where another part of an operation begins, and shows the par
     local later = charted(told, { ["reflex.tip"] = { [7] = 0.1, [8] = 0.2, [9] = 0.3 } })
     holds(later, 'text-anchor="middle">6</text>')
     lacks(later, 'text-anchor="middle">5</text>')
+    local way = charted(told, { ["cannula.tip_x_mm"] = { 0, 1, 1, 0, 1, 1 },
+        ["cannula.tip_y_mm"] = { 0, 0, 1, 0, 0, 1 } })
+    equal(select(2, way:gsub('stroke="#1f5f8b" stroke%-width="1"', "")), 2, "pieces of the way")
     told.parts = nil
     path = charted(told, { ["lens.displacement_mm"] = { 0, 0.1, 0.2, 0.3 } })
         :match('<path d="(M[^"]+)" fill="none" stroke="#1f5f8b"')

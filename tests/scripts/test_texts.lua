@@ -73,7 +73,7 @@ case("all that the rubric says is there in French", function()
 end)
 
 case("all that a report calls measures, settings and goals is there in French", function()
-    for _, list in ipairs({ names.own, names.of_instrument, names.goals }) do
+    for _, list in ipairs({ names.own, names.of_instrument, names.goals, names.simulated }) do
         for _, meaning in pairs(list) do
             if not texts.has("fr", { texts = {} }, meaning) then error("no French for \"" .. meaning .. "\"") end
         end

@@ -47,6 +47,8 @@ return {
     ["Incision"] = "Incision",
     ["Level"] = "Niveau",
     ["Mode"] = "Mode",
+    ["easy"] = "facile",
+    ["hard"] = "difficile",
     ["Time"] = "Durée",
     ["not scored"] = "non noté",
     ["of %s"] = "sur %s",
@@ -120,7 +122,7 @@ return {
     ["seed %s"] = "graine %s",
     ["Steps of time"] = "Pas de temps",
     ["%s, %s ms each on average, %s ms for all but 1 %%, %s repeated"] =
-        "%s, %s ms chacun en moyenne, %s ms pour tous sauf 1 %%, %s répétés",
+        "%s, %s ms chacun en moyenne, %s ms pour tous sauf 1 %%, répétitions : %s",
     ["Computing time"] = "Temps de calcul",
     ["%s s per simulated second"] = "%s s par seconde simulée",
     ["What was simulated"] = "Ce qui a été simulé",
