@@ -196,7 +196,7 @@ end
 local function ways(w, report, measures, context)
     local count, pupil = #context.times, report.patient and report.patient.pupil_mm or 7.5
     local function way(title, found, ...)
-        if not found or not way_chart.reaches_eye(found, count) then return end
+        if not found or not way_chart.reaches_eye(found, count, context.starts) then return end
         figure(w, way_chart.svg(found, count, context.starts, pupil, ...),
             t("%s, seen from above (the surgeon sits below)", title), nil, "way")
     end

@@ -19,10 +19,13 @@ local function drawn(way, i)
     return type(x) == "number" and type(y) == "number" and x * x + y * y <= farthest * farthest
 end
 
+local eye = 6.5  -- radius within which a tip is over the eye [mm]
+
 --- Whether any of a way leads over the eye.
-function way_chart.reaches_eye(way, count)
-    for i = 1, count do
-        if drawn(way, i) and way.x[i] ^ 2 + way.y[i] ^ 2 < 6.5 ^ 2 then return true end
+function way_chart.reaches_eye(way, count, starts)
+    for i = 2, count do
+        local line = drawn(way, i - 1) and drawn(way, i) and not starts[i]
+        if line and way.x[i] ^ 2 + way.y[i] ^ 2 < eye * eye then return true end
     end
     return false
 end

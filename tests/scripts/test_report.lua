@@ -380,6 +380,8 @@ case("a way has a scale, all of it that is at the eye is in view, and one elsewh
     lacks(html, 'class="legend"')
     lacks(charted(told, { ["cannula.tip_x_mm"] = { 0, 1, 2 }, ["cannula.tip_y_mm"] = { -14, -14, -15 } }),
         "Way of the instrument")
+    lacks(charted(told, { ["cannula.tip_x_mm"] = { [1] = 0, [3] = 1 }, ["cannula.tip_y_mm"] = { [1] = 0, [3] = 1 } }),
+        "Way of the instrument")
     lacks(charted(told, { ["rhexis.tip_x_mm"] = { 0, 1, 2 }, ["rhexis.tip_y_mm"] = { 0, 1, 1 } }),
         "Way of the instrument")
 end)
