@@ -76,8 +76,7 @@ local function pass_line(w, pass, y_of)
     local y = y_of(100 * math.max(0, math.min(1, pass)))
     w(('<line x1="%d" x2="%d" y1="%.1f" y2="%.1f" stroke="%s" stroke-width="1.5" stroke-dasharray="2 3"/>'):format(left,
         wide - right, y, y, passed_colour))
-    w(('<text class="halo" x="%d" y="%.1f" text-anchor="end" fill="%s">%s</text>'):format(wide - right - 2, y - 4,
-        passed_colour, e(t("pass"))))
+    w(('<text class="soft halo" x="%d" y="%.1f">%s</text>'):format(left + 4, y - 4, e(t("pass"))))
 end
 
 local function axis(w, y_of)
@@ -96,17 +95,21 @@ local function dot_text(attempt)
     return text .. (attempt.passed and t(", passed") or "")
 end
 
--- What was not completed, or did not pass, is hollow.
-local function dot(w, x, y, attempt)
+-- Below a dot, within the drawing.
+local function not_completed_label(w, x, y)
+    local anchor = x > wide - right - 60 and "end" or x < left + 60 and "start" or "middle"
+    local shift = anchor == "end" and 8 or anchor == "start" and -8 or 0
+    w(('<text class="soft halo" x="%.1f" y="%.1f" text-anchor="%s">%s</text>'):format(x + shift, y + 20, anchor,
+        e(t("not completed"))))
+end
+
+-- What was not completed, or did not pass, is hollow. labelled: there is room to say so.
+local function dot(w, x, y, attempt, labelled)
     local colour = attempt.now and now_colour or attempt.passed and passed_colour or other_colour
     local filled = attempt.completed and (attempt.now or attempt.passed)
     w(('<circle cx="%.1f" cy="%.1f" r="%d" fill="%s" stroke="%s" stroke-width="2"><title>%s</title></circle>'):format(
         x, y, attempt.now and 7 or 5, filled and colour or "#fff", colour, e(dot_text(attempt))))
-    if not attempt.completed then
-        local at_end = x > wide - right - 60
-        w(('<text class="soft halo" x="%.1f" y="%.1f" text-anchor="%s">%s</text>'):format(
-            at_end and x + 8 or x, y + 20, at_end and "end" or "middle", e(t("not completed"))))
-    end
+    if labelled and not attempt.completed then not_completed_label(w, x, y) end
 end
 
 -- Numbers of the attempts, not so many that they run into each other.
@@ -157,7 +160,7 @@ local function curve(w, attempts, cohort, pass)
         path(i == 1 and "M" or "L", ("%.1f %.1f"):format(x_of(i), y_of(attempt.share)))
     end
     w(('<path d="%s" fill="none" stroke="#8795a1" stroke-width="1.5"/>'):format(path:text()))
-    for i, attempt in ipairs(attempts) do dot(w, x_of(i), y_of(attempt.share), attempt) end
+    for i, attempt in ipairs(attempts) do dot(w, x_of(i), y_of(attempt.share), attempt, #attempts <= 6) end
     attempt_numbers(w, attempts, x_of)
     w("</svg>")
     legend(w, attempts, cohort)

@@ -2,6 +2,7 @@
 -- The score of a report: the badge on top and the table of items with evidence and reasons.
 
 local markup = require "report.markup"
+local quantity = require "report.quantity"
 local reasons = require "report.reasons"
 local report_words = require "report.words"
 
@@ -57,7 +58,7 @@ local function source_cell(w, source)
     local kind = source:find("^proposal") and "proposal" or source:find("proposal", 1, true) and "partly published"
         or source ~= "" and "published" or nil
     if kind then w('<span class="src">', e(t(kind)), "</span> ") end
-    w(e((known(source):gsub("^" .. t("proposal") .. "%s*[;,]?%s*", ""))))
+    w(e((quantity.rewritten(known(source)):gsub("^" .. t("proposal") .. "%s*[;,]?%s*", ""))))
 end
 
 local function measures_table(w, rubric, item)
