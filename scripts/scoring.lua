@@ -408,8 +408,9 @@ local outcomes = { near_miss = "a near miss, put right at once", recovered = "pu
 local function cap_reason(by, same)
     local more = ""
     if same == 1 then more = t(" and once more") elseif same > 1 then more = t(" and %d times more"):format(same) end
-    return t("%s at %.1f s%s, %s: at most %d points."):format(by.title, by.time_s, more, t(outcomes[by.outcome]),
-        by.cap)
+    local text = by.cap == 1 and t("%s at %.1f s%s, %s: at most %d point.")
+        or t("%s at %.1f s%s, %s: at most %d points.")
+    return text:format(by.title, by.time_s, more, t(outcomes[by.outcome]), by.cap)
 end
 
 local function cap_reasons(list, capped_by)

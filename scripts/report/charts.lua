@@ -2,9 +2,12 @@
 -- Which charts a report shows: each one for which the exercise measured what it needs.
 
 local chart = require "report.chart"
+local instruments = require "report.instruments"
 local markup = require "report.markup"
-local wanted = require "report.wanted_charts"
+local parts_of = require "report.parts"
 local report_words = require "report.words"
+local wanted = require "report.wanted_charts"
+local way_chart = require "report.way_chart"
 
 local t = report_words.t
 
@@ -69,20 +72,15 @@ local function way_of_tip(measures, count)
     return { x = x, y = y, strong = strong }
 end
 
--- What an instrument is called where that is not its name, what tells that it holds something, and those that stay
--- outside of the eye.
-local called = { cystotome = "needle", spatula = "second instrument" }
+-- What tells that an instrument holds something.
 local holding_of = { forceps = "forceps.holding" }
-local outside = { drape = true, speculum = true }
-
-local function name_of(instrument) return t(called[instrument] or (instrument:gsub("_", " "))) end
 
 -- Instruments of which a measure is there, "%s.tip_x_mm", in the order of their names.
 local function instruments_with(measures, ending)
     local names = {}
     for measure in pairs(measures) do
         local name = measure:match("^([%l_%d]+)%." .. ending .. "$")
-        if name and not outside[name] then names[#names + 1] = name end
+        if name and instruments.inside(name) then names[#names + 1] = name end
     end
     table.sort(names)
     return names
@@ -99,41 +97,69 @@ local function way_of(measures, count, name, holding)
     return any and { x = x, y = y, strong = strong } or nil
 end
 
+-- Where there is one line only, the title says whose it is.
+local function titled(title, lines) return #lines == 1 and t("%s: %s", title, lines[1].label) or title end
+
+-- Slow, voluntary movement would dwarf tremor.
+local function spectrum_line(name, spectrum)
+    local values = {}
+    for k, hz in ipairs(spectrum.hz) do values[k] = hz >= 3 and spectrum.um_per_sqrt_hz[k] or nil end
+    return { label = instruments.name(name), values = values, count = #spectrum.hz, hz = spectrum.hz }
+end
+
 -- How strongly every tip trembles at which frequency, two at most in one chart.
 local function spectra(w, series)
-    local names = {}
+    local names, found = {}, {}
     for name in pairs(type(series.spectra) == "table" and series.spectra or {}) do names[#names + 1] = name end
     table.sort(names)
-    for from = 1, #names, 2 do
-        local lines, hz = {}, nil
-        for i = from, math.min(#names, from + 1) do
-            local spectrum = series.spectra[names[i]]
-            if type(spectrum.hz) == "table" and type(spectrum.um_per_sqrt_hz) == "table" then
-                hz = spectrum.hz
-                local values = {}  -- slow, voluntary movement would dwarf tremor
-                for k = 1, #hz do values[k] = hz[k] >= 3 and spectrum.um_per_sqrt_hz[k] or nil end
-                lines[#lines + 1] = { label = name_of(names[i]), values = values, count = #hz }
-            end
+    for _, name in ipairs(names) do
+        local spectrum = series.spectra[name]
+        if instruments.inside(name) and type(spectrum.hz) == "table" and type(spectrum.um_per_sqrt_hz) == "table" then
+            local line = spectrum_line(name, spectrum)
+            if varies { line } then found[#found + 1] = line end
         end
-        if hz then
-            local title = t("Spectrum of tremor (blue ground: 6 to 12 Hz)")
-            figure(w, chart.over_time({ title = title, lines = lines, range = { 0, 10 }, band = { 6, 12 } },
-                { times = hz, last = hz[#hz], steps = {}, events = {}, unit = "Hz" }), title, "µm/√Hz")
-        end
+    end
+    for from = 1, #found, 2 do
+        local lines = { found[from], found[from + 1] }
+        local title, hz = titled(t("Spectrum of tremor (blue ground: 6 to 12 Hz)"), lines), lines[1].hz
+        figure(w, chart.over_time({ title = title, lines = lines, range = { 0, 10 }, band = { 6, 12 } },
+            { times = hz, first = 0, last = hz[#hz], steps = {}, events = {}, part_starts = {}, starts = {},
+                unit = "Hz" }), title, "µm/√Hz")
     end
 end
 
--- Trembling over time, two instruments at most in one chart.
+-- A line over the parts of an operation in which there is something of it.
+local function over_time(w, context, title, unit, spec)
+    local first, last = parts_of.range(context, spec.lines)
+    local own = setmetatable({ first = first, last = last }, { __index = context })
+    spec.title = title
+    figure(w, chart.over_time(spec, own), title, unit)
+end
+
+local function first_told(line)
+    for i = 1, line.count do
+        if type(line.values[i]) == "number" then return i end
+    end
+    return line.count
+end
+
+-- Trembling over time, in the order in which instruments were taken, two at most in one chart.
 local function trembling(w, measures, count, context)
     local lines = {}
     for _, name in ipairs(instruments_with(measures, "tremor_um")) do
-        local line = { label = name_of(name), values = values_of(measures, name .. ".tremor_um"), count = count }
-        if line.values and varies { line } then lines[#lines + 1] = line end
+        local values = values_of(measures, name .. ".tremor_um")
+        local line = { label = instruments.name(name), values = values, count = count }
+        if values and varies { line } then lines[#lines + 1] = line end
     end
+    table.sort(lines, function(a, b)
+        local first, second = first_told(a), first_told(b)
+        if first ~= second then return first < second end
+        return a.label < b.label
+    end)
     for from = 1, #lines, 2 do
-        local title = t("Trembling of the tip (6 to 12 Hz)")
-        figure(w, chart.over_time({ title = title, lines = { lines[from], lines[from + 1] }, range = { 0, 100 } },
-            context), title, "µm")
+        local two = { lines[from], lines[from + 1] }
+        over_time(w, context, titled(t("Trembling of the tip (6 to 12 Hz)"), two), "µm",
+            { lines = two, range = { 0, 100 } })
     end
 end
 
@@ -166,42 +192,45 @@ local function planned_circles(goals)
     return circles
 end
 
+-- Ways of tips and of the tear.
+local function ways(w, report, measures, context)
+    local count, pupil = #context.times, report.patient and report.patient.pupil_mm or 7.5
+    local function way(title, found, ...)
+        if not found or not way_chart.reaches_eye(found, count, context.starts) then return end
+        figure(w, way_chart.svg(found, count, context.starts, pupil, ...),
+            t("%s, seen from above (the surgeon sits below)", title), nil, "way")
+    end
+    local tip = way_of_tip(measures, count)
+    way(t("Way of the tip"), tip, { strong = t("with ultrasound"), usual = t("without") })
+    for _, name in ipairs(instruments_with(measures, "tip_x_mm")) do
+        if not (tip and name == "phaco") then
+            way(t("Way of the instrument: %s", instruments.name(name)), way_of(measures, count, name, holding_of[name]),
+                { strong = holding_of[name] and t("holding") or "", usual = t("way") })
+        end
+    end
+    way(t("Way of the tear"), way_of_tear(measures, count), { strong = t("led by the forceps"), usual = t("cut") },
+        planned_circles(report.goals), 1.2 * pupil)
+end
+
 --- All charts as HTML; "" when there is no series.
 function charts.html(report, series)
     local times = series and series.time_s
     if type(times) ~= "table" or #times < 2 or type(series.measures) ~= "table" then return "" end
     local count = #times
-    local context = { times = times, last = math.max(1e-3, times[count]), steps = report.steps or {},
+    local context = { times = times, first = 0, last = math.max(1e-3, times[count]), steps = report.steps or {},
         events = report.events or {} }
+    parts_of.mark(context, report.parts)
     local w = markup.writer()
     for _, spec in ipairs(wanted) do
         local lines = lines_of(spec, series, count)
         if #lines > 0 and varies(lines) then
-            local title = t(spec.title)
-            figure(w, chart.over_time({ title = title, lines = lines, range = spec.range, danger = spec.danger },
-                context), title, report_words.known(spec.unit))
+            over_time(w, context, t(spec.title), spec.unit and report_words.known(spec.unit),
+                { lines = lines, range = spec.range, danger = spec.danger })
         end
     end
     trembling(w, series.measures, count, context)
     spectra(w, series)
-    local pupil = report.patient and report.patient.pupil_mm or 7.5
-    local function way(title, ...)
-        figure(w, chart.way(...), t("%s, seen from above (the surgeon sits below)", title), nil, "way")
-    end
-    local tip = way_of_tip(series.measures, count)
-    if tip then way(t("Way of the tip"), tip, count, pupil, { strong = t("with ultrasound"), usual = t("without") }) end
-    for _, name in ipairs(instruments_with(series.measures, "tip_x_mm")) do
-        local found = not (tip and name == "phaco") and way_of(series.measures, count, name, holding_of[name])
-        if found then
-            way(t("Way of the instrument: %s", name_of(name)), found, count, pupil,
-                { strong = holding_of[name] and t("holding") or "", usual = t("way") })
-        end
-    end
-    local tear = way_of_tear(series.measures, count)
-    if tear then
-        way(t("Way of the tear"), tear, count, pupil, { strong = t("led by the forceps"), usual = t("cut") },
-            planned_circles(report.goals), 1.2 * pupil)
-    end
+    ways(w, report, series.measures, context)
     return w:text()
 end
 

@@ -2,7 +2,9 @@
 -- Pictures of an attempt, held in the page itself: not more than a browser opens readily.
 
 local markup = require "report.markup"
-local t = require("report.words").t
+local report_words = require "report.words"
+
+local t, known, count = report_words.t, report_words.known, report_words.count
 
 local pictures = {}
 
@@ -38,18 +40,27 @@ local function chosen(list)
     return result
 end
 
--- Captions that the kernel gives; in an operation, after the name of the part.
+-- Captions that the kernel and the engine give, of a run in English; in an operation, after the name of the part.
+local captions = { "Before the first step.", "At the end.", 'Step "%s" completed.', 'Step "%s" not completed.',
+    'During step "%s".', "Error: %s." }
+
 local function translated(caption)
-    for _, own in ipairs { "Before the first step.", "At the end." } do
-        if caption:sub(-#own) == own then return caption:sub(1, -#own - 1) .. t(own) end
+    for _, own in ipairs(captions) do
+        local pattern = own:gsub("%.", "%%."):gsub("%%s", "(.+)")
+        local part, title = caption:match("^(.-: )" .. pattern .. "$")
+        if not part then part, title = "", caption:match("^" .. pattern .. "$") end
+        if title then
+            part = part ~= "" and known(part:sub(1, -3)) .. part:sub(-2) or ""
+            return part .. (own:find("%s", 1, true) and t(own, known(title)) or t(own))
+        end
     end
-    return caption
+    return known(caption)
 end
 
 local function figure(w, picture, bytes)
     local caption = translated(picture.caption or picture.name or "")
     w('<figure><img alt="', e(caption), '" src="data:image/png;base64,', bytes, '"><figcaption>', e(caption),
-        ' <span class="soft">', markup.time(picture.time_s), "</span></figcaption></figure>")
+        ' <span class="soft unit">', markup.time(picture.time_s), "</span></figcaption></figure>")
 end
 
 --- The section of pictures; none where no picture is left. images: file name to base64 text of a PNG.
@@ -64,8 +75,10 @@ function pictures.section(w, report, images)
     if #shown == 0 then return end
     w("<section><h2>", e(t("Pictures")), "</h2>")
     if #all > #kept then
-        w('<p class="soft small">', t("Of what happened often, only the first pictures are here. The other %d of %d "
-            .. "lie in %s, beside this page.", #all - #kept, #all, '<a href="frames/">frames/</a>'), "</p>")
+        w('<p class="soft small">', t("Of what happened often, only the first pictures are here."), " ",
+            count(#all - #kept, "The other %d of %d lies in %s, beside this page.",
+                "The other %d of %d lie in %s, beside this page.", #all - #kept, #all,
+                '<a href="frames/">frames/</a>'), "</p>")
     end
     w('<div class="pictures">')
     for _, entry in ipairs(shown) do figure(w, entry[1], entry[2]) end

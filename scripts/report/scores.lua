@@ -2,6 +2,8 @@
 -- The score of a report: the badge on top and the table of items with evidence and reasons.
 
 local markup = require "report.markup"
+local quantity = require "report.quantity"
+local reasons = require "report.reasons"
 local report_words = require "report.words"
 
 local t, known = report_words.t, report_words.known
@@ -17,14 +19,36 @@ local function class_of(share)
     return "bad"
 end
 
+local function scored_of(score)
+    local scored = 0
+    for _, item in ipairs(score.items or {}) do scored = scored + (item.score and 1 or 0) end
+    return scored
+end
+
+-- "It rests on 4 of 20 items."
+local function ground(score)
+    return t("rests on %d of %d items", scored_of(score), reasons.items_of(score))
+end
+
+-- Who begins in the middle has not shown a whole attempt.
+local function band_of(report)
+    if report.begun_at then return t("no band: begun in the middle"), "none" end
+    local score = report.osacss
+    if score.band then return known(score.band), class_of(score.scaled) end
+    return t("no band: not completed"), "none"
+end
+
 --- Score and band, for the head of the page.
-function scores.badge(osacss)
-    if not osacss or not osacss.scaled then return '<div class="score"><b>–</b>' .. e(t("not scored")) .. "</div>" end
+function scores.badge(report)
+    local score = report.osacss
+    if not score or not score.scaled then return '<div class="score"><b>–</b>' .. e(t("not scored")) .. "</div>" end
+    local band, class = band_of(report)
     local w = markup.writer()
-    w('<div class="score"><span class="soft small">', e(osacss.rubric or "OSACSS"), "</span><b>",
-        number(osacss.total, 1), '</b><span class="soft">', e(t("of %s", number(osacss.max, 0))), "</span><br>")
-    w('<span class="band ', class_of(osacss.scaled), '">', e(osacss.band or t("not completed")),
-        '</span><br><span class="soft small">', e(t("not clinically validated")), "</span></div>")
+    w('<div class="score"><span class="soft small">', e(score.rubric or "OSACSS"), "</span><b>",
+        number(score.total, 1), '</b><span class="soft">', e(t("of %s", number(score.max, 0))), "</span><br>")
+    w('<span class="band ', class, '">', e(band), '</span><br><span class="soft small">')
+    if score.items then w(e(ground(score)), "<br>") end
+    w(e(t("not clinically validated")), "</span></div>")
     return w:text()
 end
 
@@ -34,58 +58,64 @@ local function source_cell(w, source)
     local kind = source:find("^proposal") and "proposal" or source:find("proposal", 1, true) and "partly published"
         or source ~= "" and "published" or nil
     if kind then w('<span class="src">', e(t(kind)), "</span> ") end
-    w(e((known(source):gsub("^" .. t("proposal") .. "%s*[;,]?%s*", ""))))
+    w(e((quantity.rewritten(known(source)):gsub("^" .. t("proposal") .. "%s*[;,]?%s*", ""))))
 end
 
-local function measures_table(w, measures)
-    if #measures == 0 then return end
-    w('<table class="measures"><tr><th>', e(t("Measure")), "</th><th>", e(t("Value")), "</th><th>", e(t("At")),
-        "</th><th>", e(t("Points")), "</th><th>", e(t("What would have been better")), "</th><th>",
-        e(t("Ground for the thresholds")), "</th></tr>")
-    for _, measure in ipairs(measures) do
-        w("<tr><td>", e(measure.name or measure.id), "</td><td>", number(measure.value, 2), " ",
-            e(measure.unit == "1" and "" or measure.unit), "</td><td>", measure.time_s and markup.time(measure.time_s)
-            or "", '</td><td>', number(measure.score, 1), "</td><td>", e(measure.better or ""), "</td><td>")
+local function measures_table(w, rubric, item)
+    w('<div class="scroll"><table class="measures"><tr><th>', e(t("Measure")), "</th><th>", e(t("Value")),
+        "</th><th>", e(t("At")), "</th><th>", e(t("Points")), "</th><th>", e(t("What would have been better")),
+        "</th><th>", e(t("Ground for the thresholds")), "</th></tr>")
+    for _, measure in ipairs(item.measures) do
+        w("<tr><td>", e(reasons.measure_name(rubric, item, measure)), "</td><td>", e(reasons.measure_value(measure)),
+            "</td><td>", measure.time_s and markup.time(measure.time_s) or "", '</td><td>', number(measure.score, 1),
+            "</td><td>", e(measure.better and known(measure.better) or ""), "</td><td>")
         source_cell(w, measure.threshold_source)
         w("</td></tr>")
     end
-    w("</table>")
+    w("</table></div>")
 end
 
-local function item_row(w, item, least)
-    w('<tbody class="item"><tr><td class="id">', e(item.id), '</td><td><b>', e(item.name), "</b><ul>")
-    if item.anchor then w('<li class="soft">', e(t("This level reads: ")), e(item.anchor), ".</li>") end
-    for _, reason in ipairs(item.reasons or {}) do w("<li>", e(reason), "</li>") end
+local function item_row(w, score, item, least)
+    w('<tbody class="item"><tr><td class="id">', e(item.id), '</td><td><b>', e(reasons.item_name(score.rubric, item)),
+        "</b><ul>")
+    if item.anchor then w('<li class="soft">', e(t("This level reads: ")), e(known(item.anchor)), ".</li>") end
+    for _, reason in ipairs(reasons.of(score.rubric, item)) do w("<li>", e(reason), "</li>") end
     w('</ul></td><td class="points">')
     if item.score then
         local share = (item.score - least) / (5 - least)
         w("<b>", number(item.score, 1), '</b> <span class="soft">', e(t("of 5")), '</span><div class="bar"><i class="',
-            class_of(share), '" style="width:', number(20 * item.score, 1), '%"></i></div>')
+            class_of(share), ('" style="width:%.1f%%"></i></div>'):format(20 * item.score))
     else
         w('<span class="soft">', e(t("N/A, not scored")), "</span>")
     end
     w("</td></tr>")
     if #(item.measures or {}) > 0 then
         w('<tr class="detail"><td></td><td colspan="2">')
-        measures_table(w, item.measures)
+        measures_table(w, score.rubric, item)
         w("</td></tr>")
     end
     w("</tbody>")
 end
 
+local function band_told(w, report)
+    local score = report.osacss
+    if not score.band or report.begun_at then return end
+    w('<p class="small">', e(t("Band: ")), "<b>", e(known(score.band)), "</b>", score.band_meaning and ", "
+        .. e(known(score.band_meaning)) or "", e(t("; ") .. ground(score)), ". ",
+        (score.rubric or "OSACSS") == "OSACSS"
+        and e(t("The cuts are where the groups of Saleh et al. 2007 part.")) or "", "</p>")
+end
+
 --- The table of items.
-function scores.section(w, osacss)
-    if not osacss or not osacss.items then return end
-    w("<section><h2>", e(t("Score, item by item")), "</h2><table><thead><tr><th>", e(t("Item")), "</th><th>",
-        e(t("Why")), "</th><th>", e(t("Points")), "</th></tr></thead>")
-    local least = type(osacss.least) == "number" and osacss.least or 1
-    for _, item in ipairs(osacss.items) do item_row(w, item, least) end
-    w("</table>")
-    if osacss.band then
-        w('<p class="small">', e(t("Band: ")), "<b>", e(osacss.band), "</b>", osacss.band_meaning and ", "
-            .. e(osacss.band_meaning) or "", ". ", (osacss.rubric or "OSACSS") == "OSACSS"
-            and e(t("The cuts are where the groups of Saleh et al. 2007 part.")) or "", "</p>")
-    end
+function scores.section(w, report)
+    local score = report.osacss
+    if not score or not score.items then return end
+    w("<section><h2>", e(t("Score, item by item")), '</h2><div class="scroll"><table class="items"><thead><tr><th>',
+        e(t("Item")), "</th><th>", e(t("Why")), "</th><th>", e(t("Points")), "</th></tr></thead>")
+    local least = type(score.least) == "number" and score.least or 1
+    for _, item in ipairs(score.items) do item_row(w, score, item, least) end
+    w("</table></div>")
+    band_told(w, report)
     w('<p class="soft small">', e(t("Each item has %s to 5 points.", number(least, 0))), " <b>",
         e(t("These scores have not been validated clinically.")), "</b> ",
         e(t("Thresholds marked “proposal” have no published ground; an item that this exercise does not show (N/A) is "

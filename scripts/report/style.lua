@@ -17,9 +17,9 @@ p { margin:.35rem 0; max-width:46rem; }
 .soft { color:var(--soft); }
 .small { font-size:.86rem; }
 .head { display:grid; grid-template-columns:1fr auto; gap:1.5rem; align-items:center; }
-.score { text-align:center; min-width:11rem; }
+.score { text-align:center; min-width:11rem; max-width:14rem; }
 .score b { display:block; font-size:2.6rem; line-height:1.1; font-variant-numeric:tabular-nums; }
-.band { display:inline-block; padding:.15rem .7rem; border-radius:99px; color:#fff; font-weight:600; font-size:.9rem; }
+.band { display:inline-block; padding:.15rem .7rem; border-radius:1rem; color:#fff; font-weight:600; font-size:.9rem; }
 .good { background:var(--good); } .fair { background:var(--fair); } .bad { background:var(--bad); }
 .none { background:var(--soft); }
 .tg { color:var(--good); } .tf { color:var(--fair); } .tb { color:var(--bad); }
@@ -55,18 +55,25 @@ figure img { width:100%; border-radius:8px; display:block; background:#000; }
 video { width:100%; max-width:40rem; border-radius:8px; display:block; background:#000; }
 figcaption { font-size:.86rem; margin-top:.35rem; }
 .pictures { display:grid; grid-template-columns:repeat(auto-fill,minmax(17rem,1fr)); gap:1.1rem; }
-.charts { display:grid; grid-template-columns:repeat(auto-fit,minmax(26rem,1fr)); gap:1.25rem; }
+.charts { display:grid; grid-template-columns:repeat(auto-fit,minmax(min(26rem,100%),1fr)); gap:1.25rem; }
 svg { width:100%; height:auto; display:block; }
 svg text { font:12px system-ui,"Liberation Sans",Arial,sans-serif; fill:var(--ink); }
 svg .soft { fill:var(--soft); } svg .halo { paint-order:stroke; stroke:#fff; stroke-width:3px; }
 .legend { display:flex; flex-wrap:wrap; gap:0 1rem; margin:.1rem 0 0 2.4rem; font-size:.8rem; }
 .legend i { display:inline-block; width:1rem; height:.28rem; border-radius:2px; margin-right:.35rem;
   vertical-align:middle; }
+.legend i.dot { width:.7rem; height:.7rem; border-radius:50%; border:2px solid; }
+.scroll { overflow-x:auto; } .timeline svg { min-width:40rem; } .quantity b { font-weight:600; white-space:nowrap; }
 .unit { white-space:nowrap; } h3.after { margin-top:1rem; }
 footer { color:var(--soft); font-size:.82rem; padding:0 .5rem 1rem; }
 code { font-family:ui-monospace,"Liberation Mono",monospace; font-size:.8rem; overflow-wrap:anywhere; }
 @media (max-width:40rem) { .head { grid-template-columns:1fr; } .charts { grid-template-columns:1fr; }
-  body { padding:.6rem; } th,td { padding:.4rem .3rem; } }
+  body { padding:.6rem; } header,section { padding:1rem .8rem; } th,td { padding:.4rem .3rem; }
+  .measures { min-width:46rem; } .compare { min-width:32rem; } .items,.items thead,.items tbody.item,
+  .items > tbody > tr,.items > tbody > tr > td { display:block; } .items > thead { display:none; }
+  .items > tbody > tr > td { border:0 !important;
+  padding:.2rem 0; } .items > tbody.item { border-bottom:1px solid var(--line);
+  padding:.5rem 0; } td.points { width:auto; } h1 { font-size:1.4rem; overflow-wrap:anywhere; } }
 @page { size:A4; margin:14mm 13mm 16mm; }
 @media print { h2,h3,h2 + p.small { break-after:avoid; } .charts figure,.curve,.background,svg { break-inside:avoid; }
   thead { display:table-header-group; } tr:not(.detail) { break-inside:avoid; }
@@ -74,6 +81,7 @@ code { font-family:ui-monospace,"Liberation Mono",monospace; font-size:.8rem; ov
   .measures tr:nth-last-child(2) { break-after:avoid; }
   .video { display:none; } html { background:#fff; font-size:9.5pt; } body { max-width:none; padding:0; }
   header,section { border:0; padding:.4rem 0; } .event,figure { break-inside:avoid; }
+  .scroll { overflow:visible; } .timeline svg { min-width:0; }
   * { -webkit-print-color-adjust:exact; print-color-adjust:exact; } p,li { orphans:3; widows:3; }
   .charts svg text { font-size:17px; } .charts figure.way svg text { font-size:12px; }
   .charts { grid-template-columns:1fr 1fr; } .pictures { grid-template-columns:repeat(3,1fr); } }

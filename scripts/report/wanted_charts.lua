@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Measures of one chart each. scale turns them into the unit shown; range is shown at least; danger is drawn red.
+-- Measures of one chart each. scale turns them into the unit shown (none where things are counted); range is shown at
+-- least; danger is drawn red.
 
 return {
     { title = "How deep the groove is, as a share of the lens", unit = "%", range = { 0, 100 }, scale = 100,
@@ -32,15 +33,16 @@ return {
         lines = { { "implant.decentration_mm", "distance" } }, danger = { from = 0.5, to = 99 } },
     { title = "How far the implant is tilted", unit = "degrees", range = { 0, 10 },
         lines = { { "implant.tilt_deg", "tilt" } }, danger = { from = 5, to = 180 } },
-    { title = "How far the edge of the opening is stretched, of its length", unit = "1", range = { 1, 1.3 },
-        lines = { { "bag.rim_stretch", "most stretched eighth" } }, danger = { from = 1.25, to = 99 } },
+    { title = "Length of the most stretched eighth of the opening's edge", unit = "% of that at rest",
+        range = { 100, 130 }, scale = 100, lines = { { "bag.rim_stretch", "most stretched eighth" } },
+        danger = { from = 125, to = 999 } },
     { title = "Force on the plunger", unit = "N", range = { 0, 1 }, scale = 1e-3,
         lines = { { "injector.force_mN", "force" } } },
     { title = "Depth of the chamber", unit = "% of its depth at the start", range = { 0, 110 }, scale = 100,
         lines = { { "chamber.depth_share", "depth" } }, danger = { from = -99, to = 70 } },
     { title = "Pressure in the eye", unit = "mmHg", range = { 0, 60 },
         lines = { { "chamber.pressure_mmhg", "pressure" } }, danger = { from = -99, to = 5 } },
-    { title = "Pressure in the eye", unit = "mmHg", range = { 0, 60 },
+    { title = "Pressure in the eye under viscoelastic", unit = "mmHg", range = { 0, 60 },
         lines = { { "viscoelastic.pressure_mmhg", "pressure" } }, danger = { from = 60, to = 999 } },
     { title = "Vacuum in the tubing", unit = "mmHg", range = { 0, 100 },
         lines = { { "panel.vacuum_mmhg", "vacuum" } } },
@@ -82,9 +84,9 @@ return {
         lines = { { "vitreous.front_mm3", "in the chamber" }, { "vitreous.wound_mm3", "in the wound" } } },
     { title = "Lashes under the drape", unit = "%", range = { 0, 100 },
         lines = { { "lids.covered_percent", "covered" } } },
-    { title = "How far the pupil is from the middle of the field, share of its radius", unit = "1", range = { 0, 0.6 },
-        lines = { { "microscope.pupil_offset", "distance" } } },
+    { title = "How far the pupil is from the middle of the field", unit = "% of its radius", range = { 0, 60 },
+        scale = 100, lines = { { "microscope.pupil_offset", "distance" } } },
     { title = "How far the picture is out of focus", unit = "mm", range = { -1, 1 },
         lines = { { "microscope.defocus_mm", "distance" } } },
-    { title = "Beads in the tray", unit = "1", range = { 0, 3 }, lines = { { "beads.placed", "beads" } } },
+    { title = "Beads in the tray", range = { 0, 3 }, lines = { { "beads.placed", "beads" } } },
 }

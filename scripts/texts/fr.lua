@@ -2,7 +2,8 @@
 -- French words of engine, rubric, shared errors, report and records. Keys are the English texts, letter for letter.
 
 local french = {}
-local files = { "engine", "errors", "task_items", "global_items", "sources", "report", "charts", "records", "anchors" }
+local files = { "engine", "errors", "task_items", "global_items", "sources", "report", "charts", "names", "records",
+    "anchors" }
 for _, name in ipairs(files) do
     for english, text in pairs(require("texts.fr." .. name)) do french[english] = text end
 end

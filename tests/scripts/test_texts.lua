@@ -2,6 +2,7 @@
 -- Exercises and reports in French.
 local language = require "exercise"
 local osacss = require "osacss"
+local names = require "report.names"
 local report_page = require "report"
 local report_words = require "report.words"
 local support = require "support"
@@ -71,6 +72,14 @@ case("all that the rubric says is there in French", function()
     end
 end)
 
+case("all that a report calls measures, settings and goals is there in French", function()
+    for _, list in ipairs({ names.own, names.of_instrument, names.goals, names.simulated }) do
+        for _, meaning in pairs(list) do
+            if not texts.has("fr", { texts = {} }, meaning) then error("no French for \"" .. meaning .. "\"") end
+        end
+    end
+end)
+
 -- As kernel/tools/instruments.cpp has them.
 local instruments = { "cannula", "capsule_hook", "cutter", "cystotome", "drape", "forceps", "hook", "hydration_cannula",
     "ia_tip", "injector", "keratome", "lens_forceps", "needle_holder", "phaco", "probe", "ring", "saline_cannula",
@@ -123,7 +132,7 @@ case("a report in French has no English word of its own left", function()
     local html = page("fr")
     equal(table.concat(report_words.missing, " | "), "")
     for _, part in ipairs({ '<html lang="fr">', "Note, critère par critère", "En bref", "œil gauche",
-        "chirurgien gaucher", "examen (sans conseils)", "1 étapes sur 2", "2 erreurs, dont 1 corrigées.",
+        "chirurgien gaucher", "examen (sans conseils)", "Une étape sur 2", "2 erreurs, dont une corrigée.",
         "Avant le premier instant.", "Déroulement", "non corrigée à temps", "Remplissage de la chambre" }) do
         has(html, part)
     end

@@ -47,24 +47,43 @@ return {
     ["Incision"] = "Incision",
     ["Level"] = "Niveau",
     ["Mode"] = "Mode",
+    ["easy"] = "facile",
+    ["hard"] = "difficile",
     ["Time"] = "Durée",
     ["not scored"] = "non noté",
     ["of %s"] = "sur %s",
-    ["not completed"] = "non accompli",
+    ["rests on %d of %d items"] = "repose sur %d critères sur %d",
+    ["no band: begun in the middle"] = "sans palier : commencé en cours de route",
+    ["no band: not completed"] = "sans palier : non accompli",
 
     -- report: in short
     ["In short"] = "En bref",
     ["Parts of the operation that were not begun: "] = "Parties de l'opération non commencées : ",
+    ["The only step was completed."] = "La seule étape a été accomplie.",
     ["All %d steps were completed."] = "Les %d étapes ont toutes été accomplies.",
+    ["The only step that was begun was completed."] = "La seule étape commencée a été accomplie.",
+    ["All %d steps that were begun were completed."] = "Les %d étapes commencées ont toutes été accomplies.",
+    ["No step was begun."] = "Aucune étape n'a été commencée.",
+    ["The only step was not completed."] = "La seule étape n'a pas été accomplie.",
+    ["None of the %d steps was completed."] = "Aucune des %d étapes n'a été accomplie.",
+    ["One of %d steps was completed%s."] = "Une étape sur %d a été accomplie%s.",
     ["%d of %d steps were completed%s."] = "%d étapes sur %d ont été accomplies%s.",
-    ["; not completed: "] = " ; non accomplies : ",
-    ["“%s” began with a round opening of the bag: what was torn before could not be its opening."] =
-        "« %s » a commencé avec une ouverture ronde du sac : ce qui avait été déchiré ne pouvait être la sienne.",
+    ["This operation was begun in the middle, with %s."] =
+        "Cette opération a été commencée en cours de route, avec %s.",
+    ["This exercise was begun in the middle: %s."] = "Cet exercice a été commencé en cours de route : %s.",
+    ["What came before is not judged, and a band of skill is not told."] =
+        "Ce qui précède n'est pas jugé, et aucun palier n'est donné.",
+    ["; not completed: "] = " ; non accomplie : ",
+    ["; these were not completed: "] = " ; non accomplies : ",
+    ["%s began with a round opening of the bag: what was torn before could not be its opening."] =
+        "%s a commencé avec une ouverture ronde du sac : ce qui avait été déchiré ne pouvait être la sienne.",
     ["No error was made."] = "Aucune erreur.",
     ["One error was made, and put right."] = "Une erreur, corrigée.",
+    ["One error was made, and not put right."] = "Une erreur, non corrigée.",
     ["%d errors were made, and all put right."] = "%d erreurs, toutes corrigées.",
-    ["One error happened; %d put right."] = "Une erreur, dont %d corrigée.",
-    ["%d errors happened; %d put right."] = "%d erreurs, dont %d corrigées.",
+    ["%d errors were made, and none put right."] = "%d erreurs, aucune corrigée.",
+    ["%d errors were made, and one of them put right."] = "%d erreurs, dont une corrigée.",
+    ["%d errors were made, and %d of them put right."] = "%d erreurs, dont %d corrigées.",
     ["The exercise was stopped by a mistake in its script:"] =
         "L'exercice a été arrêté par une faute dans son script :",
     ["Next time:"] = "La prochaine fois :",
@@ -89,6 +108,10 @@ return {
     ["Over time"] = "Au cours du temps",
     ["Dashed lines: errors (red: critical, brown: minor). Red ground: danger. Grey ground: every second step."] =
         "Tirets : erreurs (rouge : critique, brun : mineure). Fond rouge : danger. Fond gris : une étape sur deux.",
+    ["Grey lines: another part of the operation begins."] =
+        "Traits gris : une autre partie de l'opération commence.",
+    ["%s: %s"] = "%s : %s",
+    ["; "] = " ; ",
 
     -- report: background
     ["Patient, machine and simulation"] = "Patient, machine et simulation",
@@ -99,7 +122,7 @@ return {
     ["seed %s"] = "graine %s",
     ["Steps of time"] = "Pas de temps",
     ["%s, %s ms each on average, %s ms for all but 1 %%, %s repeated"] =
-        "%s, %s ms chacun en moyenne, %s ms pour tous sauf 1 %%, %s répétés",
+        "%s, %s ms chacun en moyenne, %s ms pour tous sauf 1 %%, répétitions : %s",
     ["Computing time"] = "Temps de calcul",
     ["%s s per simulated second"] = "%s s par seconde simulée",
     ["What was simulated"] = "Ce qui a été simulé",
@@ -136,36 +159,45 @@ return {
 
     -- report: pictures
     ["Pictures"] = "Images",
-    ["Of what happened often, only the first pictures are here. The other %d of %d lie in %s, beside this page."] =
-        "De ce qui s'est répété, seules les premières images sont ici. Les %d autres, sur %d, sont dans %s, à côté.",
+    ["Of what happened often, only the first pictures are here."] =
+        "De ce qui s'est répété, seules les premières images sont ici.",
+    ["The other %d of %d lies in %s, beside this page."] = "La dernière (%d sur %d) est dans %s, à côté de cette page.",
+    ["The other %d of %d lie in %s, beside this page."] = "Les %d autres, sur %d, sont dans %s, à côté de cette page.",
 
     -- comparison
     ["Compared with earlier attempts"] = "Comparaison avec les essais précédents",
     ["Compared with earlier attempts and with others"] = "Comparaison avec les essais précédents et avec les autres",
     ["Attempt %d."] = "Essai %d.",
-    ["The best so far, with %s %% of its points."] = "Le meilleur jusqu'ici, avec %s %% de ses points.",
-    ["As good as the best so far, with %s %% of its points."] =
-        "Aussi bon que le meilleur jusqu'ici, avec %s %% de ses points.",
-    ["The best so far had %s %% of its points, this one %s %%."] =
-        "Le meilleur jusqu'ici avait %s %% de ses points, celui-ci %s %%.",
-    ["The cohort has %s."] = "La cohorte a %s.",
-    ["The cohort (%s) has %s."] = "La cohorte (%s) a %s.",
-    ["%s: %s of %s points"] = "%s : %s points sur %s",
+    ["Compared with others"] = "Comparaison avec les autres",
+    ["The best so far, with %s %% of the scale."] = "Le meilleur jusqu'ici, avec %s %% de l'échelle.",
+    ["As good as the best so far, with %s %% of the scale."] =
+        "Aussi bon que le meilleur jusqu'ici, avec %s %% de l'échelle.",
+    ["The best so far had %s %% of the scale, this one %s %%."] =
+        "Le meilleur jusqu'ici avait %s %% de l'échelle, celui-ci %s %%.",
+    ["This attempt has %s %% of the scale."] = "Cet essai a %s %% de l'échelle.",
+    ["The cohort has %s of the scale."] = "La cohorte a %s de l'échelle.",
+    ["The cohort (%s) has %s of the scale."] = "La cohorte (%s) a %s de l'échelle.",
+    ["%d trainee"] = "%d interne",
+    ["%d trainees"] = "%d internes",
+    ["%s: %s %% of the scale"] = "%s : %s %% de l'échelle",
+    [", not completed"] = ", non accompli",
+    ["not completed"] = "non accompli",
     ["now"] = "maintenant",
     ["this attempt"] = "cet essai",
     ["passed"] = "réussi",
     ["not passed"] = "non réussi",
     ["cohort, mean and SD"] = "cohorte, moyenne et écart type",
-    ["1 to 5 points"] = "1 à 5 points",
+    ["%s to 5 points"] = "%s à 5 points",
     ["Now"] = "Maintenant",
     ["Last time"] = "La dernière fois",
     ["Cohort"] = "Cohorte",
-    ["1 to 5 points: orange now, grey before, blue cohort"] =
-        "1 à 5 points : orange maintenant, gris avant, bleu cohorte",
-    ["Shares of the points that could be earned. Exercises and rubrics change: only attempts at the same version "
-        .. "compare exactly."] =
-        "Parts des points possibles. Exercices et grilles changent : seuls les essais d'une même version se "
-            .. "comparent exactement.",
+    ["%s to 5 points: orange now"] = "%s à 5 points : orange maintenant",
+    [", grey before"] = ", gris avant",
+    [", blue cohort"] = ", bleu cohorte",
+    ["Shares of the scale: 0 % if every item has its least points, 100 % if every one has its most."] =
+        "Parts de l'échelle : 0 % si chaque critère a le moins de points possible, 100 % si chacun en a le plus.",
+    ["Exercises and rubrics change: only attempts at the same version compare exactly."] =
+        "Exercices et grilles changent : seuls les essais d'une même version se comparent exactement.",
 
     -- time line
     ["Errors, and how long until put right"] = "Erreurs, et temps jusqu'à la correction",

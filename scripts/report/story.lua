@@ -1,0 +1,112 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- "In short": how far the attempt came, its errors, and what to do next time.
+
+local markup = require "report.markup"
+local report_words = require "report.words"
+
+local t, known, count, quoted = report_words.t, report_words.known, report_words.count, report_words.quoted
+
+local story = {}
+
+local e = markup.escape
+
+-- "2 errors were made, and one put right."
+local function errors_told(events)
+    local made, right = #events, 0
+    for _, event in ipairs(events) do right = right + (event.recovered and 1 or 0) end
+    if made == 0 then return t("No error was made.") end
+    if made == 1 then
+        return right == 1 and t("One error was made, and put right.") or t("One error was made, and not put right.")
+    end
+    if right == made then return t("%d errors were made, and all put right.", made) end
+    if right == 0 then return t("%d errors were made, and none put right.", made) end
+    if right == 1 then return t("%d errors were made, and one of them put right.", made) end
+    return t("%d errors were made, and %d of them put right.", made, right)
+end
+
+-- A part that was never loaded is known by its folder only: "phaco_quadrants".
+local function title_of(entry)
+    local title = type(entry) == "table" and (entry.title or entry.id) or tostring(entry)
+    return title:find("^[%l%d_]+$") and title:gsub("_", " ") or known(title)
+end
+
+local function titles_of(list)
+    local titles = {}
+    for i, entry in ipairs(list) do titles[i] = quoted(title_of(entry)) end
+    return table.concat(titles, ", ")
+end
+
+-- "2 of 3 steps were completed; not completed: “Out”."
+local function steps_told(report)
+    local done, undone = 0, {}
+    for _, step in ipairs(report.steps or {}) do
+        if step.completed then
+            done = done + 1
+        elseif not step.skipped then
+            undone[#undone + 1] = step
+        end
+    end
+    local all = done + #undone
+    if report.completed then return count(all, "The only step was completed.", "All %d steps were completed.", all) end
+    if all == 0 then return t("No step was begun.") end
+    if #undone == 0 then
+        return count(all, "The only step that was begun was completed.",
+            "All %d steps that were begun were completed.", all)
+    end
+    local rest = (#undone == 1 and t("; not completed: ") or t("; these were not completed: ")) .. titles_of(undone)
+    if all == 1 then return t("The only step was not completed.") end
+    if done == 0 then return t("None of the %d steps was completed.", all) end
+    return done == 1 and t("One of %d steps was completed%s.", all, rest)
+        or t("%d of %d steps were completed%s.", done, all, rest)
+end
+
+-- Where the bag could not have what was torn.
+local function opening_told(w, report)
+    for _, part in ipairs(report.parts or { report }) do
+        if part.opening_note then
+            local title = known(part.title or report.title) or t("Exercise")
+            w("<p>", e(t("%s began with a round opening of the bag: what was torn before could not be its opening.",
+                quoted(title))), ' <span class="soft small">(', e(part.opening_note), ")</span></p>")
+        end
+    end
+end
+
+-- Of an operation that was broken off, or of which only some parts were wanted.
+local function not_begun_told(w, report)
+    local titles = titles_of(report.not_begun or {})
+    if titles == "" then return end
+    w('<p class="tb">', e(t("Parts of the operation that were not begun: ")), e(titles), ".</p>")
+end
+
+-- What a report begins with is a part of an operation, or a state, whose name may be that of a file.
+local function begun_in_the_middle_told(w, report)
+    local place = report.begun_at
+    if type(place) ~= "string" or place == "" then return end
+    local part
+    for _, own in ipairs(report.parts or {}) do part = part or own.id == place and own end
+    local told = part and t("This operation was begun in the middle, with %s.", quoted(known(part.title or place)))
+        or t("This exercise was begun in the middle: %s.", place)
+    w("<p><b>", e(told), "</b> ", e(t("What came before is not judged, and a band of skill is not told.")), "</p>")
+end
+
+--- The section.
+function story.section(w, report)
+    w("<section><h2>", e(t("In short")), "</h2><p>", e(steps_told(report) .. " " .. errors_told(report.events or {})),
+        "</p>")
+    begun_in_the_middle_told(w, report)
+    opening_told(w, report)
+    not_begun_told(w, report)
+    if report.error then
+        w('<p class="tb"><b>', e(t("The exercise was stopped by a mistake in its script:")), "</b> ", e(report.error),
+            "</p>")
+    end
+    local advice = report.advice or {}
+    if #advice > 0 then
+        w("<p><b>", e(t("Next time:")), '</b></p><ol class="advice">')
+        for _, line in ipairs(advice) do w("<li>", e(known(line)), "</li>") end
+        w("</ol>")
+    end
+    w("</section>")
+end
+
+return story
