@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/html.hpp"
+#include "cli/language.hpp"
 #include "cli/places.hpp"
 #include "cli/rescore.hpp"
 
@@ -15,11 +16,13 @@ constexpr const char* report_help =
     "Makes report.html again from report.json, series.json and frames/ of a run.\n"
     "\n"
     "  rhexis report runs/groove-expert-1\n"
-    "  rhexis report runs/groove-expert-1 --score-with rubrics/ico_oscar.lua      report_ico_oscar.html";
+    "  rhexis report runs/groove-expert-1 --score-with rubrics/ico_oscar.lua      report_ico_oscar.html\n"
+    "  rhexis report runs/groove-expert-1 --language fr      items, errors and labels; the exercise's own texts stay";
 
 struct ReportOptions {
     std::string folder;
     std::string score_with;
+    std::string language;
 };
 
 /// What another judge finds in the recording, in the words of report.json.
@@ -63,6 +66,13 @@ int report(const ReportOptions& given, const Context& context) {
         instead = std::move(judged).value();
         file = given.folder + "/report_" + std::filesystem::path(given.score_with).stem().string() + ".html";
     }
+    if (!given.language.empty()) {
+        const Result<std::string> language = language_of_page(given.language, context.root);
+        if (!language) {
+            return complain(language.error());
+        }
+        instead["language"] = language.value();
+    }
     const Result<std::string> html = report_page(context.root, given.folder, instead);
     if (!html) {
         return complain(html.error());
@@ -86,6 +96,7 @@ void add_report(CLI::App& app, Context& context) {
         ->add_option("--score-with", given->score_with,
                      "Judge the recording again, by this exercise (folder, file or name) or rubric")
         ->type_name("EXERCISE|RUBRIC");
+    command->add_option("--language", given->language, "Of the page: en, fr, ... [that of the run]");
     command->callback([given, &context] { context.status = report(*given, context); });
 }
 

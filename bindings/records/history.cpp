@@ -31,6 +31,7 @@ json history_of(const std::vector<Attempt>& earlier, const Gate& gate) {
                             {"score", *attempt.total},
                             {"max", *attempt.max},
                             {"passed", passes(attempt, gate)},
+                            {"completed", attempt.completed},
                             {"items", scores_of(attempt)}});
         }
     }
@@ -92,8 +93,10 @@ Result<json> comparison_for(Store& store, const Attempt& attempt, const Gates& g
         return own.error();
     }
     json comparison = json::object();
-    if (json history = history_of(own.value(), gates.of(attempt.exercise)); !history.empty()) {
+    const Gate& gate = gates.of(attempt.exercise);
+    if (json history = history_of(own.value(), gate); !history.empty()) {
         comparison["history"] = std::move(history);
+        comparison["pass"] = gate.pass;
     }
     wanted.trainee.clear();
     for (const std::string& cohort : {attempt.trainee.cohort, std::string(reference_cohort)}) {

@@ -26,7 +26,12 @@ says "identical: all 600 steps"
 expect 0 "" "$rhexis" replay "$work/a" --verify --threads 2
 says "identical"
 expect 0 "" "$rhexis" replay "$work/a" --score-with groove --json
+expect 0 "" "$rhexis" report "$work/a" --language fr
+grep -q '<html lang="fr"' "$work/a/report.html" || fail "the page is not in French"
+expect 2 "--language xx: there are no texts in it" "$rhexis" report "$work/a" --language xx
+grep -q '<html lang="fr"' "$work/a/report.html" || fail "a language that is not there spoilt the page"
 expect 0 "" "$rhexis" report "$work/a"
+grep -q '<html lang="en"' "$work/a/report.html" || fail "the page is not in the language of the run"
 
 # Judged by another rubric: same recording, nothing simulated again, its own items and levels; the run's report stays.
 before=$(sha256sum <"$work/a/report.json")

@@ -96,6 +96,8 @@ TEST_SUITE("gates") {
         REQUIRE(comparison["history"].size() == 1);
         CHECK(comparison["history"][0]["score"].get<double>() == Approx(3.6));
         CHECK(comparison["history"][0]["items"]["T5"].get<double>() == Approx(1.8));
+        CHECK(comparison["history"][0]["completed"] == true);
+        CHECK(comparison["pass"].get<double>() == Approx(Gate{}.pass));
         // P08 last had 52 %, P09 84 %
         CHECK(comparison["cohort"]["group"] == "2026");
         CHECK(comparison["cohort"]["n"] == 2);
