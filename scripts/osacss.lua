@@ -373,7 +373,7 @@ return scoring.rubric {
             { id = "T12.captures", name = "Times that the posterior capsule was drawn in", unit = "1", digits = 0,
                 of = "ia_tip.present and capsule.captured", take = "count", quiet_s = 1, five = 0, three = 1, one = 3,
                 weight = 1, source = "proposal", better = "Keep the mouth up and in sight." },
-            { id = "T12.torn", name = "The posterior capsule is open in the end", unit = "1", digits = 0,
+            { id = "T12.torn", name = "The posterior capsule is open in the end (1: yes)", unit = "1", digits = 0,
                 of = "cortex.left_percent >= 0 and capsule.open", take = "last", five = 0, three = 0.5, one = 1,
                 weight = 1, source = "proposal", better = "Pedal up as soon as folds run to the tip." },
             { id = "T12.down", name = "Time with the mouth down and more than 50 mmHg", unit = "s", digits = 1,
@@ -394,7 +394,7 @@ return scoring.rubric {
                 of = "implant.haptics_in_bag", take = "last", five = 2, three = 1.5, one = 1, weight = 2,
                 source = "proposal", better = "Turn the implant with the hook until the trailing haptic slips under "
                     .. "the rim." },
-            { id = "T13.side", name = "Implant upside down in the end", unit = "1", digits = 0,
+            { id = "T13.side", name = "Implant upside down in the end (1: yes)", unit = "1", digits = 0,
                 of = "implant.upside_down", take = "last", five = 0, three = 0.5, one = 1, weight = 1,
                 source = "proposal", better = "Watch how the leading haptic comes out, and turn the injector before "
                     .. "the optic follows." },
@@ -440,7 +440,7 @@ return scoring.rubric {
                 of = "chamber.pressure_mmhg", take = "last", during = "wounds.main_cut", five = { 15, 25 },
                 three = { 10, 30 }, one = { 6, 40 }, weight = 1, source = "proposal",
                 better = "Fill the eye until it feels firm, not hard." },
-            { id = "T14.tested", name = "The wound was tested after it was last changed", unit = "1", digits = 0,
+            { id = "T14.tested", name = "The wound was tested after its last change (1: yes)", unit = "1", digits = 0,
                 of = "wounds.checked", take = "last", during = "wounds.main_cut", five = 1, three = 0.5, one = 0,
                 weight = 1, source = "proposal", better = "Press on the lip and look, every time." },
             { id = "T14.viscoelastic", name = "Viscoelastic left in the end", unit = "%", digits = 0,

@@ -212,6 +212,15 @@ local function ways(w, report, measures, context)
         planned_circles(report.goals), 1.2 * pupil)
 end
 
+-- Whether the item that a chart is for is judged; of a report without a rubric each chart is drawn.
+local function is_asked_for(spec, report)
+    if not spec.item or not report.osacss then return true end
+    for _, item in ipairs(report.osacss.items or {}) do
+        if item.id == spec.item then return item.score ~= nil end
+    end
+    return false
+end
+
 --- All charts as HTML; "" when there is no series.
 function charts.html(report, series)
     local times = series and series.time_s
@@ -223,7 +232,7 @@ function charts.html(report, series)
     local w = markup.writer()
     for _, spec in ipairs(wanted) do
         local lines = lines_of(spec, series, count)
-        if #lines > 0 and varies(lines) then
+        if #lines > 0 and varies(lines) and is_asked_for(spec, report) then
             over_time(w, context, t(spec.title), spec.unit and report_words.known(spec.unit),
                 { lines = lines, range = spec.range, danger = spec.danger })
         end

@@ -39,7 +39,7 @@ td.points { white-space:nowrap; width:8.5rem; }
 td ul { margin:0; padding-left:1.1rem; } td li { margin:.15rem 0; }
 .measures { margin-top:.5rem; font-size:.82rem; color:var(--soft); }
 .measures { table-layout:fixed; } .measures td,.measures th { padding:.15rem .5rem .15rem 0; border:0; }
-.measures th:nth-child(2) { width:5.2rem; } .measures th:nth-child(3) { width:5.6rem; }
+.measures th:nth-child(2) { width:5.9rem; } .measures th:nth-child(3) { width:5.6rem; }
 .measures th:nth-child(4) { width:3.6rem; } .measures th:nth-child(5) { width:24%; }
 .measures th:nth-child(6) { width:26%; }
 tr:has(+ .detail) > td { border-bottom:0; } .detail > td { padding-top:0; }

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Measures of one chart each. scale turns them into the unit shown (none where things are counted); range is shown at
--- least; danger is drawn red.
+-- least; danger is drawn red. item: drawn only where that item is judged: what a mouth leaves in the quarters is no
+-- groove.
 
 return {
-    { title = "How deep the groove is, as a share of the lens", unit = "%", range = { 0, 100 }, scale = 100,
+    { title = "How deep the groove is, as a share of the lens", unit = "%", range = { 0, 100 }, scale = 100, item = "T9",
         lines = { { "groove.depth_share", "deepest place" }, { "groove.mean_depth_share", "mean along the groove" } } },
-    { title = "How long the groove is", unit = "mm", range = { 0, 5 },
+    { title = "How long the groove is", unit = "mm", range = { 0, 5 }, item = "T9",
         lines = { { "groove.length_mm", "length" }, { "groove.width_mm", "width" } } },
     { title = "Distance of the tip from the posterior capsule", unit = "mm", range = { 0, 3 },
         lines = { { "phaco.tip_posterior_mm", "distance" } }, danger = { from = 0, to = 0.3 } },

@@ -357,6 +357,17 @@ local function charted(told, lists)
     return report.html(told, over, {})
 end
 
+case("a chart that is for an item is left out where that item is not judged", function()
+    local told = full()
+    local lines = { ["groove.depth_share"] = { 0, 0.1, 0.2 } }
+    for _, item in ipairs(told.osacss.items) do
+        if item.id == "T9" then item.score = nil end
+    end
+    lacks(charted(told, lines), "How deep the groove is")
+    told.osacss = nil
+    holds(charted(told, lines), "How deep the groove is")
+end)
+
 case("one line needs no legend, two have one, and counted things have no unit", function()
     local told = full()
     local html = charted(told, { ["groove.depth_share"] = { 0, 0.1, 0.2 } })

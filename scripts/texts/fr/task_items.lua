@@ -213,7 +213,7 @@ return {
         "Faites tout le tour du cul-de-sac, la partie sous l'incision en dernier.",
     ["Times that the posterior capsule was drawn in"] = "Aspirations de la capsule postérieure",
     ["Keep the mouth up and in sight."] = "Gardez la bouche en haut et visible.",
-    ["The posterior capsule is open in the end"] = "Capsule postérieure ouverte à la fin",
+    ["The posterior capsule is open in the end (1: yes)"] = "Capsule postérieure ouverte à la fin (1 : oui)",
     ["Pedal up as soon as folds run to the tip."] = "Lâchez la pédale dès que des plis convergent vers la pointe.",
     ["Time with the mouth down and more than 50 mmHg"] = "Temps la bouche en bas avec plus de 50 mmHg",
     ["Turn the mouth up before you press the pedal."] = "Tournez la bouche vers le haut avant d'appuyer sur la pédale.",
@@ -231,7 +231,8 @@ return {
         "Appuyez sur la lèvre comme le ferait un doigt : une incision qui s'ouvre alors demande davantage.",
     ["Pressure of the eye in the end"] = "Pression de l'œil à la fin",
     ["Fill the eye until it feels firm, not hard."] = "Remplissez l'œil jusqu'à ce qu'il soit ferme, pas dur.",
-    ["The wound was tested after it was last changed"] = "Incision essayée après la dernière retouche",
+    ["The wound was tested after its last change (1: yes)"] =
+        "Incision essayée après la dernière retouche (1 : oui)",
     ["Press on the lip and look, every time."] = "Appuyez sur la lèvre et regardez, chaque fois.",
     ["Viscoelastic left in the end"] = "Viscoélastique laissé à la fin",
     ["Aspirate behind the optic as well, and round the angle."] =
@@ -301,7 +302,7 @@ return {
     ["Haptics that lie in the bag in the end"] = "Haptiques dans le sac à la fin",
     ["Turn the implant with the hook until the trailing haptic slips under the rim."] =
         "Tournez l'implant au crochet jusqu'à ce que l'haptique arrière glisse sous le bord.",
-    ["Implant upside down in the end"] = "Implant à l'envers à la fin",
+    ["Implant upside down in the end (1: yes)"] = "Implant à l'envers à la fin (1 : oui)",
     ["Watch how the leading haptic comes out, and turn the injector before the optic follows."] =
         "Regardez sortir la première haptique, et tournez l'injecteur avant que l'optique ne suive.",
     ["Distance of the optic's middle from the bag's axis in the end"] =
