@@ -4,7 +4,8 @@
 -- groove.
 
 return {
-    { title = "How deep the groove is, as a share of the lens", unit = "%", range = { 0, 100 }, scale = 100, item = "T9",
+    { title = "How deep the groove is, as a share of the lens", unit = "%", range = { 0, 100 }, scale = 100,
+        item = "T9",
         lines = { { "groove.depth_share", "deepest place" }, { "groove.mean_depth_share", "mean along the groove" } } },
     { title = "How long the groove is", unit = "mm", range = { 0, 5 }, item = "T9",
         lines = { { "groove.length_mm", "length" }, { "groove.width_mm", "width" } } },
