@@ -21,7 +21,7 @@ local style = [[
 body { max-width:76rem; }
 .item { border-top:1px solid var(--line); padding:.7rem 0; display:grid; grid-template-columns:3rem 1fr; }
 .item.open { background:#fff6ec; }
-.choices { display:grid; grid-template-columns:repeat(5,1fr) 5.5rem; gap:.4rem; margin:.4rem 0; }
+.choices { display:grid; grid-template-columns:repeat(5,1fr) 6.2rem; gap:.4rem; margin:.4rem 0; }
 .choices b { white-space:nowrap; }
 .choices label { border:1px solid var(--line); border-radius:8px; padding:.35rem .5rem; font-size:.84rem;
   cursor:pointer; }
@@ -114,7 +114,7 @@ local function videos(w, data)
         if #data.videos > 1 then w("<h3>", e(t("Part %d of %d", i, #data.videos)), "</h3>") end
         local link = ('<a href="%s">%s</a>'):format(e(file), e(file))
         w('<video controls preload="metadata" src="', e(file), '"></video><p class="soft small">',
-            t("If it does not play here, open %s, which lies beside this page, in any player.", link), "</p>")
+            t("If the video does not play here, open %s, which lies beside this page, in any player.", link), "</p>")
     end
 end
 

@@ -40,6 +40,8 @@ return {
         "Les critères que l'exercice ne juge pas sont mis à s.\u{A0}o. ; changez-les si vous avez un avis.",
     ["Save, and send the file to who gave you this form."] =
         "Enregistrez, et envoyez le fichier à qui vous a donné ce formulaire.",
+    ["If the video does not play here, open %s, which lies beside this page, in any player."] =
+        "Si la vidéo ne se lit pas ici, ouvrez %s, à côté de cette page, dans un lecteur.",
     ["Part %d of %d"] = "Partie %d sur %d",
     ["not judged in this exercise"] = "non jugé dans cet exercice",
     ["N/A"] = "S.\u{A0}o.",
