@@ -87,6 +87,9 @@ Result<json> agreement_of(const RecordsOptions& given) {
 }
 
 int agreement(const RecordsOptions& given, const Context& context) {
+    if (const Status status = check_page_language(given, context); !status) {
+        return complain(status.error());
+    }
     const Result<json> data = agreement_of(given);
     if (!data) {
         return complain(data.error());

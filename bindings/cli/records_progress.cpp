@@ -139,6 +139,9 @@ int write_curve_page(const RecordsOptions& given, const std::vector<NamedCourse>
 }
 
 int curve(const RecordsOptions& given, const Context& context) {
+    if (const Status status = check_page_language(given, context); !status) {
+        return complain(status.error());
+    }
     const Result<std::vector<NamedCourse>> courses = courses_of(given, context);
     if (!courses) {
         return complain(courses.error());

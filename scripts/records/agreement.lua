@@ -99,7 +99,7 @@ local function table_row(w, row)
         correlation(raters.icc, "single"), "</td><td>", raters.icc.average and number(raters.icc.average, 2) or "",
         "</td><td>", raters.icc.n or "", "</td><td>", correlation(own.icc, "single"), "</td><td>")
     if own.limits.why then
-        w('</td><td></td><td><span class="soft small">', e(t(own.limits.why)), "</span>")
+        w('</td><td><span class="soft small">', e(t(own.limits.why)), "</span></td><td>")
     else
         w(number(own.limits.bias, 2), "</td><td class=\"limits\">", range(own.limits), "</td><td>", own.limits.n)
     end

@@ -62,7 +62,7 @@ return {
     ["%d rater: %s."] = "%d évaluateur : %s.",
     ["%d raters: %s."] = "%d évaluateurs : %s.",
     ["Left out of the correlation among raters, because of too few ratings: %s."] =
-        "Écarté de la corrélation entre évaluateurs, faute d'évaluations : %s.",
+        "Hors de la corrélation entre évaluateurs, faute d'évaluations : %s.",
     ["ICC(2,1), ICC(2,k): two-way random effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator "
         .. "minus mean of the raters, with limits that hold 95 % of the differences if they are normal (Bland and "
         .. "Altman 1986). The scores of the simulator are not clinically validated."] =

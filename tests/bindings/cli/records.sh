@@ -78,6 +78,8 @@ expect 0 "" "$rhexis" records curve P07 --html "$work/curve.html" --language fr
 grep -q "<h2>My own groove</h2>" "$work/curve.html" || fail "another exercise of this name has its title"
 for command in "curve P07" agreement; do
     expect 2 "--language requires --html" "$rhexis" records $command --language fr
+    expect 2 "there are no texts in it" "$rhexis" records $command --html "$work/none.html" --language xx
+    [ ! -s "$work/stdout" ] && [ ! -e "$work/none.html" ] || fail "a refused language printed something"
 done
 expect 2 "nothing scored is stored of P99" "$rhexis" records curve P99
 expect 2 "0 to 1" "$rhexis" records gates --pass 7
@@ -240,7 +242,8 @@ expect 0 "" "$rhexis" records add "$work/full" --records "$work/large.db"
 # A rater's folder tells nothing of whose the recordings are.
 expect 0 "" "$rhexis" rate "$work"/p1 "$work"/q1 "$work"/q2 --no-video --out "$work/rater" --seed 3
 [ "$(find "$work/rater" -type f | wc -l)" = 3 ] || fail "not a form for each recording"
-! grep -rqiE "P0[789]|2026|simulator|expert|records\.db|$(basename "$work")" "$work/rater" || fail "the forms are not blind"
+! grep -rqiE "P0[789]|2026|simulator|expert|records\.db|$(basename "$work")" "$work/rater" ||
+    fail "the forms are not blind"
 grep -q 'name="G6"' "$work/rater/case_03/form.html" || fail "the form lacks items"
 grep -q "<b>Sculpting a groove</b>" "$work/rater/case_03/form.html" || fail "the form does not name the exercise"
 preset() { grep -qF "name=\"$2\" value=\"na\" checked" "$work/$1/case_01/form.html"; }
@@ -282,7 +285,8 @@ expect 0 "" "$rhexis" rate "$work"/p1 "$work"/q1 "$work"/q2 --answers "$work"/{p
 expect 0 "" "$rhexis" records agreement
 says "too few raters"
 for option in "--out $work/elsewhere" "--seed 2" "--language fr" --no-video; do
-    expect 2 "--answers excludes ${option%% *}" "$rhexis" rate "$work/p1" --answers "$work/p1-R1.json" --rater R1 $option
+    expect 2 "--answers excludes ${option%% *}" "$rhexis" rate "$work/p1" --answers "$work/p1-R1.json" --rater R1 \
+        $option
 done
 expect 2 "--records requires --answers" "$rhexis" rate "$work/p1" --out "$work/elsewhere" --records "$RHEXIS_RECORDS"
 [ ! -e "$work/elsewhere" ] || fail "a refused command made a folder"
