@@ -79,10 +79,14 @@ struct KeptAttempt::Parts {
 
 Status check_keep_options(const KeepOptions& options) {
     if (options.trainee.empty()) {
-        const std::string option = !options.cohort.empty() ? "--cohort" : !options.arm.empty() ? "--arm" : "";
-        return option.empty()
-                   ? success()
-                   : Status(Error{option + " is of a trainee, and none is named", "", "--trainee PSEUDONYM"});
+        for (const auto& [option, value] : {std::pair("--cohort", options.cohort), std::pair("--arm", options.arm),
+                                            std::pair("--records", options.store)}) {
+            if (!value.empty()) {
+                return Error{std::string(option) + " is for attempts of a trainee, and none is named", "",
+                             "--trainee PSEUDONYM"};
+            }
+        }
+        return success();
     }
     for (const auto& [option, name] : {std::pair("--trainee", options.trainee), std::pair("--cohort", options.cohort),
                                        std::pair("--arm", options.arm)}) {

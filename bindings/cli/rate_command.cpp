@@ -7,9 +7,11 @@
 
 #include "base/rng.hpp"
 #include "cli/command.hpp"
+#include "cli/counted.hpp"
 #include "cli/film.hpp"
 #include "cli/language.hpp"
 #include "cli/places.hpp"
+#include "cli/rated_case.hpp"
 #include "cli/rating_answers.hpp"
 #include "lua/report_script.hpp"
 #include "records/identity.hpp"
@@ -23,7 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* rate_help =
     "Makes a folder to hand to a rater: for each run a replay on video (of an operation, one of each part) and a form\n"
-    "with the twenty items of OSACSS, in an order by chance, without name, group, score or date. The form works\n"
+    "with the twenty items of OSACSS, in an order by chance, without name, group, score or date. It names the\n"
+    "exercise, and items which that does not judge are set to N/A, for the rater to change. The form works\n"
     "without a network and saves a file of answers. With --answers these are stored beside the attempt, for\n"
     "rhexis records agreement.\n"
     "\n"
@@ -113,7 +116,12 @@ Status make_case(const RateOptions& given, const Case& one, std::size_t number, 
                  const Context& context) {
     const std::string folder = given.out + "/case_" + (number < 10 ? "0" : "") + std::to_string(number);
     Status status = prepare_folder(folder);
-    nlohmann::json data = {{"case", one.code}, {"number", number}, {"of", of}, {"language", given.language}};
+    nlohmann::json data = case_of_run(one.run, given.language, context.root);
+    data.update({{"case", one.code},
+                 {"number", number},
+                 {"of", of},
+                 {"parts", one.recordings.size()},
+                 {"language", given.language}});
     nlohmann::json videos = nlohmann::json::array();
     if (status) {
         status = film_case(one, given.no_video, folder, videos);
@@ -206,7 +214,7 @@ int store_answers(const RateOptions& given) {
     if (!stored) {
         return complain(stored.error());
     }
-    std::printf("%zu ratings by %s stored\n", ratings.value().size(), given.rater.c_str());
+    std::printf("%s by %s stored\n", counted(ratings.value().size(), "rating").c_str(), given.rater.c_str());
     return done;
 }
 
@@ -217,15 +225,16 @@ void add_rate(CLI::App& app, Context& context) {
     command->footer(rate_help);
     auto given = std::make_shared<RateOptions>();
     command->add_option("recordings", given->recordings, "Recordings, or folders of runs")->required();
-    command->add_option("--out", given->out, "New folder for the rater")->capture_default_str();
-    command->add_option("--seed", given->seed, "Of the order")->capture_default_str();
-    command->add_option("--language", given->language, language_help);
-    command->add_flag("--no-video", given->no_video, "Forms only, without replays");
     CLI::Option* answers = command->add_option("--answers", given->answers, "Files that the forms saved: store them");
+    // Of making forms; beside --answers they would do nothing.
+    command->add_option("--out", given->out, "New folder for the rater")->capture_default_str()->excludes(answers);
+    command->add_option("--seed", given->seed, "Of the order")->capture_default_str()->excludes(answers);
+    command->add_option("--language", given->language, language_help)->excludes(answers);
+    command->add_flag("--no-video", given->no_video, "Forms only, without replays")->excludes(answers);
     CLI::Option* rater = command->add_option("--rater", given->rater, "Pseudonym of who rated")->needs(answers);
     answers->needs(rater);
     command->add_flag("--replace", given->replace, "In the place of what this rater said before")->needs(answers);
-    command->add_option("--records", given->store, "Record store [RHEXIS_RECORDS, or the user's own]");
+    command->add_option("--records", given->store, "Record store [RHEXIS_RECORDS, or the user's own]")->needs(answers);
     command->callback([given, &context] {
         context.status = given->answers.empty() ? make_package(*given, context) : store_answers(*given);
     });

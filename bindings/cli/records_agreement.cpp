@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/counted.hpp"
 #include "cli/places.hpp"
 #include "cli/records_command.hpp"
 #include "lua/report_script.hpp"
@@ -39,7 +40,8 @@ std::string reason(const json& row) {
 }
 
 void print(const json& data) {
-    std::printf("%d rated attempts, %zu raters\n", data["attempts"].get<int>(), data["raters"].size());
+    std::printf("%s, %s\n", counted(data["attempts"].get<std::size_t>(), "rated attempt").c_str(),
+                counted(data["raters"].size(), "rater").c_str());
     for (const json& rater : data["left_out"]) {
         std::printf("left out of the correlation among raters, because of too few ratings: %s\n",
                     rater.get<std::string>().c_str());
@@ -85,6 +87,9 @@ Result<json> agreement_of(const RecordsOptions& given) {
 }
 
 int agreement(const RecordsOptions& given, const Context& context) {
+    if (const Status status = check_page_language(given, context); !status) {
+        return complain(status.error());
+    }
     const Result<json> data = agreement_of(given);
     if (!data) {
         return complain(data.error());
@@ -111,8 +116,8 @@ void add_records_agreement(CLI::App& records, const std::shared_ptr<RecordsOptio
         "the raters (Bland and Altman 1986). Total: mean points per item x 20, over the items that everybody scored.");
     command->add_option("--exercise", given->exercise, "Of attempts at this one only");
     command->add_option("--cohort", given->cohort, "Of attempts of this cohort only");
-    command->add_option("--html", given->html, "Write a page with the table and a chart per item");
-    command->add_option("--language", given->language, language_help);
+    CLI::Option* html = command->add_option("--html", given->html, "Write a page with the table and a chart per item");
+    add_page_language(*command, given, html);
     command->add_flag("--json", given->json, "Print it as JSON, with every pair of raters and every point");
     command->callback([given, &context] { context.status = agreement(*given, context); });
 }

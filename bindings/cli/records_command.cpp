@@ -96,6 +96,15 @@ Status check_wanted(Store& store, const RecordsOptions& given, const std::vector
     return status ? check("cohort", given.cohort, cohorts) : status;
 }
 
+void add_page_language(CLI::App& command, const std::shared_ptr<RecordsOptions>& given, CLI::Option* html) {
+    command.add_option("--language", given->language, "Of the page of --html: en, fr, ... [as LANG says]")->needs(html);
+}
+
+Status check_page_language(const RecordsOptions& given, const Context& context) {
+    const Result<std::string> language = language_of_page(given.language, context.root);
+    return language ? success() : Status(language.error());
+}
+
 int write_records_page(const RecordsOptions& given, const std::string& module, nlohmann::json data,
                        const Context& context) {
     const Result<std::string> language = language_of_page(given.language, context.root);

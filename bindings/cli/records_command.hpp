@@ -46,6 +46,12 @@ Status check_wanted(records::Store& store, const RecordsOptions& given, const st
 /// --gates FILE and --pass SHARE, or rubrics/gates.json.
 Result<records::Gates> gates_of(const RecordsOptions& given, const Context& context);
 
+/// --language, of the page that `html` asks for: what is printed is English, so without a page it is refused.
+void add_page_language(CLI::App& command, const std::shared_ptr<RecordsOptions>& given, CLI::Option* html);
+
+/// Whether there are texts in the language of the page, if one is asked for; before anything is printed.
+Status check_page_language(const RecordsOptions& given, const Context& context);
+
 /// Writes the page that a module of scripts/ makes of `data` to --html, in the language of --language.
 int write_records_page(const RecordsOptions& given, const std::string& module, nlohmann::json data,
                        const Context& context);

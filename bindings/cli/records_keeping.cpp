@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/counted.hpp"
 #include "cli/places.hpp"
 #include "cli/records_command.hpp"
 #include "cli/run_folder.hpp"
@@ -16,12 +17,28 @@ namespace {
 
 using records::Attempt;
 
+/// A run that has a trainee keeps the group that it was made in; another that is named now would be lost.
+Status same_group(const Attempt& attempt, const std::string& folder, const RecordsOptions& given) {
+    for (const auto& [option, named, noted] : {std::tuple("--cohort", given.cohort, attempt.trainee.cohort),
+                                               std::tuple("--arm", given.arm, attempt.trainee.arm)}) {
+        if (!named.empty() && named != noted) {
+            return Error{std::string(option) + " " + named + ": the run was made with " +
+                             (noted.empty() ? "none" : option + (" " + noted)),
+                         folder, std::string("without ") + option};
+        }
+    }
+    return success();
+}
+
 /// The attempt that a folder tells of: by its note, or of a run without one, by the trainee that is named now.
 Result<Attempt> attempt_in(const std::string& folder, const RecordsOptions& given) {
     Result<Attempt> attempt = read_note(folder);
     if (attempt && !given.trainee.empty() && attempt.value().trainee.pseudonym != given.trainee) {
         return Error{"the run is of another trainee, " + attempt.value().trainee.pseudonym, folder,
                      "without --trainee"};
+    }
+    if (const Status same = attempt ? same_group(attempt.value(), folder, given) : success(); !same) {
+        return same.error();
     }
     std::error_code ignored;
     if (!attempt && std::filesystem::exists(folder + "/" + note_file, ignored)) {
@@ -93,8 +110,8 @@ int remove(const RecordsOptions& given) {
         return complain({"nothing is stored of " + given.trainee, store.value().path(),
                          "rhexis records trainees lists who is there"});
     }
-    const std::string what = std::to_string(attempts.value().size()) + " attempts with their ratings, and " +
-                             std::to_string(rated) + " ratings by " + given.trainee;
+    const std::string what = counted(attempts.value().size(), "attempt") + " with all ratings, and " +
+                             counted(rated, "rating") + " by " + given.trainee;
     if (!given.yes) {
         return complain({"this would delete " + what + "; nothing was deleted", store.value().path(), "--yes"});
     }
@@ -139,7 +156,7 @@ int export_csv(const RecordsOptions& given) {
     if (!status) {
         return complain(status.error());
     }
-    std::printf("%zu attempts in %s/\n", attempts.value().size(), given.out.c_str());
+    std::printf("%s in %s/\n", counted(attempts.value().size(), "attempt").c_str(), given.out.c_str());
     return done;
 }
 
@@ -148,9 +165,11 @@ int export_csv(const RecordsOptions& given) {
 void add_records_keeping(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context) {
     CLI::App* command = records.add_subcommand("add", "Store runs by their folders: what could not be stored before");
     command->add_option("run_dir", given->folders, "Folders that rhexis run wrote")->required();
-    command->add_option("--trainee", given->trainee, "Whose the runs are, if they were made without --trainee");
-    command->add_option("--cohort", given->cohort, "Of that trainee; 'reference' for those to compare others with");
-    command->add_option("--arm", given->arm, "Of that trainee, in a trial");
+    CLI::Option* trainee =
+        command->add_option("--trainee", given->trainee, "Whose the runs are, if they were made without --trainee");
+    command->add_option("--cohort", given->cohort, "Of that trainee; 'reference' for those to compare others with")
+        ->needs(trainee);
+    command->add_option("--arm", given->arm, "Of that trainee, in a trial")->needs(trainee);
     command->callback([given, &context] { context.status = add(*given); });
 
     command = records.add_subcommand("export", "Tables for other programs: attempts.csv, items.csv, measures.csv, ...");

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli/counted.hpp"
 #include "cli/records_command.hpp"
 #include "cli/records_json.hpp"
 
@@ -64,7 +65,7 @@ int list(const RecordsOptions& given) {
     for (const Attempt& attempt : attempts.value()) {
         print_line(attempt);
     }
-    std::printf("%zu attempts; scores are not clinically validated\n", attempts.value().size());
+    std::printf("%s; scores are not clinically validated\n", counted(attempts.value().size(), "attempt").c_str());
     return done;
 }
 

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli/counted.hpp"
+#include "cli/exercise_title.hpp"
 #include "cli/places.hpp"
 #include "cli/records_command.hpp"
 #include "lua/report_script.hpp"
@@ -70,7 +72,9 @@ json course_json(const NamedCourse& named) {
         attempts.push_back({{"attempt", attempt.id},
                             {"date", attempt.begun},
                             {"scaled", *attempt.scaled},
+                            {"completed", attempt.completed},
                             {"passed", static_cast<bool>(course.passed[i])},
+                            {"why", records::why_no_pass(attempt, named.gate)},
                             {"duration_s", attempt.duration_s}});
     }
     return {{"trainee", named.trainee},
@@ -91,14 +95,15 @@ void print_chart(const NamedCourse& named) {
     const int mark = static_cast<int>(std::lround(width * named.gate.pass));
     for (std::size_t i = 0; i < named.course.attempts.size(); ++i) {
         const Attempt& attempt = named.course.attempts[i];
+        const std::string why = records::why_no_pass(attempt, named.gate);
         const int length = static_cast<int>(std::lround(width * *attempt.scaled));
         std::string bar(static_cast<std::size_t>(width) + 1, ' ');
         for (int at = 0; at < length; ++at) {
             bar[static_cast<std::size_t>(at)] = '#';
         }
         bar[static_cast<std::size_t>(mark)] = '|';
-        std::printf("  %3zu  %s  %s %3.0f %%%s\n", i + 1, attempt.begun.substr(0, 10).c_str(), bar.c_str(),
-                    100.0 * *attempt.scaled, named.course.passed[i] ? "  passed" : "");
+        std::printf("  %3zu  %s  %s %3.0f %%  %s\n", i + 1, attempt.begun.substr(0, 10).c_str(), bar.c_str(),
+                    100.0 * *attempt.scaled, why.empty() ? "passed" : why.c_str());
     }
 }
 
@@ -107,7 +112,8 @@ void print_course(const NamedCourse& named) {
     std::printf("%s, %s: first %.0f %%, best %.0f %%, ", named.trainee.c_str(), named.exercise.c_str(),
                 100.0 * course.first(), 100.0 * course.peak());
     if (course.open_after > 0) {
-        std::printf("gate open after %d attempts and %.1f min of operating\n", course.open_after,
+        std::printf("gate open after %s and %.1f min of operating\n",
+                    counted(static_cast<std::size_t>(course.open_after), "attempt").c_str(),
                     course.time_to_gate_s / 60.0);
     } else {
         std::printf("gate closed\n");
@@ -117,7 +123,25 @@ void print_course(const NamedCourse& named) {
                 named.gate.in_a_row);
 }
 
+/// The page, with the titles of the exercises in its language.
+int write_curve_page(const RecordsOptions& given, const std::vector<NamedCourse>& courses, json data,
+                     const Context& context) {
+    const Result<std::string> language = language_of_page(given.language, context.root);
+    if (!language) {
+        return complain(language.error());
+    }
+    for (std::size_t i = 0; i < courses.size(); ++i) {
+        const Attempt& last = courses[i].course.attempts.back();
+        data["courses"][i]["title"] =
+            title_in(language.value(), {last.exercise, last.title, last.language}, context.root);
+    }
+    return write_records_page(given, "records.curve", std::move(data), context);
+}
+
 int curve(const RecordsOptions& given, const Context& context) {
+    if (const Status status = check_page_language(given, context); !status) {
+        return complain(status.error());
+    }
     const Result<std::vector<NamedCourse>> courses = courses_of(given, context);
     if (!courses) {
         return complain(courses.error());
@@ -136,7 +160,7 @@ int curve(const RecordsOptions& given, const Context& context) {
     if (given.html.empty()) {
         return done;
     }
-    return write_records_page(given, "records.curve", std::move(data), context);
+    return write_curve_page(given, courses.value(), std::move(data), context);
 }
 
 int gates(const RecordsOptions& given, const Context& context) {
@@ -170,8 +194,8 @@ void add_records_progress(CLI::App& records, const std::shared_ptr<RecordsOption
     CLI::App* command = records.add_subcommand("curve", "How the scores of a trainee came along");
     command->add_option("trainee", given->trainee, "Pseudonym")->required();
     add_gate_options(*command, given);
-    command->add_option("--html", given->html, "Write a page with a chart for each exercise");
-    command->add_option("--language", given->language, language_help);
+    CLI::Option* html = command->add_option("--html", given->html, "Write a page with a chart for each exercise");
+    add_page_language(*command, given, html);
     command->add_flag("--json", given->json, "Print it as JSON");
     command->callback([given, &context] { context.status = curve(*given, context); });
 

@@ -88,11 +88,26 @@ Result<Gates> gates_from(const json& given, const std::string& where) {
     return status ? Result<Gates>(gates) : status.error();
 }
 
-bool passes(const Attempt& attempt, const Gate& gate) {
-    return attempt.completed && attempt.error.empty() && attempt.scaled && *attempt.scaled >= gate.pass &&
-           (attempt.begun_at.empty() || !gate.from_the_beginning) && (gate.mode.empty() || attempt.mode == gate.mode) &&
-           !(gate.no_critical_error_left && left_a_critical_error(attempt));
+std::string why_no_pass(const Attempt& attempt, const Gate& gate) {
+    if (!attempt.error.empty()) {
+        return "an error of the exercise's script ended it";
+    }
+    if (!attempt.completed) {
+        return "not completed";
+    }
+    if (gate.from_the_beginning && !attempt.begun_at.empty()) {
+        return "it began at a later moment";
+    }
+    if (!gate.mode.empty() && attempt.mode != gate.mode) {
+        return "in another mode than the gate asks for";
+    }
+    if (!attempt.scaled || *attempt.scaled < gate.pass) {
+        return "below the pass mark";
+    }
+    return gate.no_critical_error_left && left_a_critical_error(attempt) ? "a critical error was not put right" : "";
 }
+
+bool passes(const Attempt& attempt, const Gate& gate) { return why_no_pass(attempt, gate).empty(); }
 
 double Course::first() const { return attempts.empty() ? 0.0 : *attempts.front().scaled; }
 

@@ -32,7 +32,10 @@ struct Gates {
 /// From the JSON of rubrics/gates.json; fails on a band that is not there, on names and numbers that make no sense.
 Result<Gates> gates_from(const nlohmann::json& given, const std::string& where);
 
-/// Whether it was completed and scored well enough. Needs the attempt's events.
+/// Why an attempt is no pass, in words that scripts/texts translate; "": it is one. Needs the attempt's events.
+std::string why_no_pass(const Attempt& attempt, const Gate& gate);
+
+/// Whether it was completed and scored well enough.
 bool passes(const Attempt& attempt, const Gate& gate);
 
 /// How a trainee came along in one exercise.

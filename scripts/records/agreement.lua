@@ -4,6 +4,7 @@
 -- data: as bindings/records/comparison.hpp tells
 
 local markup = require "report.markup"
+local osacss = require "osacss"
 local page = require "records.page"
 local report_words = require "report.words"
 
@@ -56,28 +57,49 @@ local function chart(w, row)
         w(('<text class="soft" x="%.1f" y="%d" text-anchor="middle">%s</text>'):format(x_of(value), tall - bottom + 15,
             number(value, 2)))
     end
-    dashed(w, y_of(0), "#8795a1", limits.bias ~= 0 and math.abs(y_of(0) - y_of(limits.bias)) > 14 and "0" or "", "1 3")
+    local free = true  -- beside the line at 0
+    for _, value in ipairs { limits.bias, limits.high, limits.low } do
+        free = free and math.abs(y_of(0) - y_of(value)) > 14
+    end
+    dashed(w, y_of(0), "#8795a1", free and "0" or "", "1 3")
     dashed(w, y_of(limits.bias), "#1f5f8b", e(t("bias %s", number(limits.bias, 2))), "none")
-    dashed(w, y_of(limits.high), "#b3261e", "+1.96 SD " .. number(limits.high, 2), "6 4")
-    dashed(w, y_of(limits.low), "#b3261e", "−1.96 SD " .. number(limits.low, 2), "6 4")
+    dashed(w, y_of(limits.high), "#b3261e", e(t("+1.96 SD %s", number(limits.high, 2))), "6 4")
+    dashed(w, y_of(limits.low), "#b3261e", e(t("−1.96 SD %s", number(limits.low, 2))), "6 4")
     dots(w, row.simulator.points, x_of, y_of)
     w(('<text class="soft" x="%d" y="%d">%s</text></svg>'):format(left, tall - 4,
         e(t("mean of simulator and raters"))))
 end
 
 local function correlation(icc, which)
-    return icc.why and '<span class="soft small">' .. e(known(icc.why)) .. "</span>" or number(icc[which], 2)
+    return icc.why and '<span class="soft small">' .. e(t(icc.why)) .. "</span>" or number(icc[which], 2)
 end
 
 local function range(limits) return e(t("%s to %s", number(limits.low, 2), number(limits.high, 2))) end
 
+-- In the language of the page: what is stored is in that of a run.
+local function name_of(row)
+    if row.item == "total" then return t("Mean points per item × 20") end
+    for _, item in ipairs(osacss.items) do
+        if item.id == row.item then return t(item.name) end
+    end
+    return known(row.name)
+end
+
+local function title_of(item) return item == "total" and t("total") or item end
+
+local function head(w, titles)
+    w("<thead><tr>")
+    for _, title in ipairs(titles) do w("<th>", e(title), "</th>") end
+    w("</tr></thead><tbody>")
+end
+
 local function table_row(w, row)
     local own, raters = row.simulator, row.raters
-    w('<tr><td class="id">', e(row.item), "</td><td>", e(known(row.name)), "</td><td>",
+    w('<tr><td class="id">', e(title_of(row.item)), "</td><td>", e(name_of(row)), "</td><td>",
         correlation(raters.icc, "single"), "</td><td>", raters.icc.average and number(raters.icc.average, 2) or "",
         "</td><td>", raters.icc.n or "", "</td><td>", correlation(own.icc, "single"), "</td><td>")
     if own.limits.why then
-        w('</td><td></td><td><span class="soft small">', e(known(own.limits.why)), "</span>")
+        w('</td><td><span class="soft small">', e(t(own.limits.why)), "</span></td><td>")
     else
         w(number(own.limits.bias, 2), "</td><td class=\"limits\">", range(own.limits), "</td><td>", own.limits.n)
     end
@@ -86,15 +108,36 @@ end
 
 local function pairs_section(w, row)
     if #row.raters.pairs == 0 then return end
-    w("<section><h2>", e(t("Raters among themselves, total")), "</h2><table><thead><tr><th>", e(t("Raters")),
-        "</th><th>", e(t("Bias")), "</th><th>", e(t("95 % limits")), "</th><th>n</th></tr></thead><tbody>")
-    for _, pair in ipairs(row.raters.pairs) do
-        local limits = pair.limits
-        w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", number(limits.bias, 2), "</td><td>",
-            limits.why and e(known(limits.why)) or range(limits), "</td><td>",
-            limits.n or "", "</td></tr>")
-    end
-    w("</tbody></table></section>")
+    w("<section><h2>", e(t("Raters among themselves, total")), "</h2>")
+    page.wide_table(w, 24, function()
+        head(w, { t("Raters"), t("Bias"), t("95 % limits"), "n" })
+        for _, pair in ipairs(row.raters.pairs) do
+            local limits = pair.limits
+            w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", limits.bias and number(limits.bias, 2) or "",
+                "</td><td>", limits.why and e(t(limits.why)) or range(limits), "</td><td>", limits.n or "",
+                "</td></tr>")
+        end
+        w("</tbody>")
+    end)
+    w("</section>")
+end
+
+local function items_section(w, rows)
+    w("<section><h2>", e(t("By item")), "</h2>")
+    page.wide_table(w, 44, function()
+        head(w, { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"), t("Bias"),
+            t("95 % limits"), "n" })
+        for _, row in ipairs(rows) do table_row(w, row) end
+        w("</tbody>")
+    end)
+    w("</section>")
+end
+
+-- "3 rated attempts, 2 raters: R1, R2."
+local function who(data)
+    local n = #data.raters
+    return page.count(data.attempts, "%d rated attempt", "%d rated attempts", data.attempts) .. ", "
+        .. page.count(n, "%d rater: %s.", "%d raters: %s.", n, table.concat(data.raters, ", "))
 end
 
 --- The whole page.
@@ -103,25 +146,19 @@ function agreement.html(data)
     local title = t("Agreement of simulator and raters")
     return page.html(title, function(w)
         local few = table.concat(data.left_out or {}, ", ")
-        w("<header><h1>", e(title), "</h1><p>", e(t("%d rated attempts, %d raters: %s.", data.attempts, #data.raters,
-            table.concat(data.raters, ", "))), few ~= "" and " "
+        w("<header><h1>", e(title), "</h1><p><b>", e(who(data)), "</b>", few ~= "" and " "
             .. e(t("Left out of the correlation among raters, because of too few ratings: %s.", few)) or "",
             '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
             .. "effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with "
             .. "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the "
             .. "simulator are not clinically validated.")), "</p></header>")
-        w("<section><h2>", e(t("By item")), "</h2><table><thead><tr>")
-        for _, head in ipairs { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n",
-            t("Simulator and raters: ICC(2,1)"), t("Bias"), t("95 % limits"), "n" } do w("<th>", e(head), "</th>") end
-        w("</tr></thead><tbody>")
-        for _, row in ipairs(data.rows) do table_row(w, row) end
-        w("</tbody></table></section>")
+        items_section(w, data.rows)
         pairs_section(w, data.rows[#data.rows])
         w("<section><h2>", e(t("Simulator minus raters")), '</h2><div class="charts">')
         for i = 0, #data.rows - 1 do
             local row = data.rows[i > 0 and i or #data.rows]  -- the total first
             if not row.simulator.limits.why then
-                w("<figure><figcaption><b>", e(row.item), "</b> ", e(known(row.name)), "</figcaption>")
+                w("<figure><figcaption><b>", e(title_of(row.item)), "</b> ", e(name_of(row)), "</figcaption>")
                 chart(w, row)
                 w("</figure>")
             end

@@ -3,19 +3,45 @@
 
 local markup = require "report.markup"
 local report_words = require "report.words"
+local spaces = require "records.spaces"
 local style = require "report.style"
 
 local page = {}
+
+-- A table that is wider than the window is moved to and fro within its section.
+local own_style = [[
+.wide { overflow-x:auto; }
+@media print { .wide { overflow:visible; } }
+]]
+
+--- Such a table, which body(w) fills: at least so many letters wide; a keyboard can move it too.
+function page.wide_table(w, least, body)
+    w('<div class="wide" tabindex="0"><table style="min-width:', least, 'rem">')
+    body()
+    w("</table></div>")
+end
+
+--- Of two texts the one for `n` things, with the values. French counts none as one thing.
+function page.count(n, one, many, ...)
+    local single = n == 1 or n == 0 and report_words.language() == "fr"
+    return report_words.t(single and one or many, ...)
+end
+
+--- A moment as it is stored, "2026-03-01T09:30:00Z", for readers.
+function page.moment(stored)
+    local day, time = tostring(stored):match("^(%d+%-%d+%-%d+)T(%d+:%d+)")
+    return day and day .. " " .. time .. " UTC" or tostring(stored)
+end
 
 --- The whole page, in the language chosen with report_words.use; body(w) writes what is inside. more: style of its own.
 function page.html(title, body, more)
     local w = markup.writer()
     w('<!doctype html><html lang="', report_words.language(), '"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1"><title>', markup.escape(title),
-        "</title><style>", style, more or "", "</style></head><body><main>")
+        "</title><style>", style, own_style, more or "", "</style></head><body><main>")
     body(w)
     w("</main></body></html>\n")
-    return w:text()
+    return spaces.page(w:text(), report_words.language())
 end
 
 --- Values from `low` to `high` at distances that read well, at most seven of them.

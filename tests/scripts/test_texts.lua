@@ -145,24 +145,57 @@ case("a report in French has no English word of its own left", function()
     has(english, "surgeon left-handed")
 end)
 
-case("pages about stored attempts in French have no English word left", function()
-    local course = { exercise = "essai", title = "Essai", pass = 0.7, in_a_row = 2, open_after = 0, first = 0.2,
-        peak = 0.9, attempts = { { date = "2026-01-02", scaled = 0.9, passed = true } } }
-    local open = { exercise = "essai", title = "Essai", pass = 0.7, in_a_row = 2, open_after = 1, time_to_gate_s = 60,
-        first = 0.2, peak = 0.9, attempts = course.attempts }
+-- As bindings/records/agreement.cpp and comparison.cpp give them, and gates.cpp.
+local no_figure = { "nothing that both have scored", "only one attempt that both have scored",
+    "too few raters: two at least", "nothing that all have scored", "only one attempt that all have scored",
+    "too few judges", "all scores are the same", "the attempts do not differ" }
+local no_pass = { "not completed", "an error of the exercise's script ended it", "below the pass mark",
+    "it began at a later moment", "in another mode than the gate asks for", "a critical error was not put right" }
+
+local function curve_data(n, open_after)
+    local attempts = { { date = "2026-01-02T03:04:05Z", scaled = 0.9, completed = true, passed = true, why = "" } }
+    for _, why in ipairs(no_pass) do
+        table.insert(attempts, { date = "x", scaled = 0.5, completed = why ~= no_pass[1], passed = false, why = why })
+    end
+    return { exercise = "essai", title = "Essai", pass = 0.7, in_a_row = n, open_after = open_after,
+        time_to_gate_s = 60, first = 0.2, peak = 0.9, attempts = attempts }
+end
+
+local function agreement_data(attempts, raters)
     local limits = { n = 3, bias = -0.5, sd = 0.4, low = -1.28, high = 0.28 }
     local icc = { n = 3, k = 2, single = 0.71, average = 0.83 }
-    local row = { item = "total", name = "Total", raters = { icc = icc, pairs = { { a = "R1", b = "R2",
-        limits = limits } } }, simulator = { icc = icc, limits = limits, points = { { 50, -10 } } } }
-    local data = { curve = { trainee = "P07", courses = { course, open } }, form = { case = "abc", number = 1, of = 2,
-        video = "video.mp4" }, agreement = { attempts = 3, raters = { "R1" }, rows = { row } } }
-    for name, part in pairs({ curve = "Courbes d&#39;apprentissage de P07", form = "Évaluation 1 sur 2",
-        agreement = "Accord entre simulateur et évaluateurs" }) do
-        data[name].language = "fr"
-        local html = records_pages[name].html(data[name])
+    local rows = {}
+    for i, why in ipairs(no_figure) do
+        rows[i] = { item = osacss.items[i].id, name = "Draping", raters = { icc = { why = why }, pairs = {} },
+            simulator = { icc = { why = why }, limits = { why = why }, points = {} } }
+    end
+    rows[#rows + 1] = { item = "total", name = "Mean points per item x 20", raters = { icc = icc, pairs = {
+        { a = "R1", b = "R2", limits = limits }, { a = "R1", b = "R3", limits = { why = no_figure[1] } } } },
+        simulator = { icc = icc, limits = limits, points = { { 50, -10 } } } }
+    return { attempts = attempts, raters = raters, left_out = { raters[#raters] }, rows = rows }
+end
+
+case("pages about stored attempts in French have no English word left", function()
+    local pages = {
+        { "curve", "Courbes d&#39;apprentissage de P07", { trainee = "P07", courses = { curve_data(2, 0),
+            curve_data(1, 0), curve_data(2, 1), curve_data(2, 5) } } },
+        { "form", "Évaluation 1 sur 2", { case = "abc", number = 1, of = 2, parts = 1, videos = { "video.mp4" },
+            title = "Essai", items = { "T1" } } },
+        { "form", "Partie 2 sur 2", { case = "abc", number = 1, of = 2, parts = 2, videos = { "1.mp4", "2.mp4" } } },
+        { "agreement", "Accord entre simulateur et évaluateurs", agreement_data(1, { "R1" }) },
+        { "agreement", "2 essais évalués, 2 évaluateurs", agreement_data(2, { "R1", "R2" }) },
+    }
+    for _, one in ipairs(pages) do
+        local name, part, data = table.unpack(one)
+        data.language = "fr"
+        local html = records_pages[name].html(data)
         equal(table.concat(report_words.missing, " | "), "")
         support.check_balance(html)
         has(html, part)
         has(html, '<html lang="fr">')
+        local seen = html:gsub("<style>.-</style>", ""):gsub("<script>.-</script>", ""):gsub("<[^>]*>", "")
+        for _, english in ipairs({ "Draping", "points per item", "attempt", "rater", "scored" }) do
+            if seen:find(english, 1, true) then error(name .. ": still English: " .. english) end
+        end
     end
 end)

@@ -5,40 +5,64 @@ return {
     -- curve
     ["Learning curves of %s"] = "Courbes d'apprentissage de %s",
     ["Scores of all attempts"] = "Notes de tous les essais",
-    ["pass"] = "réussite",
+    ["pass mark"] = "seuil de réussite",
+    ["the gate opened"] = "passage acquis",
+    ["not completed"] = "non terminé",
+    ["below the pass mark"] = "sous le seuil",
+    ["a critical error was not put right"] = "une erreur critique n'a pas été corrigée",
+    ["it began at a later moment"] = "commencé à un moment ultérieur",
+    ["in another mode than the gate asks for"] = "dans un autre mode que celui qui est demandé",
+    ["an error of the exercise's script ended it"] = "interrompu par une erreur du script de l'exercice",
+    ["%s: %s %%, %s"] = "%s : %s %%, %s",
     [", passed"] = ", réussi",
     ["attempt"] = "essai",
     ["First %s %%, best %s %%."] = "Premier essai %s %%, meilleur %s %%.",
+    ["The gate opened after %d attempt and %s of operating."] = "Passage acquis après %d essai et %s d'opération.",
     ["The gate opened after %d attempts and %s of operating."] = "Passage acquis après %d essais et %s d'opération.",
+    ["The gate is closed: it opens after %d pass, of at least %s %%."] =
+        "Passage non acquis : il le sera après %d réussite, d'au moins %s %%.",
     ["The gate is closed: it opens after %d passes in a row, of at least %s %% each."] =
         "Passage non acquis : il le sera après %d réussites de suite, d'au moins %s %% chacune.",
-    ["Shares of the scale: 0 % if every item has its least points, 100 % if every one has its most. Filled: passed."] =
-        "Parts de l'échelle : 0 % si chaque critère a le minimum, 100 % si chacun a le maximum. Plein : réussi.",
+    ["Shares of the scale: 0 % if every item has its least points, 100 % if every one has its most."] =
+        "Parts de l'échelle : 0 % si chaque critère a le minimum, 100 % si chacun a le maximum.",
     ["Not clinically validated."] = "Non validé cliniquement.",
 
     -- form
     ["Rating %d of %d"] = "Évaluation %d sur %d",
-    ["Watch the whole operation, then give each item of OSACSS 1 to 5 points. 2 and 4 lie between the "
-        .. "descriptions. N/A: it was not to be seen, or is no part of this exercise. Save, and send the file to "
-        .. "who gave you this form."] =
-        "Regardez toute l'opération, puis donnez à chaque critère OSACSS 1 à 5 points. 2 et 4 sont entre les "
-            .. "descriptions. S. o. : on ne pouvait pas le voir, ou ne fait pas partie de l'exercice. Enregistrez, "
-            .. "et envoyez le fichier à qui vous a donné ce formulaire.",
-    ["N/A"] = "S. o.",
+    ["Watch the replay of this exercise to its end."] = "Regardez l'enregistrement de cet exercice jusqu'à la fin.",
+    ["Watch all parts of the operation, one after the other."] =
+        "Regardez toutes les parties de l'opération, l'une après l'autre.",
+    ["Then give each item of OSACSS 1 to 5 points. 2 and 4 lie between the descriptions. N/A: it was not to be "
+        .. "seen, or is no part of what you watched."] =
+        "Puis donnez à chaque critère OSACSS 1 à 5 points. 2 et 4 sont entre les descriptions. S.\u{A0}o. : on ne "
+            .. "pouvait pas le voir, ou il ne fait pas partie de ce que vous avez regardé.",
+    ["Items that the exercise does not judge are set to N/A; change it where you have something to say."] =
+        "Les critères que l'exercice ne juge pas sont mis à s.\u{A0}o. ; changez-les si vous avez un avis.",
+    ["Save, and send the file to who gave you this form."] =
+        "Enregistrez, et envoyez le fichier à qui vous a donné ce formulaire.",
+    ["If the video does not play here, open %s, which lies beside this page, in any player."] =
+        "Si la vidéo ne se lit pas ici, ouvrez %s, à côté de cette page, dans un lecteur.",
+    ["Part %d of %d"] = "Partie %d sur %d",
+    ["not judged in this exercise"] = "non jugé dans cet exercice",
+    ["N/A"] = "S.\u{A0}o.",
     ["Comment"] = "Remarque",
     ["Comment on %s"] = "Remarque sur %s",
     ["Comment on the whole"] = "Remarque sur l'ensemble",
     ["On the whole"] = "Dans l'ensemble",
     ["Save answers"] = "Enregistrer les réponses",
-    ["All that is open: N/A"] = "Tout le reste : s. o.",
+    ["All that is open: N/A"] = "Tout le reste : s.\u{A0}o.",
+    ["1 item left"] = "1 critère restant",
     ["%d items left"] = "%d critères restants",
     ["All items answered"] = "Tous les critères ont une réponse",
 
     -- agreement
     ["Agreement of simulator and raters"] = "Accord entre simulateur et évaluateurs",
-    ["%d rated attempts, %d raters: %s."] = "%d essais évalués, %d évaluateurs : %s.",
+    ["%d rated attempt"] = "%d essai évalué",
+    ["%d rated attempts"] = "%d essais évalués",
+    ["%d rater: %s."] = "%d évaluateur : %s.",
+    ["%d raters: %s."] = "%d évaluateurs : %s.",
     ["Left out of the correlation among raters, because of too few ratings: %s."] =
-        "Écarté de la corrélation entre évaluateurs, faute d'évaluations : %s.",
+        "Hors de la corrélation entre évaluateurs, faute d'évaluations : %s.",
     ["ICC(2,1), ICC(2,k): two-way random effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator "
         .. "minus mean of the raters, with limits that hold 95 % of the differences if they are normal (Bland and "
         .. "Altman 1986). The scores of the simulator are not clinically validated."] =
@@ -56,11 +80,16 @@ return {
     ["Simulator minus raters"] = "Simulateur moins évaluateurs",
     ["Differences against means"] = "Différences selon les moyennes",
     ["mean of simulator and raters"] = "moyenne du simulateur et des évaluateurs",
+    ["+1.96 SD %s"] = "+1,96 ET %s",
+    ["−1.96 SD %s"] = "−1,96 ET %s",
     ["bias %s"] = "biais %s",
     ["%d of mean %s, difference %s"] = "%d de moyenne %s, différence %s",
-    ["Total"] = "Total",
+    ["total"] = "total",
+    ["Mean points per item × 20"] = "Moyenne des points par critère × 20",
     ["nothing that both have scored"] = "rien que tous deux aient noté",
     ["only one attempt that both have scored"] = "un seul essai que tous deux aient noté",
+    ["nothing that all have scored"] = "rien que tous aient noté",
+    ["only one attempt that all have scored"] = "un seul essai que tous aient noté",
     ["too few raters: two at least"] = "trop peu d'évaluateurs : deux au moins",
     ["too few judges"] = "trop peu de juges",
     ["the attempts do not differ"] = "les essais ne diffèrent pas",

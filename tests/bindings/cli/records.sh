@@ -26,6 +26,7 @@ expect 2 "there is no record store" "$rhexis" records list
 expect 2 "e-mail" "${attempt[@]}" --out "$work/a" --trainee jo@clinic.org
 expect 2 "is no pseudonym" "${attempt[@]}" --out "$work/a" --trainee "Jo Smith"
 expect 2 "--trainee PSEUDONYM" "${attempt[@]}" --out "$work/a" --cohort 2026
+expect 2 "--records is for attempts of a trainee" "${attempt[@]}" --out "$work/a" --records "$work/store/records.db"
 expect 2 "there is no surgeon" "${attempt[@]}" --out "$work/a" --trainee P07 --surgeon nobody
 [ ! -e "$work/a" ] && [ ! -e "$work/store" ] || fail "something is left of attempts that never began"
 
@@ -68,6 +69,18 @@ says "closed: 0 of 2 in a row"
 expect 0 "" "$rhexis" records curve P07 --html "$work/curve.html"
 says "P07, groove: first"
 grep -q "<circle" "$work/curve.html" || fail "no chart"
+says "  not completed"
+grep -q "UTC: [0-9]*[^0-9]*%, not completed</title>" "$work/curve.html" || fail "a hollow point does not say why"
+expect 0 "" "$rhexis" records curve P07 --html "$work/curve.html" --language fr
+grep -q "<h2>Sculpture d&#39;un sillon</h2>" "$work/curve.html" || fail "the exercise has not its French title"
+sql "UPDATE attempts SET title = 'My own groove' WHERE trainee = 'P07'"
+expect 0 "" "$rhexis" records curve P07 --html "$work/curve.html" --language fr
+grep -q "<h2>My own groove</h2>" "$work/curve.html" || fail "another exercise of this name has its title"
+for command in "curve P07" agreement; do
+    expect 2 "--language requires --html" "$rhexis" records $command --language fr
+    expect 2 "there are no texts in it" "$rhexis" records $command --html "$work/none.html" --language xx
+    [ ! -s "$work/stdout" ] && [ ! -e "$work/none.html" ] || fail "a refused language printed something"
+done
 expect 2 "nothing scored is stored of P99" "$rhexis" records curve P99
 expect 2 "0 to 1" "$rhexis" records gates --pass 7
 echo '{"usual": {"pass": "expert"}}' >"$work/gates.json"
@@ -171,7 +184,10 @@ expect 0 "" "$rhexis" records add "$work/locked"
 expect 0 "" "$rhexis" records add "$work/locked" # twice is once
 [ "$(count attempts)" = $((before + 1)) ] || fail "an attempt was not added once"
 expect 2 "--trainee PSEUDONYM" "$rhexis" records add "$work/plain"
+expect 2 "--cohort requires --trainee" "$rhexis" records add "$work/plain" --cohort reference
 expect 0 "" "$rhexis" records add "$work/plain" --trainee d-101 --cohort reference
+expect 2 "--cohort 2027: the run was made with --cohort reference" "$rhexis" records add "$work/plain" \
+    --trainee d-101 --cohort 2027
 expect 2 "the run is of another trainee" "$rhexis" records add "$work/plain" --trainee P07
 expect 2 "$work/nothing" "$rhexis" records add "$work/nothing" --trainee P07
 
@@ -226,8 +242,20 @@ expect 0 "" "$rhexis" records add "$work/full" --records "$work/large.db"
 # A rater's folder tells nothing of whose the recordings are.
 expect 0 "" "$rhexis" rate "$work"/p1 "$work"/q1 "$work"/q2 --no-video --out "$work/rater" --seed 3
 [ "$(find "$work/rater" -type f | wc -l)" = 3 ] || fail "not a form for each recording"
-! grep -rqiE "P0[789]|2026|simulator|expert|sculpting a groove|records\.db|$(basename "$work")" "$work/rater" || fail "the forms are not blind"
+! grep -rqiE "P0[789]|2026|simulator|expert|records\.db|$(basename "$work")" "$work/rater" ||
+    fail "the forms are not blind"
 grep -q 'name="G6"' "$work/rater/case_03/form.html" || fail "the form lacks items"
+grep -q "<b>Sculpting a groove</b>" "$work/rater/case_03/form.html" || fail "the form does not name the exercise"
+preset() { grep -qF "name=\"$2\" value=\"na\" checked" "$work/$1/case_01/form.html"; }
+preset rater T1 || fail "an item that a groove does not judge is open"
+! preset rater T9 || fail "an item that a groove judges is set to N/A"
+cp -r "$work/p1" "$work/bare"
+rm "$work/bare/report.json"
+expect 0 "" "$rhexis" rate "$work/bare" --no-video --out "$work/rater_bare"
+! preset rater_bare T1 || fail "an item is set to N/A where nothing is known of the exercise"
+expect 0 "" "$rhexis" rate "$work/p1/recording.rhx" --no-video --out "$work/rater_french" --language fr
+grep -q "<b>Sculpture d&#39;un sillon</b>" "$work/rater_french/case_01/form.html" || fail "no French title in the form"
+preset rater_french T1 || fail "nothing is known of the run that a recording lies in"
 expect 2 "not empty" "$rhexis" rate "$work/p1" --no-video --out "$work/rater"
 order() { grep -rho 'data-case="[0-9a-f]*"' "$work/$1" --include form.html -r | tr '\n' ' '; }
 expect 0 "" "$rhexis" rate "$work"/q2 "$work"/q1 "$work"/p1 --no-video --out "$work/rater_again" --seed 3
@@ -256,6 +284,12 @@ done
 expect 0 "" "$rhexis" rate "$work"/p1 "$work"/q1 "$work"/q2 --answers "$work"/{p1,q1,q2}-R1.json --rater R1
 expect 0 "" "$rhexis" records agreement
 says "too few raters"
+for option in "--out $work/elsewhere" "--seed 2" "--language fr" --no-video; do
+    expect 2 "--answers excludes ${option%% *}" "$rhexis" rate "$work/p1" --answers "$work/p1-R1.json" --rater R1 \
+        $option
+done
+expect 2 "--records requires --answers" "$rhexis" rate "$work/p1" --out "$work/elsewhere" --records "$RHEXIS_RECORDS"
+[ ! -e "$work/elsewhere" ] || fail "a refused command made a folder"
 expect 2 "already" "$rhexis" rate "$work/p1" --answers "$work/p1-R1.json" --rater R1
 expect 0 "" "$rhexis" rate "$work/p1" --answers "$work/p1-R1.json" --rater R1 --replace
 expect 2 "e-mail" "$rhexis" rate "$work/p1" --answers "$work/p1-R2.json" --rater r@x.org
@@ -272,6 +306,9 @@ expect 0 "" "$rhexis" records agreement --html "$work/agreement.html"
 says "3 rated attempts, 2 raters"
 says "total, R1 - R2"
 grep -q "1.96 SD" "$work/agreement.html" || fail "no chart of differences"
+grep -qF "3 rated attempts, 2 raters: R1, R2." "$work/agreement.html" || fail "the page does not say how many"
+expect 0 "" "$rhexis" records agreement --html "$work/agreement.html" --language fr
+! grep -q "Draping\|points per item\|have scored" "$work/agreement.html" || fail "English on a French page"
 
 # Of an operation a rater sees every part, and rates the whole.
 exercise look >/dev/null <<'L'
@@ -296,7 +333,7 @@ done
 code=$(grep -o 'data-case="[0-9a-f]*"' "$work/rater_whole/case_01/form.html" | grep -o '[0-9a-f]\{12\}')
 sed "s/\"case\": \"[0-9a-f]*\"/\"case\": \"$code\"/" "$work/q1-R1.json" >"$work/o1-R1.json"
 expect 0 "" "$rhexis" rate "$work/o1" --answers "$work/o1-R1.json" --rater R1 --records "$work/whole.db"
-says "1 ratings by R1"
+says "1 rating by R1"
 expect 2 "another recording" "$rhexis" rate "$work/o1/parts/01_one" --answers "$work/o1-R1.json" --rater R1 \
     --records "$work/whole.db"
 

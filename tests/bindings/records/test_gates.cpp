@@ -34,13 +34,18 @@ TEST_SUITE("gates") {
         CHECK(passes(attempt, Gate{}));
         attempt.events[0].recovered = false;
         CHECK_FALSE(passes(attempt, Gate{}));
+        CHECK(why_no_pass(attempt, Gate{}) == "a critical error was not put right");
         CHECK(passes(attempt, Gate{0.725, 2, false, true, ""}));
         attempt = finished("P07", 0.9);
         attempt.completed = false;
         CHECK_FALSE(passes(attempt, Gate{}));
+        CHECK(why_no_pass(attempt, Gate{}) == "not completed");
         attempt = finished("P07", 0.9);
         attempt.error = "groove/curriculum.lua:3: ...";
         CHECK_FALSE(passes(attempt, Gate{}));
+        CHECK(why_no_pass(attempt, Gate{}) == "an error of the exercise's script ended it");
+        CHECK(why_no_pass(finished("P07", 0.3), Gate{}) == "below the pass mark");
+        CHECK(why_no_pass(finished("P07", 0.9), Gate{}).empty());
     }
 
     TEST_CASE("no pass: begun in the middle, or in another mode, where the gate says so") {
@@ -48,12 +53,14 @@ TEST_SUITE("gates") {
         attempt.begun_at = "half_way";
         attempt.mode = "teaching";
         CHECK_FALSE(passes(attempt, Gate{}));
+        CHECK(why_no_pass(attempt, Gate{}) == "it began at a later moment");
         const Result<Gates> gates =
             gates_from({{"usual", {{"from_the_beginning", false}}}, {"exercises", {{"groove", {{"mode", "exam"}}}}}},
                        "gates.json");
         REQUIRE(gates.ok());
         CHECK(passes(attempt, gates.value().usual));
         CHECK_FALSE(passes(attempt, gates.value().of("groove")));
+        CHECK(why_no_pass(attempt, gates.value().of("groove")) == "in another mode than the gate asks for");
         attempt.mode = "exam";
         CHECK(passes(attempt, gates.value().of("groove")));
         CHECK_FALSE(gates_from({{"usual", {{"mode", "exams"}}}}, "gates.json").ok());
