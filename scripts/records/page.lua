@@ -3,8 +3,8 @@
 
 local markup = require "report.markup"
 local report_words = require "report.words"
-local spaces = require "records.spaces"
 local style = require "report.style"
+local typography = require "report.typography"
 
 local page = {}
 
@@ -41,7 +41,7 @@ function page.html(title, body, more)
         "</title><style>", style, own_style, more or "", "</style></head><body><main>")
     body(w)
     w("</main></body></html>\n")
-    return spaces.page(w:text(), report_words.language())
+    return typography.page(w:text(), report_words.language())
 end
 
 --- Values from `low` to `high` at distances that read well, at most seven of them.

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- How a language is set: French has a decimal comma, « » and spaces that do not break before : ; ? ! % and units.
--- It is done on the finished page, since much of its text comes from exercises, rubrics and the kernel.
+-- How a language is set: no line breaks before %. French has a decimal comma, « » and spaces that do not break before
+-- : ; ? ! and units as well. It is done on the finished page, since much of its text comes from exercises, rubrics and
+-- the kernel.
 
 local typography = {}
 
@@ -22,13 +23,16 @@ function typography.french(text)
     return (text:gsub("(%d" .. joined .. "min) (%d)", "%1" .. joined .. "%2"))
 end
 
-local verbatim = { style = true, code = true }
+-- One piece of text in any other language.
+local function usual(text) return (text:gsub(" %%", joined .. "%%")) end
 
---- A whole page: what stands between its tags, but not styles and code.
+local verbatim = { style = true, code = true, script = true }
+
+--- A whole page: what stands between its tags, but not styles, scripts and code.
 function typography.page(html, language)
-    if language ~= "fr" then return html end
+    local set = language == "fr" and typography.french or usual
     return (html:gsub("(<(/?%a*)[^>]*>)([^<]*)", function(tag, name, text)
-        return text == "" and tag or tag .. (verbatim[name] and text or typography.french(text))
+        return text == "" and tag or tag .. (verbatim[name] and text or set(text))
     end))
 end
 

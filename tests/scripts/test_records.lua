@@ -6,8 +6,8 @@ local curve = require "records.curve"
 local form = require "records.form"
 local osacss = require "osacss"
 local page = require "records.page"
-local spaces = require "records.spaces"
 local support = require "support"
+local typography = require "report.typography"
 
 local case, equal, check_balance, holds = support.case, support.equal, support.check_balance, support.holds
 
@@ -157,8 +157,8 @@ end)
 case("no line breaks before %, in French nor before : ; ? !, and styles and scripts stay as they are", function()
     local html = '<style>a :b { c:d }</style><p title="a : b">a : b ; c ? d ! 5 % <b>e :</b></p>'
         .. "<script>a ? b : c</script>"
-    equal(spaces.page(html, "en"), (html:gsub("5 %%", "5\u{A0}%%")))
-    equal(spaces.page(html, "fr"), '<style>a :b { c:d }</style><p title="a : b">'
+    equal(typography.page(html, "en"), (html:gsub("5 %%", "5\u{A0}%%")))
+    equal(typography.page(html, "fr"), '<style>a :b { c:d }</style><p title="a : b">'
         .. ("a_: b_; c_? d_! 5_% <b>e_:</b>"):gsub("_", "\u{A0}") .. "</p><script>a ? b : c</script>")
     local page_html = form.html { case = "a", number = 1, of = 1, language = "fr" }
     local seen = page_html:gsub("<style>.-</style>", ""):gsub("<script>.-</script>", ""):gsub("<[^>]*>", "")

@@ -9,9 +9,12 @@ local report_words = require "report.words"
 local support = require "support"
 local typography = require "report.typography"
 
-local case, equal, check_balance, holds = support.case, support.equal, support.check_balance, support.holds
+local case, equal, check_balance = support.case, support.equal, support.check_balance
 
 local joined = "\u{A0}"
+
+-- No line of a page breaks before %.
+local function holds(html, text) support.holds(html, (text:gsub(" %%", joined .. "%%"))) end
 
 local function lacks(html, text)
     if html:find(text, 1, true) then error("the page has \"" .. text .. "\"", 2) end
