@@ -140,6 +140,15 @@ std::vector<std::string> part_folders(const std::string& run) {
     return parts;
 }
 
+Status came_to_its_report(const std::string& run) {
+    std::error_code ignored;
+    if (fs::exists(run + "/report.json", ignored) || !fs::exists(run + "/recording.rhx.part", ignored)) {
+        return success();
+    }
+    return Error{"this run was cut short before it came to its report", run,
+                 "rhexis replay " + run + " --score-with EXERCISE judges what was recorded"};
+}
+
 std::vector<std::string> recordings_of(const std::string& run) {
     std::vector<std::string> recordings;
     for (const std::string& part : part_folders(run)) {

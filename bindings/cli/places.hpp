@@ -31,6 +31,9 @@ std::string recording_path(const std::string& given);
 /// The folders of the parts of an operation's run, in order; none: it is not one.
 std::vector<std::string> part_folders(const std::string& run);
 
+/// Fails for a run that was killed: it has a recording, and no report.
+Status came_to_its_report(const std::string& run);
+
 /// The recording of a run, or those of its parts in order.
 std::vector<std::string> recordings_of(const std::string& run);
 

@@ -85,7 +85,7 @@ json course_json(const NamedCourse& named) {
             {"open_after", course.open_after},
             {"time_to_gate_s", course.time_to_gate_s},
             {"first", course.first()},
-            {"peak", course.peak()},
+            {"peak", course.peak() ? json(*course.peak()) : json()},
             {"attempts", attempts}};
 }
 
@@ -109,8 +109,12 @@ void print_chart(const NamedCourse& named) {
 
 void print_course(const NamedCourse& named) {
     const Course& course = named.course;
-    std::printf("%s, %s: first %.0f %%, best %.0f %%, ", named.trainee.c_str(), named.exercise.c_str(),
-                100.0 * course.first(), 100.0 * course.peak());
+    std::printf("%s, %s: first %.0f %%, ", named.trainee.c_str(), named.exercise.c_str(), 100.0 * course.first());
+    if (course.peak()) {
+        std::printf("best %.0f %%, ", 100.0 * *course.peak());
+    } else {
+        std::printf("none completed, ");
+    }
     if (course.open_after > 0) {
         std::printf("gate open after %s and %.1f min of operating\n",
                     counted(static_cast<std::size_t>(course.open_after), "attempt").c_str(),

@@ -217,16 +217,17 @@ int score_whole(const ReplayOptions& given, const std::vector<std::string>& part
         return complain({"these are the parts of an operation, and " + given.score_with + " is an exercise",
                          given.recording, "an operation or a rubric, or one of the folders in parts/"});
     }
-    const Result<nlohmann::json> whole = rescore_operation(*operation.value(), rubric, parts, context.root);
+    const Result<Rescore> whole = rescore_operation(*operation.value(), rubric, parts, context.root);
     if (!whole) {
         return complain(whole.error(), found_failures);
     }
-    out["result"] = whole.value();
+    const Rescore& judged = whole.value();
+    out["result"] = judged.result;
     if (!given.json) {
         std::printf("%s: %zu parts\n  score: %s\n", given.recording.c_str(), parts.size(),
-                    score_line(whole.value()).c_str());
+                    score_line(judged.result).c_str());
     }
-    return done;
+    return judged.script_error.empty() ? done : complain({judged.script_error, "", ""}, found_failures);
 }
 
 /// Every part by itself, and the score over all of them.

@@ -46,15 +46,9 @@ Result<nlohmann::json> judged_again(const ReportOptions& given, const Context& c
     return again.value().result;
 }
 
-/// A run that was killed has a recording, and no report to make a page of.
-bool was_cut_short(const std::string& folder) {
-    return !std::filesystem::exists(folder + "/report.json") && std::filesystem::exists(folder + "/recording.rhx.part");
-}
-
 int report(const ReportOptions& given, const Context& context) {
-    if (was_cut_short(given.folder)) {
-        return complain({"this run was cut short before it came to its report", given.folder,
-                         "rhexis replay " + given.folder + " --score-with EXERCISE judges what was recorded"});
+    if (const Status whole = came_to_its_report(given.folder); !whole) {
+        return complain(whole.error());
     }
     nlohmann::json instead = nlohmann::json::object();
     std::string file = given.folder + "/report.html";

@@ -103,9 +103,10 @@ std::string score_line(const json& report) {
     char text[128];
     const double scaled =
         osacss.contains("scaled") && osacss["scaled"].is_number() ? osacss["scaled"].get<double>() : 0.0;
-    std::snprintf(text, sizeof text, "%s %g of %g (scaled %.2f; not clinically validated)",
+    const bool broken_off = report.value("completed", json()) == false;
+    std::snprintf(text, sizeof text, "%s %g of %g%s (scaled %.2f; not clinically validated)",
                   osacss.value("rubric", "OSACSS").c_str(), osacss["total"].get<double>(), osacss.value("max", 0.0),
-                  scaled);
+                  broken_off ? " for what was done" : "", scaled);
     return text;
 }
 

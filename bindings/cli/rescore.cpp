@@ -170,10 +170,14 @@ Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& optio
     return Judge(recording, std::move(same_goals).value()).judge();
 }
 
-Result<nlohmann::json> rescore_operation(const Operation& operation, const std::string& rubric,
-                                         const std::vector<std::string>& parts, const std::string& root) {
-    nlohmann::json whole = nlohmann::json::object();
+Result<Rescore> rescore_operation(const Operation& operation, const std::string& rubric,
+                                  const std::vector<std::string>& parts, const std::string& root) {
+    Rescore whole;
+    whole.result = nlohmann::json::object();
     for (const std::string& folder : parts) {
+        if (!whole.script_error.empty()) {
+            break;  // as the operation did
+        }
         const Result<Recording> recording = read_recording(recording_path(folder));
         if (!recording) {
             return recording.error();
@@ -184,17 +188,19 @@ Result<nlohmann::json> rescore_operation(const Operation& operation, const std::
         }
         ExerciseOptions options{operation.parts[index - 1].exercise, "none", recording.value().header.seed, {}, root};
         options.rubric = rubric;
-        options.part = PartPlace{operation.name, index, whole.value("carried", nlohmann::json::object())};
+        options.part = PartPlace{operation.name, index, whole.result.value("carried", nlohmann::json::object())};
         const Result<Rescore> rescored = rescore(recording.value(), options);
         if (!rescored) {
             return rescored.error();
         }
         if (!rescored.value().script_error.empty()) {
-            return Error{rescored.value().script_error, folder, ""};
+            whole.script_error = folder + ": " + rescored.value().script_error;
         }
-        whole = rescored.value().result.at("operation");
+        if (rescored.value().result.contains("operation")) {
+            whole.result = rescored.value().result["operation"];
+        }
     }
-    whole.erase("carried");
+    whole.result.erase("carried");
     return whole;
 }
 

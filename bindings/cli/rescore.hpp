@@ -31,8 +31,9 @@ Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& optio
 ExerciseOptions judge_of(const Recording& recording, const std::string& score_with, const std::string& root);
 
 /// All parts of an operation judged again, each going on where the one before it ended; as for the report.json of the
-/// whole. rubric: file to judge by in place of the operation's own; empty: none. parts: their folders, in order.
-Result<nlohmann::json> rescore_operation(const Operation& operation, const std::string& rubric,
-                                         const std::vector<std::string>& parts, const std::string& root);
+/// whole. rubric: file to judge by in place of the operation's own; empty: none. parts: their folders, in order. Where
+/// a script fails, what was judged until then is the result.
+Result<Rescore> rescore_operation(const Operation& operation, const std::string& rubric,
+                                  const std::vector<std::string>& parts, const std::string& root);
 
 }  // namespace rhexis::cli

@@ -59,6 +59,9 @@ Status complete(Attempt& attempt, const json& report) {
 
 Status complete_from_folder(Attempt& attempt) {
     const std::string& folder = attempt.folder;
+    if (Status whole = came_to_its_report(folder); !whole) {
+        return whole;
+    }
     const Result<json> report = read_json_file(folder + "/report.json");
     if (!report) {
         return report.error();

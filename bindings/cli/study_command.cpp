@@ -183,16 +183,17 @@ void run_job(const StudyPlan& plan, StudyJob& job, const Context& context, bool 
     }
 }
 
-Result<json> judged(const StudyJob& job, const Context& context) {
+Result<Rescore> rescored_job(const StudyJob& job, const Context& context) {
     if (job.operation) {
         return rescore_operation(*job.operation, "", part_folders(job.folder), context.root);
     }
     const Result<Recording> recording = read_recording(recording_path(job.folder));
-    if (!recording) {
-        return recording.error();
-    }
-    Result<Rescore> rescored =
-        rescore(recording.value(), judge_of(recording.value(), job.exercise->exercise, context.root));
+    return recording ? rescore(recording.value(), judge_of(recording.value(), job.exercise->exercise, context.root))
+                     : recording.error();
+}
+
+Result<json> judged(const StudyJob& job, const Context& context) {
+    Result<Rescore> rescored = rescored_job(job, context);
     if (rescored && !rescored.value().script_error.empty()) {
         return Error{rescored.value().script_error, job.folder, ""};
     }

@@ -111,10 +111,12 @@ bool passes(const Attempt& attempt, const Gate& gate) { return why_no_pass(attem
 
 double Course::first() const { return attempts.empty() ? 0.0 : *attempts.front().scaled; }
 
-double Course::peak() const {
-    double best = 0.0;
+std::optional<double> Course::peak() const {
+    std::optional<double> best;
     for (const Attempt& attempt : attempts) {
-        best = std::max(best, *attempt.scaled);
+        if (attempt.completed) {
+            best = std::max(best.value_or(0.0), *attempt.scaled);
+        }
     }
     return best;
 }

@@ -46,8 +46,8 @@ struct Course {
     double time_to_gate_s = 0.0;  ///< simulated time of these attempts
     int in_a_row = 0;             ///< passes at the end of the list
 
-    [[nodiscard]] double first() const;  ///< share of the scale
-    [[nodiscard]] double peak() const;
+    [[nodiscard]] double first() const;                ///< share of the scale
+    [[nodiscard]] std::optional<double> peak() const;  ///< the best that was completed
 };
 
 /// attempts: of one trainee, oldest first, with events; those of other exercises and without a score are left out.

@@ -56,11 +56,12 @@ json mean_items(const std::map<std::string, Attempt>& last_of) {
     return items;
 }
 
-/// Null where fewer than two others have a score.
+/// Of what each completed last: an attempt that was broken off is judged by what was done until then. Null where fewer
+/// than two others have completed one.
 json cohort_of(const std::vector<Attempt>& attempts, const std::string& cohort, const std::string& but) {
     std::map<std::string, Attempt> last_of;
     for (const Attempt& attempt : attempts) {
-        if (is_scored(attempt) && attempt.trainee.pseudonym != but) {
+        if (is_scored(attempt) && attempt.completed && attempt.trainee.pseudonym != but) {
             last_of[attempt.trainee.pseudonym] = attempt;
         }
     }

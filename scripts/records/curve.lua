@@ -107,9 +107,15 @@ local function gate_text(course)
         number(100 * course.pass, 1))
 end
 
+local function first_and_best(course)
+    local first = number(100 * course.first, 0)
+    return course.peak and t("First %s %%, best %s %%.", first, number(100 * course.peak, 0))
+        or t("First %s %%, none completed yet.", first)
+end
+
 local function section(w, course)
     w("<section><h2>", e(course.title ~= "" and course.title or course.exercise), "</h2>")
-    w("<p>", e(t("First %s %%, best %s %%.", number(100 * course.first, 0), number(100 * course.peak, 0))), " ",
+    w("<p>", e(first_and_best(course)), " ",
         e(gate_text(course)), '</p><div class="curve">')
     chart(w, course)
     legend(w, course)

@@ -76,7 +76,7 @@ local function pass_line(w, pass, y_of)
     local y = y_of(100 * math.max(0, math.min(1, pass)))
     w(('<line x1="%d" x2="%d" y1="%.1f" y2="%.1f" stroke="%s" stroke-width="1.5" stroke-dasharray="2 3"/>'):format(left,
         wide - right, y, y, passed_colour))
-    w(('<text class="soft halo" x="%d" y="%.1f">%s</text>'):format(left + 4, y - 4, e(t("pass"))))
+    w(('<text class="soft halo" x="%d" y="%.1f">%s</text>'):format(left + 4, y - 4, e(t("pass mark"))))
 end
 
 local function axis(w, y_of)
@@ -229,13 +229,20 @@ end
 
 -- "Attempt 3. The best so far, with 70 % of the scale."
 local function own_course(now, earlier)
-    local best = 0
-    for _, attempt in ipairs(earlier) do best = math.max(best, attempt.share) end
-    local mine = now.share
-    local place = mine > best + 0.05 and t("The best so far, with %s %% of the scale.", number(mine, 0))
+    local start, mine = t("Attempt %d.", #earlier + 1) .. " ", now.share
+    if not now.completed then
+        return start .. t("%s %% of the scale for what was done: not completed, and not compared.", number(mine, 0))
+            .. " "
+    end
+    local best
+    for _, attempt in ipairs(earlier) do
+        if attempt.completed then best = math.max(best or 0, attempt.share) end
+    end
+    local place = not best and t("The first that was completed, with %s %% of the scale.", number(mine, 0))
+        or mine > best + 0.05 and t("The best so far, with %s %% of the scale.", number(mine, 0))
         or mine >= best - 0.05 and t("As good as the best so far, with %s %% of the scale.", number(mine, 0))
         or t("The best so far had %s %% of the scale, this one %s %%.", number(best, 0), number(mine, 0))
-    return t("Attempt %d.", #earlier + 1) .. " " .. place .. " "
+    return start .. place .. " "
 end
 
 -- "The cohort (2026, 12 trainees) has 64 % ± 9 of the scale."

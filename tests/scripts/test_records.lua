@@ -85,6 +85,9 @@ case("a learning curve has a dot for each attempt, and says when the gate opened
     holds(curve.html { trainee = "P07", courses = { course } }, "it opens after 1 pass, of at least 72.5\u{A0}%.")
     course.open_after = 1
     holds(curve.html { trainee = "P07", courses = { course } }, "after 1 attempt and 3 min 00 s")
+    course.peak = nil
+    holds(curve.html { trainee = "P07", courses = { course } }, "First 20\u{A0}%, none completed yet.")
+    holds(curve.html { trainee = "P07", courses = { course }, language = "fr" }, "aucun terminé pour l")
 end)
 
 case("a point that is no pass says why, and the legend what its mark means", function()

@@ -94,6 +94,7 @@ end)
 
 case("earlier attempts and a cohort are compared with, where there are any and they can be read", function()
     local told = full()
+    told.completed = true
     equal(report.html(told, series(), {}):find("earlier attempts", 1, true), nil)
     told.history = { { date = "2026-01-02", score = 4, max = 10, passed = false, items = { T9 = 2 } },
         { date = "<b>", score = 7, max = 10, passed = true, items = { T9 = 2.5 } }, { score = "x" }, 7 }
@@ -313,10 +314,10 @@ case("scores are compared as shares of the scale, with pass, numbers and what wa
     told.history = { { date = "2026-01-02", score = 10, max = 10, completed = false, items = {} } }
     local html = report.html(told, series(), {})
     check_balance(html)
-    holds(html, "The best so far had 100 % of the scale, this one 0 %.")
+    holds(html, "Attempt 2. 0 % of the scale for what was done: not completed, and not compared.")
     holds(html, "2026-01-02: 100 % of the scale, not completed</title>")
     holds(html, "now: 0 % of the scale, not completed</title>")
-    holds(html, ">pass</text>")
+    holds(html, ">pass mark</text>")
     holds(html, ">attempt</text>")
     for number = 1, 2 do holds(html, (' text-anchor="middle">%d</text>'):format(number)) end
     lacks(html, "<th>Cohort</th>")
@@ -325,7 +326,12 @@ case("scores are compared as shares of the scale, with pass, numbers and what wa
     html = report.html(told, series(), {})
     holds(html, "The cohort (1 trainee) has 100 % of the scale.")
     lacks(html, "<th>Last time</th>")
-    lacks(html, ">pass</text>")
+    lacks(html, ">pass mark</text>")
+    told.completed = true
+    told.history = { { date = "2026-01-02", score = 10, max = 10, completed = false, items = {} } }
+    holds(report.html(told, series(), {}), "The first that was completed, with 0 % of the scale.")
+    told.history[1].completed = true
+    holds(report.html(told, series(), {}), "The best so far had 100 % of the scale, this one 0 %.")
 end)
 
 case("a French page has decimal commas, « » and spaces that do not break, and styles stay as they are", function()

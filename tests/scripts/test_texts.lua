@@ -110,7 +110,7 @@ local function page(lang)
         orientation = { eye = "left", incision_deg = 0, incision = "temporal", handedness = "left", nose = "away",
             above = "to the right" },
         patient = { age = 70, nuclear_grade = 3, cortical_opacity = 1, pupil_mm = 7, side = "left" },
-        history = { { date = "2026-01-02", score = 3, max = 5, passed = true, items = { T5 = 3 } } },
+        history = { { date = "2026-01-02", score = 3, max = 5, passed = true, items = { T5 = 3 } } }, pass = 0.7,
         cohort = { group = "G", mean = 4, sd = 0.5, items = { T5 = 4 } },
         requests = { { id = "r", title = "Prêt", time_s = 1 } },
         curriculum = { id = "essai", version = 1, sha256 = "0" }, goals = { radius_mm = 2.6 }, advice = { "x" },

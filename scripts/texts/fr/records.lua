@@ -17,6 +17,7 @@ return {
     [", passed"] = ", réussi",
     ["attempt"] = "essai",
     ["First %s %%, best %s %%."] = "Premier essai %s %%, meilleur %s %%.",
+    ["First %s %%, none completed yet."] = "Premier essai %s %%, aucun terminé pour l'instant.",
     ["The gate opened after %d attempt and %s of operating."] = "Passage acquis après %d essai et %s d'opération.",
     ["The gate opened after %d attempts and %s of operating."] = "Passage acquis après %d essais et %s d'opération.",
     ["The gate is closed: it opens after %d pass, of at least %s %%."] =

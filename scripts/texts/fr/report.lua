@@ -174,6 +174,9 @@ return {
         "Aussi bon que le meilleur jusqu'ici, avec %s %% de l'échelle.",
     ["The best so far had %s %% of the scale, this one %s %%."] =
         "Le meilleur jusqu'ici avait %s %% de l'échelle, celui-ci %s %%.",
+    ["%s %% of the scale for what was done: not completed, and not compared."] =
+        "%s %% de l'échelle pour ce qui a été fait : non terminé, et non comparé.",
+    ["The first that was completed, with %s %% of the scale."] = "Le premier terminé, avec %s %% de l'échelle.",
     ["This attempt has %s %% of the scale."] = "Cet essai a %s %% de l'échelle.",
     ["The cohort has %s of the scale."] = "La cohorte a %s de l'échelle.",
     ["The cohort (%s) has %s of the scale."] = "La cohorte (%s) a %s de l'échelle.",

@@ -210,4 +210,8 @@ expect 1 "part broken: broken/curriculum.lua:" "$rhexis" run half --no-pictures 
 [ -s half_run/report.html ] && [ -s half_run/parts/02_broken/recording.rhx ] || fail "nothing is left of a broken operation"
 [ ! -e half_run/parts/03_look ] || fail "the operation went on after its script broke"
 [ "$(value half_run/report.json "['not_begun']")" = "['look']" ] || fail "a broken operation does not name what was not begun"
+expect 1 "half_run/parts/02_broken: broken/curriculum.lua:" "$rhexis" replay half_run --score-with half
+says "for what was done"
+expect 1 "half_run/parts/02_broken: broken/curriculum.lua:" "$rhexis" replay half_run --score-with half --json
+says '"osacss"'
 finished

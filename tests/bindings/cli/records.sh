@@ -48,9 +48,23 @@ python3 - "$work/p4/report.json" <<'P' || fail "the report lacks what to compare
 import json, sys
 report = json.load(open(sys.argv[1]))
 assert len(report["history"]) == 3 and report["history"][0]["items"], report.get("history")
+assert "cohort" not in report, "what others broke off is no measure"
+P
+grep -q "Compared with earlier attempts" "$work/p4/report.html" || fail "the page does not compare"
+
+# A cohort is what others completed; in a store of its own.
+cohort=("$rhexis" run viscoelastic_removal --surgeon d --no-pictures --cohort 2026 --records "$work/cohort.db")
+for trainee in P08 P09 P07 P07; do
+    seed=$((seed + 1))
+    expect 0 "" "${cohort[@]}" --seed $seed --out "$work/cohort_$seed" --trainee $trainee
+done
+python3 - "$work/cohort_$seed/report.json" <<'P' || fail "the report lacks a cohort"
+import json, sys
+report = json.load(open(sys.argv[1]))
+assert len(report["history"]) == 1 and report["history"][0]["completed"] and report["pass"] > 0, report.get("history")
 assert report["cohort"]["group"] == "2026" and report["cohort"]["n"] == 2, report.get("cohort")
 P
-grep -q "Compared with earlier attempts and with others" "$work/p4/report.html" || fail "the page does not compare"
+grep -q "Compared with earlier attempts and with others" "$work/cohort_$seed/report.html" || fail "the page lacks the cohort"
 ! grep -q '"history"' "$work/q1/report.json" || fail "a first attempt has a history"
 
 # Lists, curves, gates, tables.
@@ -147,6 +161,7 @@ says "interrupted"
 says "$work/killed"
 expect 0 "cut short" "$rhexis" replay "$work/killed"
 expect 2 "cut short before it came to its report" "$rhexis" report "$work/killed"
+expect 2 "cut short before it came to its report" "$rhexis" records add "$work/killed"
 
 # In a folder with the report of an earlier run it stays interrupted.
 cp "$work/p1/report.json" "$work/killed/report.json"

@@ -27,6 +27,13 @@ TEST_SUITE("gates") {
         CHECK(course_of({attempts[1], attempts[2], attempts[3]}, "groove", Gate{}).open_after == 0);
     }
 
+    TEST_CASE("the best is the best that was completed") {
+        std::vector<Attempt> attempts = {finished("P07", 0.3), finished("P07", 1.0)};
+        attempts[1].completed = false;
+        CHECK(course_of(attempts, "groove", Gate{}).peak() == 0.3);
+        CHECK_FALSE(course_of({attempts[1]}, "groove", Gate{}).peak().has_value());
+    }
+
     TEST_CASE("no pass: not completed, an error of the script, a critical error left") {
         Attempt attempt = finished("P07", 0.725);
         CHECK(passes(attempt, Gate{}));
@@ -97,6 +104,10 @@ TEST_SUITE("gates") {
             attempt.trainee.cohort = "2026";
             REQUIRE(store.finish(attempt).ok());
         }
+        Attempt broken_off = finished("P09", 1.0, "2026-03-03T09:00:00Z");
+        broken_off.trainee.cohort = "2026";
+        broken_off.completed = false;
+        REQUIRE(store.finish(broken_off).ok());
         Attempt now = begun("P07");
         now.trainee.cohort = "2026";
         const json comparison = comparison_for(store, now, Gates{}).value();
@@ -105,7 +116,7 @@ TEST_SUITE("gates") {
         CHECK(comparison["history"][0]["items"]["T5"].get<double>() == Approx(1.8));
         CHECK(comparison["history"][0]["completed"] == true);
         CHECK(comparison["pass"].get<double>() == Approx(Gate{}.pass));
-        // P08 last had 52 %, P09 84 %
+        // P08 last had 52 %, P09 84 %: what was broken off does not count
         CHECK(comparison["cohort"]["group"] == "2026");
         CHECK(comparison["cohort"]["n"] == 2);
         CHECK(comparison["cohort"]["mean"].get<double>() == Approx(68.0));
