@@ -4,11 +4,11 @@
 -- data: as bindings/records/comparison.hpp tells
 
 local markup = require "report.markup"
-local osacss = require "osacss"
 local page = require "records.page"
+local reasons = require "report.reasons"
 local report_words = require "report.words"
 
-local t, known = report_words.t, report_words.known
+local t = report_words.t
 
 local agreement = {}
 
@@ -79,10 +79,7 @@ local function range(limits) return e(t("%s to %s", number(limits.low, 2), numbe
 -- In the language of the page: what is stored is in that of a run.
 local function name_of(row)
     if row.item == "total" then return t("Mean points per item × 20") end
-    for _, item in ipairs(osacss.items) do
-        if item.id == row.item then return t(item.name) end
-    end
-    return known(row.name)
+    return reasons.item_name(nil, { id = row.item, name = row.name })
 end
 
 local function title_of(item) return item == "total" and t("total") or item end
@@ -136,8 +133,8 @@ end
 -- "3 rated attempts, 2 raters: R1, R2."
 local function who(data)
     local n = #data.raters
-    return page.count(data.attempts, "%d rated attempt", "%d rated attempts", data.attempts) .. ", "
-        .. page.count(n, "%d rater: %s.", "%d raters: %s.", n, table.concat(data.raters, ", "))
+    return report_words.count(data.attempts, "%d rated attempt", "%d rated attempts", data.attempts) .. ", "
+        .. report_words.count(n, "%d rater: %s.", "%d raters: %s.", n, table.concat(data.raters, ", "))
 end
 
 --- The whole page.

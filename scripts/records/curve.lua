@@ -98,11 +98,11 @@ end
 
 local function gate_text(course)
     if course.open_after > 0 then
-        return page.count(course.open_after, "The gate opened after %d attempt and %s of operating.",
+        return report_words.count(course.open_after, "The gate opened after %d attempt and %s of operating.",
             "The gate opened after %d attempts and %s of operating.", course.open_after,
             markup.time(course.time_to_gate_s))
     end
-    return page.count(course.in_a_row, "The gate is closed: it opens after %d pass, of at least %s %%.",
+    return report_words.count(course.in_a_row, "The gate is closed: it opens after %d pass, of at least %s %%.",
         "The gate is closed: it opens after %d passes in a row, of at least %s %% each.", course.in_a_row,
         number(100 * course.pass, 1))
 end

@@ -8,23 +8,12 @@ local typography = require "report.typography"
 
 local page = {}
 
--- A table that is wider than the window is moved to and fro within its section.
-local own_style = [[
-.wide { overflow-x:auto; }
-@media print { .wide { overflow:visible; } }
-]]
-
---- Such a table, which body(w) fills: at least so many letters wide; a keyboard can move it too.
+--- A table that scrolls within its section where it is wider than the window, which body() fills: at least so many
+--- letters wide; a keyboard can move it too.
 function page.wide_table(w, least, body)
-    w('<div class="wide" tabindex="0"><table style="min-width:', least, 'rem">')
+    w('<div class="scroll" tabindex="0"><table style="min-width:', least, 'rem">')
     body()
     w("</table></div>")
-end
-
---- Of two texts the one for `n` things, with the values. French counts none as one thing.
-function page.count(n, one, many, ...)
-    local single = n == 1 or n == 0 and report_words.language() == "fr"
-    return report_words.t(single and one or many, ...)
 end
 
 --- A moment as it is stored, "2026-03-01T09:30:00Z", for readers.
@@ -38,7 +27,7 @@ function page.html(title, body, more)
     local w = markup.writer()
     w('<!doctype html><html lang="', report_words.language(), '"><head><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1"><title>', markup.escape(title),
-        "</title><style>", style, own_style, more or "", "</style></head><body><main>")
+        "</title><style>", style, more or "", "</style></head><body><main>")
     body(w)
     w("</main></body></html>\n")
     return typography.page(w:text(), report_words.language())

@@ -142,8 +142,8 @@ case("agreement: how many attempts and raters, items in the language of the page
         row("total", "Mean points per item x 20") } }
     local html = agreement.html(data)
     for _, text in ipairs { "1 rated attempt, 1 rater: R1.", "<td>Draping</td>", "<td>Other</td>",
-        "<td>Mean points per item × 20</td>", '<div class="wide" tabindex="0"><table style="min-width:44rem">',
-        ".wide { overflow-x:auto; }" } do holds(html, text) end
+        "<td>Mean points per item × 20</td>", '<div class="scroll" tabindex="0"><table style="min-width:44rem">',
+        ".scroll { overflow-x:auto; }" } do holds(html, text) end
     -- why there are no limits stands under them, not in the narrow column of n
     holds(html, '<td></td><td><span class="soft small">only one attempt that both have scored</span></td><td></td>')
     data.attempts, data.raters = 2, { "R1", "R2" }
