@@ -35,13 +35,18 @@ function quantity.with_unit(number, unit)
     return number .. (unit:sub(1, 2) == "°" and unit ~= "°C" and "" or "\u{A0}") .. unit
 end
 
+-- Those that are written otherwise, the longest first: "degrees C" before "degrees".
+local by_length = {}
+for unit, better in pairs(written) do
+    if better ~= "" then by_length[#by_length + 1] = unit end
+end
+table.sort(by_length, function(a, b) return #a > #b or #a == #b and a < b end)
+
 --- Units within a sentence of a rubric: "1.2 ul/s".
 function quantity.rewritten(text)
-    for unit, better in pairs(written) do
-        if better ~= "" then
-            local place = "(%d) " .. unit:gsub("%p", "%%%0")
-            text = text:gsub(place .. "%f[^%w%^/]", function(digit) return quantity.with_unit(digit, better) end)
-        end
+    for _, unit in ipairs(by_length) do
+        local place = "(%d) " .. unit:gsub("%p", "%%%0")
+        text = text:gsub(place .. "%f[^%w%^/]", function(digit) return quantity.with_unit(digit, written[unit]) end)
     end
     return text
 end

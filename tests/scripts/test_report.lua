@@ -220,8 +220,8 @@ case("units are written as people write them, and a yes or no of a rubric as yes
     report_words.use("en")
     equal(quantity.unit("ul/s"), "µl/s")
     equal(quantity.unit("1"), "")
-    equal(quantity.rewritten("5 ul/s (5 points at 2.50 x), 30 degrees, 2 xyz, 4 mm^3"),
-        ("5_µl/s (5 points at 2.50_×), 30°, 2 xyz, 4_mm³"):gsub("_", joined))
+    equal(quantity.rewritten("5 ul/s (5 points at 2.50 x), 30 degrees, 60 degrees C on, 2 xyz, 4 mm^3"),
+        ("5_µl/s (5 points at 2.50_×), 30°, 60_°C on, 2 xyz, 4_mm³"):gsub("_", joined))
     equal(quantity.asked("Pedal tested (1: yes)"), "Pedal tested")
     equal(quantity.asked("Roundness (1: a circle)"), nil)
     local told = full()
