@@ -179,6 +179,27 @@ TearLoad pure_shear(int triangles, double toughness) {
     return load;
 }
 
+namespace {
+
+/// Pulls that bring a tip to where it tears in few steps: most of the way at the rate of the last pull, then by 1 um,
+/// which adds half a per cent to the energy that comes free.
+class ApproachedTear {
+public:
+    /// [mm]. readiness: energy that comes free at the tip, share of what the tear takes.
+    double next(double readiness) {
+        const double rate = (readiness - before_) / pull_;
+        before_ = readiness;
+        pull_ = rate > 0.0 ? std::clamp(0.7 * (1.0 - readiness) / rate, 0.001, 2.0 * pull_) : 0.01;
+        return pull_;
+    }
+
+private:
+    double before_ = 0.0;
+    double pull_ = 0.01;
+};
+
+}  // namespace
+
 TearLoad trousers(int triangles, double toughness) {
     const double width = 10.0;
     const double height = 4.0;
@@ -204,9 +225,9 @@ TearLoad trousers(int triangles, double toughness) {
     TearLoad load;
     load.expected = toughness;
     bool torn = false;
+    ApproachedTear approach;
     for (int i = 0; i < 600 && load.steps < 4; ++i) {
-        // small near the tear: a step of 0.01 mm adds a tenth to the force
-        const double pull = torn ? 0.0 : std::clamp(0.02 * (1.0 - readiness(held)), 0.001, 0.01);
+        const double pull = torn ? 0.0 : approach.next(readiness(held));
         for (const int node : low) {
             held.state().position[at(node)].z() += pull;
         }
