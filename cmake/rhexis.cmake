@@ -48,9 +48,10 @@ function(rhexis_kernel_folder name)
   set_property(GLOBAL APPEND PROPERTY RHEXIS_KERNEL_TARGETS rhexis_${name})
 endfunction()
 
-# rhexis_test_folder(NAME [LIBRARIES ...] [LABELS ...] [TIMEOUT s]): all test_*.cpp here as one doctest program.
+# rhexis_test_folder(NAME [LIBRARIES ...] [LABELS ...] [TIMEOUT s] [COST c]): all test_*.cpp here as one doctest program.
+# Of several that are left, CTest begins with the one of the highest cost.
 function(rhexis_test_folder name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;COST" "LIBRARIES;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/test_*.cpp)
   if(NOT sources)
     return()
@@ -67,4 +68,7 @@ function(rhexis_test_folder name)
     set(ARG_TIMEOUT 900)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(ARG_COST)
+    set_tests_properties(${name} PROPERTIES COST ${ARG_COST})
+  endif()
 endfunction()

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The same exercise in 20 processes for each way to advance, with one and two threads and every instruction set that the
+# The same exercise in 12 processes for each way to advance, with one and two threads and every instruction set that the
 # machine has, while its scripts walk tables: one hash for each way. Another seed, and another order of the walk, give
-# others. $2: another number of processes.
+# others.
 set -u
 . "$(dirname "$0")/expect.sh"
 walk=$(dirname "$0")/walk
@@ -20,7 +20,7 @@ attempt() {
     [ -n "$hash" ] || fail "no state hash: $*"
 }
 
-processes=${2:-20}
+processes=12
 for way in explicit implicit; do
     first=""
     for ((i = 0; i < processes; ++i)); do
