@@ -127,18 +127,20 @@ void add_vitreous_landmarks(const ObserveInput& input, std::vector<Landmark>& ma
                      filled_share(*input.world.vitreous, vitreous)});
 }
 
-/// A bag that lies beside its place: its edge, where it comes out behind the iris, and its tilt. Hooks and ring show.
+/// A bag that lies beside its place: its edge, where it comes out behind the iris, and its tilt. Where zonules lack lies
+/// under the iris: it shows by the edge of the opening, where the pupil does. Hooks and ring show.
 void add_zonule_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
+    const EyeAnatomy& eye = input.eye.anatomy;
     const BagState& bag = input.state.bags[0];
     const ZonuleGap gap = widest_gap(input.world.bags[0], *bag.zonules);
     const BagEdge edge = bag_edge(input);
     marks.push_back({"bag_edge", edge.inside > 0.0, edge.place, edge.inside});
     // Towards a gap the edge of the opening stands nearest to the middle: there it lacks its hold.
-    marks.push_back(
-        {"zonule_gap", gap.width_deg >= seen_gap_deg,
-         bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
-                           input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) * Vec3::UnitZ()),
-         0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
+    const Vec3 slack_edge = bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
+                                              input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) *
+                                                  Vec3::UnitZ());
+    marks.push_back({"zonule_gap", gap.width_deg >= seen_gap_deg && over_pupil(eye, slack_edge), slack_edge,
+                     0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
     marks.push_back({"ring", bag.zonules->ring >= 1.0, bag.pose.position, input.world.bags[0].shape.radius});
     for (std::size_t i = 0; i < bag.zonules->hooks.size(); ++i) {
         marks.push_back(
@@ -162,24 +164,31 @@ void add_hydrodissection_landmarks(const ObserveInput& input, const LensView& le
     }
 }
 
-/// Of each sector that has cortex, where it hangs in the fornix or on the back; size: share that is left.
+/// Of each sector that has cortex, the outermost that the iris leaves free, in the fornix or on the back; size: share
+/// of the sector that is left and shows. Of cortex that a mouth holds, the mouth.
 void add_cortex_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
     const CortexModel& model = *input.world.cortex;
     const CortexState& cortex = *input.state.cortex;
+    const EyeAnatomy& eye = input.eye.anatomy;
     const int rings = model.cells.rings;
     for (int sector = 0; sector < model.cells.sectors; ++sector) {
         double left = 0.0;
-        int last = sector * rings;
+        Vec3 outermost = Vec3::Zero();
         for (int ring = 0; ring < rings; ++ring) {
-            const double volume = cortex.volume[static_cast<std::size_t>(sector * rings + ring)];
-            left += volume / (model.volume * rings);
-            last = volume > 0.0 ? sector * rings + ring : last;
+            const int cell = sector * rings + ring;
+            const double volume = cortex.volume[static_cast<std::size_t>(cell)];
+            const Vec3 place = input.state.bags[0].pose.to_world(cortex_place(model, input.world.bags[0].shape, cell));
+            if (volume > 0.0 && over_pupil(eye, place)) {
+                left += volume / (model.volume * rings);
+                outermost = place;
+            }
         }
-        const Vec3 place = cortex_place(model, input.world.bags[0].shape, last);
-        marks.push_back(
-            {"cortex_" + std::to_string(sector + 1), left > 0.02, input.state.bags[0].pose.to_world(place), left});
+        marks.push_back({"cortex_" + std::to_string(sector + 1), left > 0.02, outermost, left});
     }
-    marks.push_back({"cortex_at_tip", cortex.held, input.state.bags[0].pose.to_world(cortex.place), 0.3});
+    const bool held = cortex.held && cortex.tool >= 0;
+    const auto tool = static_cast<std::size_t>(std::max(0, cortex.tool));
+    const Vec3 mouth = held ? mouth_of(input.world.tools[tool], input.tools[tool].pose) : Vec3(Vec3::Zero());
+    marks.push_back({"cortex_at_tip", held && over_pupil(eye, mouth), mouth, 0.3});
 }
 
 /// How the implant lies, and what is left before and behind it: an optic on viscoelastic floats when it is touched.

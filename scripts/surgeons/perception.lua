@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- What a person makes of the picture: late by the reaction time, and with errors of place and brightness that drift
--- slowly, as misjudgements do. What has not been seen yet is kept here and cannot be reached from a plan.
+-- What a person makes of the picture: late by the reaction time, and with errors of place, size and brightness that
+-- drift slowly, as misjudgements do. What has not been seen yet is kept here and cannot be reached from a plan.
 
 local perception = {}
 
@@ -25,6 +25,15 @@ local function place_error(stream, person, dt)
         return { place[1] + blur * person.lateral_error_mm * x(), place[2] + blur * person.lateral_error_mm * y(),
             place[3] + blur * person.depth_error_mm * z() }
     end
+end
+
+-- Sizes are misjudged in proportion to what they are. What is felt is not seen: the finger has an error of its own.
+-- What is counted is told exactly.
+local felt, counted = { hardness = true }, { stitches = true }
+
+local function size_error(stream, share, dt)
+    local off = drift(stream, dt)
+    return function(size) return size * math.exp(share * off()) end
 end
 
 -- How high the microscope is focused is not seen, only that the picture is not sharp.
@@ -58,7 +67,7 @@ end
 -- Everything in the picture shares one misjudgement of place per kind, so that errors between an instrument and what
 -- lies beside it are those of one look.
 local function judgement(stream, person, dt, stream_of)
-    local places, bright = {}, drift(stream, dt)
+    local places, sizes, bright = {}, {}, drift(stream, dt)
     local function place_of(name, place, blur)
         name = one_look[name] or name
         if not places[name] then
@@ -66,6 +75,14 @@ local function judgement(stream, person, dt, stream_of)
             places[name] = place_error(source, person, dt)
         end
         return places[name](place, blur)
+    end
+    local function size_of(name, size)
+        if size == 0 or counted[name] then return size end
+        if not sizes[name] then
+            local share = felt[name] and person.palpation_error or person.size_error
+            sizes[name] = size_error(stream_of("size of " .. name), share, dt)
+        end
+        return sizes[name](size)
     end
     return function(raw)
         local factor = math.exp(person.brightness_error * bright())
@@ -78,7 +95,8 @@ local function judgement(stream, person, dt, stream_of)
             view.tools[name] = { present = tool.present, position = place_of(name, tool.position, blur) }
         end
         for name, mark in pairs(raw.landmarks) do
-            view.landmarks[name] = { position = place_of(name, mark.position, blur), size = mark.size }
+            view.landmarks[name] = { position = place_of(name, mark.position, blur),
+                size = size_of(name, mark.size) }
         end
         return view
     end

@@ -79,7 +79,8 @@ case("without a microscope there is nothing to do, and what is seen is not chang
     end, "d", 1, dt, { "cystotome" })
     person:operate(percept(0))
     equal(person:done(), true)
-    local someone = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3 }
+    local someone = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3,
+        size_error = 0.1 }
     local function pupil_seen(at)
         local see = perception.start(chance.stream(2, "p"), someone, dt,
             function(purpose) return chance.stream(2, purpose) end)
@@ -90,8 +91,9 @@ case("without a microscope there is nothing to do, and what is seen is not chang
 end)
 
 case("how high the microscope is focused is not seen", function()
-    local someone = { reaction_s = 0, lateral_error_mm = 0, depth_error_mm = 0, brightness_error = 0 }
-    local see = perception.start(chance.stream(2, "p"), someone, dt)
+    local someone = { reaction_s = 0, lateral_error_mm = 0, depth_error_mm = 0, brightness_error = 0, size_error = 0 }
+    local see = perception.start(chance.stream(2, "p"), someone, dt,
+        function(purpose) return chance.stream(2, purpose) end)
     local field = see(percept(0, { 1, 2, 5 })).field
     equal(field.position[2], 2)
     equal(field.position[3], nil)

@@ -108,9 +108,11 @@ case("tremor has the root mean square of its parameter, all of it between 8 and 
     equal(inside / all > 0.97, true, "share inside the band " .. inside / all)
 end)
 
+local function streams(seed) return function(purpose) return chance.stream(seed, purpose) end end
+
 case("what is seen is late by the reaction time", function()
-    local person = { reaction_s = 0.37, lateral_error_mm = 0, depth_error_mm = 0, brightness_error = 0 }
-    local see = perception.start(chance.stream(1, "p"), person, dt)
+    local person = { reaction_s = 0.37, lateral_error_mm = 0, depth_error_mm = 0, brightness_error = 0, size_error = 0 }
+    local see = perception.start(chance.stream(1, "p"), person, dt, streams(1))
     local noticed
     for i = 0, 200 do
         local t = i * dt
@@ -121,8 +123,9 @@ case("what is seen is late by the reaction time", function()
 end)
 
 case("places are misjudged by the parameters, and the misjudgement drifts slowly", function()
-    local person = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3 }
-    local see = perception.start(chance.stream(2, "p"), person, dt)
+    local person = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3,
+        size_error = 0.1 }
+    local see = perception.start(chance.stream(2, "p"), person, dt, streams(2))
     local lateral, depth, bright, jump, before, n = 0, 0, 0, 0, nil, 60000
     for i = 0, n - 1 do
         local seen = see(percept(i * dt, 0, 0.5))
@@ -136,6 +139,25 @@ case("places are misjudged by the parameters, and the misjudgement drifts slowly
     near(math.sqrt(depth / n), 0.4, 0.08, "along")
     near(math.sqrt(bright / n), 0.3, 0.06, "brightness")
     equal(math.sqrt(jump / n) < 0.05, true, "from step to step")
+end)
+
+case("sizes are misjudged in proportion, hardness by the finger, and what is counted is exact", function()
+    local person = { reaction_s = 0, lateral_error_mm = 0, depth_error_mm = 0, brightness_error = 0, size_error = 0.1,
+        palpation_error = 0.3 }
+    local see = perception.start(chance.stream(2, "p"), person, dt, streams(2))
+    local shown = { hardness = 20, stitches = 2, viscoelastic = 0.5, capsulorhexis = 2.6, surface_at_tip = 0 }
+    local square, n = { hardness = 0, viscoelastic = 0, capsulorhexis = 0 }, 60000
+    for i = 0, n - 1 do
+        local raw = percept(i * dt, 0)
+        for name, size in pairs(shown) do raw.landmarks[name] = { position = { 0, 0, 0 }, size = size } end
+        local marks = see(raw).landmarks
+        for name, sum in pairs(square) do square[name] = sum + math.log(marks[name].size / shown[name]) ^ 2 end
+        equal(marks.stitches.size, 2)
+        equal(marks.surface_at_tip.size, 0)
+    end
+    near(math.sqrt(square.viscoelastic / n), 0.1, 0.02, "a share")
+    near(math.sqrt(square.capsulorhexis / n), 0.1, 0.02, "a radius")
+    near(math.sqrt(square.hardness / n), 0.3, 0.06, "by touch")
 end)
 
 local names = { "phaco", "spatula" }
@@ -335,10 +357,10 @@ case("who does not react to danger goes on, but still stops where a movement has
 end)
 
 case("marks that come and go do not change how the rest is seen", function()
-    local person = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3 }
-    local function stream_of(purpose) return chance.stream(2, purpose) end
+    local person = { reaction_s = 0, lateral_error_mm = 0.1, depth_error_mm = 0.4, brightness_error = 0.3,
+        size_error = 0.1 }
     local function tip_after(with_marks)
-        local see = perception.start(chance.stream(2, "p"), person, dt, stream_of)
+        local see = perception.start(chance.stream(2, "p"), person, dt, streams(2))
         local seen
         for i = 0, 300 do
             local raw = percept(i * dt, 0, 0.5)
@@ -350,7 +372,7 @@ case("marks that come and go do not change how the rest is seen", function()
     local plain = tip_after(false)
     local marked, mark = tip_after(true)
     equal(plain, marked)
-    equal(mark.position[2] ~= -2, true, "misjudged like everything else")
+    equal(mark.position[2] ~= -2 and mark.size ~= 1, true, "misjudged like everything else")
 end)
 
 case("people of a group vary about its parameters, and the groups keep their order", function()
