@@ -162,7 +162,7 @@ local function read_consequences(event)
         end
     end
     settings = language.flatten(settings, "", {}, event.line)
-    settings_check.live(settings, event.line, ("error_event '%s': consequences: "):format(event.name))
+    settings_check.scripted(settings, event.line, ("error_event '%s': consequences: "):format(event.name))
     event.consequences = { texts = said, settings = settings }
 end
 

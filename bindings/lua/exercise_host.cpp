@@ -163,7 +163,7 @@ json built(const SceneDescription& scene) {
     json settings = json::object();
     for (const auto& [name, value] : scene.settings) {
         const SettingInfo* info = find_setting(name);
-        if (info != nullptr && !info->live) {
+        if (info != nullptr && (!info->live || info->tissue)) {
             settings[name] = value;
         }
     }
@@ -181,7 +181,7 @@ std::vector<Command> changes(const SceneDescription& before, const SceneDescript
             const auto found = scene.settings.find(std::string(info.name));
             return found == scene.settings.end() ? info.standard : found->second;
         };
-        if (info.live && of(before) != of(after)) {
+        if (info.live && !info.tissue && of(before) != of(after)) {
             commands.push_back({CommandKind::set, std::string(info.name), of(after), ""});
         }
     }

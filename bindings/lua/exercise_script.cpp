@@ -56,7 +56,8 @@ json settings_known() {
                         {"standard", info.standard},
                         {"unit", info.unit},
                         {"meaning", info.meaning},
-                        {"live", info.live}});
+                        {"live", info.live},
+                        {"tissue", info.tissue}});
     }
     return list;
 }

@@ -84,7 +84,7 @@ constexpr auto known_settings = std::to_array<SettingInfo>({
     {"side_port.angle_deg", "degrees", -150.0, 150.0, 80.0, false,
      "Angle of the planned side port from the main wound, towards the surgeon's left; negative: right."},
     {"suprachoroidal.pressure_mmhg", "mmHg", 0.0, 80.0, 0.0, true,
-     "Pressure of bleeding behind the choroid, above that of the eye at rest; 0: none. An instructor sets it."},
+     "Pressure of bleeding behind the choroid, above that of the eye at rest; 0: none.", true},
     {"tamponade.fill", "1", 0.0, 1.0, 0.0, false,
      "Share of the anterior chamber that viscoelastic fills at the start, where fluid flows and vitreous is "
      "simulated."},

@@ -19,6 +19,7 @@ struct SettingInfo {
     double standard = 0.0;  ///< value when nobody sets it
     bool live = true;       ///< false: only in the scene's description, before the first step
     std::string_view meaning;
+    bool tissue = false;  ///< of a live one: the eye's, not the machine's, which only an instructor's request changes
 };
 
 /// All settings, sorted by name.

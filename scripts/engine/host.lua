@@ -46,7 +46,8 @@ function host.begin_file(name, text)
     quotes.refuse_curly(name, text)
 end
 
---- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live, unit, meaning }.
+--- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live, tissue, unit,
+--- meaning }.
 host.know_settings = settings_check.know
 
 --- A file of texts beside the curriculum, "curriculum.fr.lua": what it returned.

@@ -6,9 +6,9 @@ local words = require "engine.words"
 
 local check = {}
 
-local table_of = nil  -- name -> { from, to, standard, live }
+local table_of = nil  -- name -> { from, to, standard, live, tissue }
 
---- list: of { name, from, to, standard, live, unit, meaning }.
+--- list: of { name, from, to, standard, live, tissue, unit, meaning }.
 function check.know(list)
     table_of = {}
     for _, setting in ipairs(list) do table_of[setting.name] = setting end
@@ -48,11 +48,17 @@ end
 
 local function fixed(name) return not table_of[name].live and name .. " is fixed before the first step" or nil end
 
---- What is wrong with a setting that is changed while the scene runs, or nil.
+-- The eye is the patient's: a script judges it, and does not make it ill.
+local function of_tissue(name)
+    return table_of[name].tissue and name .. " is the eye's, not the machine's: only a request of the instructor "
+        .. "changes it while the exercise runs" or nil
+end
+
+--- What is wrong with a setting that a script changes while the scene runs, or nil.
 function check.live_complaint(name, value)
     if not table_of then return nil end
     if not table_of[name] then return unknown(name) end
-    return beyond(name, value) or fixed(name)
+    return beyond(name, value) or fixed(name) or of_tissue(name)
 end
 
 local function refuse(name, line, owner, complaint)
@@ -73,11 +79,18 @@ function check.all(settings, line, owner)
     end
 end
 
---- The same for settings that are changed while the scene runs.
+--- The same for settings that are changed while the scene runs, at a person's request.
 function check.live(settings, line, owner)
     if not table_of then return end
     check.all(settings, line, owner)
     for _, name in ipairs(words.keys(settings)) do refuse(name, line, owner, fixed(name)) end
+end
+
+--- The same for settings that the exercise changes by itself.
+function check.scripted(settings, line, owner)
+    check.live(settings, line, owner)
+    if not table_of then return end
+    for _, name in ipairs(words.keys(settings)) do refuse(name, line, owner, of_tissue(name)) end
 end
 
 return check

@@ -36,7 +36,8 @@ local function settings()
     for i, info in ipairs(settings_check.list()) do
         local unit = info.unit == "1" and "number" or info.unit
         lines[i] = line(info.name, unit, ("%s [%g to %g, %g if nothing is said; %s]"):format(info.meaning, info.from,
-            info.to, info.standard, info.live and "may change while it runs" or "fixed before the first step"))
+            info.to, info.standard, info.tissue and "the eye's: changed by an instructor's request only" or info.live
+            and "may change while it runs" or "fixed before the first step"))
     end
     return lines
 end

@@ -81,7 +81,8 @@ end)
 local function with_settings(f)
     settings_check.know({
         { name = "phaco.power_limit", from = 0, to = 1, standard = 1, live = true },
-        { name = "implant.triangles", from = 400, to = 8000, standard = 743, live = false } })
+        { name = "implant.triangles", from = 400, to = 8000, standard = 743, live = false },
+        { name = "bleeding.pressure", from = 0, to = 80, standard = 0, live = true, tissue = true } })
     local ok, message = pcall(f)
     settings_check.forget()
     if not ok then error(message, 0) end
@@ -120,6 +121,9 @@ case("settings are checked where they stand", function()
         local error_with = 'error_event "e" { when = "tip.touch", advice = "x", consequences = { %s } }'
         fails(function() support.demo({ errors = error_with:format('["implant.triangles"] = 500') }) end,
             "demo/curriculum.lua:6:", "implant.triangles is fixed before the first step")
+        fails(function() support.demo({ errors = error_with:format('["bleeding.pressure"] = 40') }) end,
+            "demo/curriculum.lua:6:", "bleeding.pressure is the eye's, not the machine's")
+        support.demo({ rest = 'requests = { request "Bleed" { settings = { ["bleeding.pressure"] = 40 } } },' })
         fails(function() support.demo({ errors = error_with:format("phaco = { power_limi = 0 }") }) end,
             "demo/curriculum.lua:6:", "did you mean phaco.power_limit")
         fails(function() support.demo({ errors = error_with:format("7") }) end, "consequences hold texts and settings")

@@ -9,7 +9,8 @@ local words = require "engine.words"
 local case, equal, fails = support.case, support.equal, support.fails
 
 local settings = { { name = "phaco.power_limit", from = 0, to = 1, live = true },
-    { name = "implant.triangles", from = 100, to = 9000, live = false } }
+    { name = "implant.triangles", from = 100, to = 9000, live = false },
+    { name = "bleeding.pressure", from = 0, to = 80, live = true, tissue = true } }
 
 -- Runs a script of a step with one line of its own, the sixth of the file; settings are known.
 local function scripted(line)
@@ -31,6 +32,7 @@ case("a script of a step that gives a wrong value is told its line and what is a
     refused('act.set("phaco.power_limit", "x")', "act.set: phaco.power_limit must be a number, not \"x\"")
     refused('act.set("phaco.power_limit", 7)', "phaco.power_limit = 7 is out of range (0 to 1)")
     refused('act.set("implant.triangles", 500)', "implant.triangles is fixed before the first step")
+    refused('act.set("bleeding.pressure", 40)', "bleeding.pressure is the eye's", "only a request of the instructor")
     refused("act.set(nil, 1)", "act.set: setting must be a text in quotes, not nil")
     refused("act.wait(0/0)", "act.wait must be a number of seconds, 0 or more, not nan")
     refused("act.wait(math.huge)", "0 or more, not inf")
