@@ -38,6 +38,7 @@ local function as_in_osacss(id, own_id)
         local five, three, one = measure.thresholds[1].value, measure.thresholds[2].value, measure.thresholds[3].value
         given.id, given.of, given.during = measure.id:gsub("^" .. id, own_id), measure.of.text,
             measure.during and measure.during.text
+        given.given = measure.given and measure.given.text
         given.five, given.four, given.three, given.two = five, half_way(five, three), three, one
         given.curve, given.thresholds = nil, nil
         list[i] = given
@@ -275,13 +276,6 @@ return rubric {
     caps = {
         critical = { not_recovered = 2, open = 2, recovered = 3, near_miss = 4 },
         minor = { not_recovered = 3, open = 3, recovered = 4, near_miss = 5 },
-    },
-
-    bands = {
-        { from = 0.0, name = "novice", meaning = "most items at level 2" },
-        { from = 0.17, name = "beginner", meaning = "most items at level 3" },
-        { from = 0.5, name = "advanced beginner", meaning = "most items at level 4" },
-        { from = 0.83, name = "competent", meaning = "most items at level 5" },
     },
 
     items = items,

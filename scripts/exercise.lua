@@ -44,6 +44,8 @@ local step_rules = {
 local event_rules = {
     title = { kind = "line" },
     when = { kind = "condition", required = true },  -- the error happens
+    given = { kind = "condition" },        -- what of it the eye may have from the start, if that is less than `when`:
+                                           -- while it has, the error is the task and not the operator's
     hold_s = { kind = "number", default = 0, from = 0, to = 60 },  -- only if it lasts this long
     recovered = { kind = "condition" },    -- it is put right
     recovered_hold_s = { kind = "number", default = 0, from = 0, to = 60 },  -- only if that lasts this long

@@ -36,14 +36,6 @@ return scoring.rubric {
         minor = { not_recovered = 3, open = 3, recovered = 4, near_miss = 5 },
     },
 
-    -- Share of the scale (0: all items 1 point, 1: all items 5 points). Cuts where the groups A and B, and B and C, of
-    -- Saleh 2007 part if their scores are taken as normal: 41 and 78 of 100.
-    bands = {
-        { from = 0.0, name = "needs teaching", meaning = "scores like surgeons with fewer than 50 operations" },
-        { from = 0.2625, name = "supervised", meaning = "scores like surgeons with 50 to 249 operations" },
-        { from = 0.725, name = "independent", meaning = "scores like surgeons with 250 operations or more" },
-    },
-
     items = {
         { id = "T1", name = "Draping", not_scored = "draping is not simulated in this exercise.", measures = {
             { id = "T1.lashes", name = "Lashes under the drape when you said that you were ready", unit = "%",
@@ -107,7 +99,8 @@ return scoring.rubric {
                 three = 60, one = 40, weight = 1, source = "proposal",
                 better = "Every instrument lets some out: fill again before the chamber gets shallow." },
             { id = "T3.pressure", name = "Greatest pressure in the eye", unit = "mmHg", digits = 0,
-                of = "viscoelastic.pressure_mmhg", take = "max", five = 40, three = 60, one = 80, weight = 1,
+                of = "viscoelastic.pressure_mmhg", take = "max", given = "viscoelastic.pressure_mmhg > 40",
+                five = 40, three = 60, one = 80, weight = 1,
                 source = "Hejsek 2019 for the range of pressures during surgery",
                 better = "Press more gently, and stop when the chamber is full." },
             { id = "T3.touches", name = "Times that the cannula touched the capsule or the cornea", unit = "1",
@@ -354,8 +347,9 @@ return scoring.rubric {
                 three = 50, one = 200, weight = 1, source = "proposal",
                 better = "Nothing may let the pressure fall: cover the hole before the tip leaves." },
             { id = "T11.vitreous", name = "Vitreous left in chamber and wound in the end", unit = "mm^3", digits = 1,
-                of = "vitreous.front_mm3 + vitreous.wound_mm3", take = "last", during = "capsule.open", five = 0.5,
-                three = 3, one = 10, weight = 2, source = "proposal",
+                of = "vitreous.front_mm3 + vitreous.wound_mm3", take = "last", during = "capsule.open",
+                given = "vitreous.front_mm3 + vitreous.wound_mm3 > 0.5", five = 0.5, three = 3, one = 10, weight = 2,
+                source = "proposal",
                 better = "Cut until triamcinolone shows none, also in the wound." },
             { id = "T11.traction", name = "Time with vitreous in a mouth that did not cut", unit = "s", digits = 1,
                 of = "vitreous.uncut_s", take = "last", during = "capsule.open", five = 0, three = 1, one = 4,
@@ -557,8 +551,8 @@ return scoring.rubric {
                 of = "iris.torn_mm", take = "last", five = 0, three = 0.5, one = 1.5, weight = 1, source = "proposal",
                 better = "Set the iris free by the pedal, never by pulling." },
             { id = "G5.prolapse", name = "Prolapse of the iris (0: none, 1: put back, 2: left in the wound)",
-                unit = "1", digits = 0, of = "iris.prolapse_state", take = "last", five = 0, three = 1, one = 2,
-                weight = 1, source = "proposal",
+                unit = "1", digits = 0, of = "iris.prolapse_state", take = "last", given = "iris.prolapse_state > 0",
+                five = 0, three = 1, one = 2, weight = 1, source = "proposal",
                 better = "Lower the pressure before an instrument leaves; lower it through the side port, and stroke "
                     .. "over the lip." },
             { id = "G5.damage", name = "Damage of the prolapsed iris by pushes", unit = "1", digits = 2,

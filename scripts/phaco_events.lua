@@ -113,6 +113,7 @@ end
 function phaco_events.dropped_piece(own)
     return with({
         when = "fragments.sunk_mm > 2",
+        given = "fragments.sunk_mm > 2",
         recovered = "phaco.pedal < 1.5 and phaco.tip_posterior_mm > 1",
         deadline_s = 5,
         near_miss_s = 0,

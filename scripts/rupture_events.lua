@@ -10,6 +10,7 @@ local rupture_events = {}
 function rupture_events.torn(own)
     return with({
         when = "capsule.open and not vitreous.hyaloid_broken and phaco.present",
+        given = "capsule.open and not vitreous.hyaloid_broken",
         recovered = {
             "phaco.present and phaco.pedal < 1.5 and tamponade.cover > 0.95 and tamponade.fill > 0.35 "
                 .. "and chamber.depth_share > 0.9",

@@ -27,6 +27,8 @@ local measure_rules = {
     per = { kind = "text" },                     -- name of a reference number: the result is told as a multiple of it;
                                                  -- an exercise without that number is not judged by the measure
     if_never = { kind = "number" },              -- the value when it never was defined; without it: not scored
+    given = { kind = "text" },                   -- where this holds at the first observation the eye came with what is
+                                                 -- measured, and the measure is not judged
     whole = { kind = "yes_no" },                 -- tells of all of the work: of an attempt that was not completed it
                                                  -- counts only where it costs points already
     unit = { kind = "text", required = true },
@@ -94,6 +96,7 @@ local function read_measure(given, item, levels)
     local where = words.where() .. ": item " .. item .. ", measure " .. measure.id
     measure.of = expression.parse(measure.of, where)
     measure.during = measure.during and expression.parse(measure.during, where)
+    measure.given = measure.given and expression.parse(measure.given, where)
     return measure
 end
 
@@ -122,7 +125,7 @@ function selecting.__call(rubric, wanted)
     return { rubric = rubric, items = wanted }
 end
 
-local may_lack = { caps = true, bands = true, source = true, name = true, rubric = true }
+local may_lack = { caps = true, source = true, name = true, rubric = true }
 
 function selecting.__index(rubric, key)
     if key == "all" then return every_item(rubric) end
@@ -151,7 +154,9 @@ local function read_items(rubric)
     end
 end
 
---- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps, bands }. Calling the rubric
+local rubric_fields = { name = true, source = true, items = true, caps = true, levels = true }
+
+--- Checks and completes a rubric { name, items = { { id, name, measures }, ... }, caps }. Calling the rubric
 --- with a list of item ids gives what an exercise writes as `scoring`. levels: points of the thresholds that measures
 --- give, { five = 5, three = 3, one = 1 } if missing; the least of them is the least that an item can have.
 --- An item may have anchors, { [points] = what a performance of that level looks like }; errors_of, ids of items of
@@ -159,8 +164,14 @@ end
 --- begun, a condition or a list of them, of which one must have held for the work to have been begun: an item whose
 --- work was not has the least points. Where an exercise knows none of them it is not asked.
 function scoring.rubric(given)
+    for _, key in ipairs(words.keys(given)) do
+        if not rubric_fields[key] then
+            words.fail(words.where(), ("a rubric has no field '%s'%s"):format(tostring(key), words.hint(tostring(key),
+                words.keys(rubric_fields))))
+        end
+    end
     local rubric = { name = given.name, source = given.source, items = given.items, caps = given.caps,
-        bands = given.bands, levels = given.levels or usual_levels, least = 5, by_id = {} }
+        levels = given.levels or usual_levels, least = 5, by_id = {} }
     for _, points_of in pairs(rubric.levels) do rubric.least = math.min(rubric.least, points_of) end
     local file, line = words.outside()
     words.at(file, line, read_items, rubric)  -- mistakes are named where the rubric stands
@@ -252,6 +263,9 @@ local function open_measure(measure, resolve)
     open.missing = false
     open.of = expression.bind(measure.of, resolve)
     open.during = measure.during and expression.bind(measure.during, resolve)
+    if measure.given and expression.known(measure.given, resolve) then
+        open.there = expression.bind(measure.given, resolve)
+    end
     return open
 end
 
@@ -262,6 +276,7 @@ local function told(open) return open.seen_before or not open.missing end
 local function take_up(open, state)
     if not state then return end
     for key, value in pairs(state) do open.collector.state[key] = value end
+    open.given, open.collector.state.given = state.given, nil
     open.seen_before = true
 end
 
@@ -270,7 +285,7 @@ end
 --- (Sheet:carried); watched: set of the items that this part tells of.
 function scoring.sheet(selection, eye, reference, dt, before, watched)
     local self = setmetatable({ rubric = selection.rubric, dt = dt, lines = {}, open = {}, reference = reference,
-        eye = eye, since_s = before and before.time_s or 0 }, Sheet)
+        eye = eye, since_s = before and before.time_s or 0, begun = before ~= nil and before.time_s > 0 }, Sheet)
     local resolve = resolver(eye, reference, self.since_s)
     for i, id in ipairs(selection.items) do
         local item = selection.rubric.by_id[id]
@@ -321,6 +336,10 @@ end
 --- Takes the observation that the eye holds now.
 function Sheet:tick(time_s)
     for _, open in ipairs(self.open) do
+        if not self.begun and open.there and open.there() then open.given = true end
+    end
+    self.begun = true
+    for _, open in ipairs(self.open) do
         if not open.during or open.during() then
             local value = open.of()
             if value ~= nil then open.collector.add(value, self.dt, self.since_s + time_s) end
@@ -330,6 +349,7 @@ end
 
 --- Goes on where the sheet of the same attempt had come to before its exercise was changed. measures: of Sheet:carried.
 function Sheet:take_up(measures)
+    self.begun = true
     for _, line in ipairs(self.lines) do
         for _, open in ipairs(watches_of(line)) do
             if not open.missing then take_up(open, measures[open.measure.id]) end
@@ -346,6 +366,7 @@ function Sheet:carried(time_s)
                 local collector, state = open.collector, words.as_object({})
                 local now = collector.carry and collector.carry() or collector.state
                 for key, value in pairs(now) do state[key] = value end
+                state.given = open.given
                 measures[open.measure.id] = state
             end
         end
@@ -359,7 +380,7 @@ local function round(value, digits) return tonumber(("%." .. digits .. "f"):form
 
 local function measured(open, reference)
     local measure = open.measure
-    if not told(open) then return nil end
+    if open.given or not told(open) then return nil end
     local value, at = open.collector.result()
     if value == nil then value = measure.if_never end
     if value == nil then return nil end
@@ -386,12 +407,19 @@ local function concerns(event, item)
     return false
 end
 
+--- What an event leaves of an item that it concerns; nil: all of it. What was given and is put right without harm was
+--- the task.
+function scoring.cap_of(caps, event)
+    if event.given and event.recovered and not event.harmed then return nil end
+    local of_severity = caps[event.severity]
+    return of_severity and of_severity[event.outcome]
+end
+
 -- The lowest cap that the events put on an item, and what put it there.
 local function caps_on(rubric, item, events)
     local cap, by = 5, {}
     for _, event in ipairs(events) do
-        local caps = rubric.caps[event.severity]
-        local value = caps and caps[event.outcome]
+        local value = scoring.cap_of(rubric.caps, event)
         if value and value < 5 and concerns(event, item) then
             cap = math.min(cap, value)
             by[#by + 1] = { event = event.id, title = event.title, outcome = event.outcome, cap = value,
@@ -446,6 +474,15 @@ local function idle(line)
     return judged and asked
 end
 
+-- Measures that are not judged, for the eye came with what they tell of; nil: none.
+local function given_measures(line)
+    local list = {}
+    for _, open in ipairs(line.open) do
+        if open.given then list[#list + 1] = { id = open.measure.id, name = t(open.measure.name) } end
+    end
+    return #list > 0 and list or nil
+end
+
 -- What stands in place of the measures of an item whose work was not begun.
 local function not_begun(item, rubric)
     return { id = item.id .. ".begun", name = t("Begun (1: yes)"), value = 0, unit = "1", score = rubric.least,
@@ -473,7 +510,7 @@ local function score_item(line, rubric, events, reference, completed)
         sum, weight = sum + measure.weight * measure.score, weight + measure.weight
     end
     local cap, by = caps_on(rubric, item, events)
-    result.capped_by = by
+    result.capped_by, result.given = by, given_measures(line)
     if weight > 0 then
         result.score = round(math.max(rubric.least, math.min(cap, sum / weight)), 2)
         result.reasons = reasons(result, cap)
@@ -484,18 +521,9 @@ local function score_item(line, rubric, events, reference, completed)
     return result
 end
 
--- The band of skill that a share of the scale falls into.
-local function band_of(rubric, scaled)
-    local found
-    for _, band in ipairs(rubric.bands or {}) do
-        if scaled >= band.from then found = band end
-    end
-    return found
-end
-
 --- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled: share of the way
 --- from the least to the most points, (total - n) / (4 n) where items have 1 to 5; caps: what errors leave of an item,
---- as the rubric has it. A band of skill is told of a completed attempt only: who stops early has not shown it.
+--- as the rubric has it.
 function Sheet:score(events, completed)
     local result = { rubric = self.rubric.name, least = self.rubric.least, caps = self.rubric.caps, items = {},
         total = 0, max = 0 }
@@ -509,8 +537,6 @@ function Sheet:score(events, completed)
     if n > 0 then
         local least = self.rubric.least
         result.scaled = round((result.total - least * n) / ((5 - least) * n), 4)
-        local band = band_of(self.rubric, result.scaled)
-        if band and completed then result.band, result.band_meaning = t(band.name), t(band.meaning) end
     end
     return result
 end
@@ -539,16 +565,19 @@ local function lost_points(item)
     return lost
 end
 
---- Up to five sentences: what was done wrong and not put right first, then what cost most points.
+--- Up to five sentences: errors by their severity, what was not put right first, then what cost most points.
 function scoring.advice(score, events)
     local advice, seen = {}, {}
     local function add(text)
         if not seen[text] and #advice < 5 then advice[#advice + 1] = text end
         seen[text] = true
     end
-    for _, outcome in ipairs({ "not_recovered", "open", "recovered" }) do
-        for _, event in ipairs(events) do
-            if event.outcome == outcome then add(event.advice) end
+    for _, severity in ipairs({ "critical", "minor" }) do
+        for _, outcome in ipairs({ "not_recovered", "open", "recovered" }) do
+            for _, event in ipairs(events) do
+                local met = event.given and event.recovered and not event.harmed
+                if event.severity == severity and event.outcome == outcome and not met then add(event.advice) end
+            end
         end
     end
     local lost = {}

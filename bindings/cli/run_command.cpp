@@ -145,10 +145,29 @@ void print_objectives(const nlohmann::json& report) {
     }
 }
 
-/// How many there were, and which: "3: Iris touched (2), Surge".
+/// What the exercise began with, and whether it was put right: "Iris prolapse (put right)".
+void print_given(const nlohmann::json& report) {
+    std::string list;
+    for (const nlohmann::json& event : report["events"]) {
+        if (event.value("given", false)) {
+            list += (list.empty() ? "" : ", ") + event["title"].get<std::string>() +
+                    (event.value("recovered", false) ? " (put right)" : " (not put right)");
+        }
+    }
+    if (!list.empty()) {
+        std::printf("  given      %s\n", list.c_str());
+    }
+}
+
+/// How many were made, and which: "3: Iris touched (2), Surge". What the exercise began with is none.
 void print_errors(const nlohmann::json& report) {
     std::vector<std::pair<std::string, int>> counts;
+    int made = 0;
     for (const nlohmann::json& event : report["events"]) {
+        if (event.value("given", false)) {
+            continue;
+        }
+        ++made;
         const std::string title = event["title"];
         const auto known =
             std::find_if(counts.begin(), counts.end(), [&](const auto& one) { return one.first == title; });
@@ -162,7 +181,8 @@ void print_errors(const nlohmann::json& report) {
     for (const auto& [title, count] : counts) {
         list += (list.empty() ? ": " : ", ") + title + (count > 1 ? " (" + std::to_string(count) + ")" : "");
     }
-    std::printf("  errors     %zu%s\n", report["events"].size(), list.c_str());
+    print_given(report);
+    std::printf("  errors     %d%s\n", made, list.c_str());
 }
 
 void print_summary(const RunOptions& given, const std::string& folder, const AttemptResult& result) {

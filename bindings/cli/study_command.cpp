@@ -16,6 +16,8 @@
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "cli/rescore.hpp"
+#include "cli/study_cohort.hpp"
+#include "cli/study_gates.hpp"
 #include "cli/study_result.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/operation_script.hpp"
@@ -33,6 +35,10 @@ constexpr const char* study_help =
     "  rhexis study my_study.json --jobs 2 --out DIR\n"
     "  rhexis study part_exercises --judge-again     attempts that are there, by the rules of today: judged_again.md\n"
     "  rhexis study full_operations             whole operations: hours\n"
+    "  rhexis study cohort                      what the report compares attempts with: cohorts.json\n"
+    "  rhexis study gates                       whether experts pass the gates and beginners do not: "
+    "gates_accepted.json\n"
+    "  rhexis study gates --check               whether what was accepted is still true of exercises and gates\n"
     "\n"
     "DIR receives study.json, study.md and a folder per attempt with report and recording. The numbers that the "
     "groups\n"
@@ -45,6 +51,7 @@ struct StudyOptions {
     bool resume = false;
     bool judge_again = false;
     bool json = false;
+    bool check = false;
 };
 
 struct StudyJob {
@@ -253,10 +260,60 @@ Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyO
     return error.empty() ? success() : Status(Error{error, "study", advice});
 }
 
+/// What a study leaves besides its own tables: a reference, or gates that were tried. Prints where.
+Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, const std::string& out, bool quiet,
+                  const Context& context) {
+    if (plan.reference) {
+        const std::string file = out + "/cohorts.json";
+        if (Status status = write_whole_file(file, cohorts_of(plan, runs, context.root).dump(1) + "\n"); !status) {
+            return status;
+        }
+        std::printf(quiet ? "" : "  reference  %s: copy it to rubrics/\n", file.c_str());
+    }
+#ifdef RHEXIS_WITH_RECORDS
+    if (plan.gates) {
+        const Result<nlohmann::json> tried = gates_tried(plan, runs, context.root);
+        const std::string file = out + "/gates_accepted.json";
+        const Status status = tried ? write_whole_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
+        if (!status) {
+            return status;
+        }
+        std::printf(quiet ? "" : "%s  gates      %s: copy it to rubrics/\n", gates_text(tried.value()).c_str(),
+                    file.c_str());
+    }
+#endif
+    return success();
+}
+
+/// Whether the gates that were accepted are those of today.
+int check_gates(const StudyPlan& plan, const Context& context) {
+    if (!plan.gates) {
+        return complain({"--check is for a study of gates, and " + plan.name + " is none", "", "rhexis study gates"});
+    }
+#ifdef RHEXIS_WITH_RECORDS
+    const Result<std::vector<std::string>> lines = gates_differences(context.root);
+    if (!lines) {
+        return complain(lines.error());
+    }
+    for (const std::string& line : lines.value()) {
+        std::printf("%s\n", line.c_str());
+    }
+    if (lines.value().empty()) {
+        std::printf("all gates are those that were accepted\n");
+    }
+    return lines.value().empty() ? done : found_failures;
+#else
+    return complain({"this program was built without records and their gates", "", ""});
+#endif
+}
+
 int study(const StudyOptions& given, const Context& context) {
     const Result<StudyPlan> plan = read_study(given.study, context.root);
     if (!plan) {
         return complain(plan.error());
+    }
+    if (given.check) {
+        return check_gates(plan.value(), context);
     }
     const std::string out = given.out.empty() ? "runs/study-" + plan.value().name : given.out;
     std::vector<StudyJob> jobs = jobs_of(plan.value(), out, context);
@@ -292,7 +349,8 @@ int study(const StudyOptions& given, const Context& context) {
         std::printf("%s\n  tables     %s.md\n  numbers    %s.json\n", study_text(result).c_str(), tables.c_str(),
                     tables.c_str());
     }
-    return done;
+    status = write_more(plan.value(), runs, out, given.json, context);
+    return status ? done : complain(status.error());
 }
 
 }  // namespace
@@ -308,6 +366,7 @@ void add_study(CLI::App& app, Context& context) {
         command->add_flag("--resume", given->resume, "Keep the attempts that are whole in the folder");
     command->add_flag("--judge-again", given->judge_again, "Simulate nothing: judge the attempts of the folder anew")
         ->excludes(resume);
+    command->add_flag("--check", given->check, "Of a study of gates: simulate nothing, compare with what was accepted");
     command->add_flag("--json", given->json, "Print study.json on stdout instead of tables");
     command->callback([given, &context] { context.status = study(*given, context); });
 }

@@ -8,6 +8,8 @@
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
 #include "cli/places.hpp"
+#include "lua/curriculum_files.hpp"
+#include "lua/operation_script.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -86,6 +88,7 @@ bool is_text(const json& value) { return value.is_string() && !value.get<std::st
 bool is_texts(const json& value) {
     return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), is_text);
 }
+bool is_yes_no(const json& value) { return value.is_boolean(); }
 bool is_object(const json& value) { return value.is_object(); }
 bool is_set(const json& value) { return value.is_object() && std::all_of(value.begin(), value.end(), is_text); }
 bool is_range(const json& value) {
@@ -98,6 +101,20 @@ bool is_limit(const json& value) {
 }
 bool is_list(const json& value) {
     return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), is_object);
+}
+
+bool is_list_or_all(const json& value) { return value == "all" || is_list(value); }
+
+/// Those of curricula/ that are no operations.
+json all_exercises(const std::string& root) {
+    json list = json::array();
+    for (const std::string& name : curricula_in(root)) {
+        const Result<std::optional<Operation>> operation = load_operation(name, root);
+        if (!operation || !operation.value()) {  // one that cannot be read is told when its turn comes
+            list.push_back({{"exercise", name}});
+        }
+    }
+    return list;
 }
 
 Result<StudyExercise> exercise_from(const json& given, const std::string& where) {
@@ -137,8 +154,12 @@ Result<StudyPlan> read_study(const std::string& name, const std::string& root) {
     plan.first_seed = seeds[0];
     plan.last_seed = seeds[1];
     plan.limit_s = fields.get<double>("limit_s", "0.1 to 7200", is_limit, 90.0, false);
+    plan.reference = fields.get<bool>("reference", "true or false", is_yes_no, false, false);
+    plan.gates = fields.get<bool>("gates", "true or false", is_yes_no, false, false);
     plan.published = fields.get<json>("published", "an object with source and groups", is_object, nullptr, false);
-    for (const json& entry : fields.get<json>("exercises", "a list of objects", is_list, json::array(), true)) {
+    const json exercises =
+        fields.get<json>("exercises", "a list of objects, or \"all\"", is_list_or_all, json::array(), true);
+    for (const json& entry : exercises == "all" ? all_exercises(root) : exercises) {
         Result<StudyExercise> exercise =
             exercise_from(entry, path.value() + ", exercise " + std::to_string(plan.exercises.size() + 1));
         if (!exercise) {

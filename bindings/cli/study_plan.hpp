@@ -27,6 +27,8 @@ struct StudyPlan {
     double limit_s = 90.0;  ///< simulated time of each attempt
     std::vector<StudyExercise> exercises;
     nlohmann::json published;  ///< {"source", "groups": {"a": {"n","mean","sd"}}} to print beside; null: none
+    bool reference = false;    ///< its scores become what attempts are compared with: cohorts.json
+    bool gates = false;        ///< it tries the gates: gates_accepted.json
 };
 
 /// name: a file, or the bare name of one in root/studies. Names the field that is wrong, its value and what is allowed.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/rank_test.hpp"
+#include "cli/study_cohort.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -62,8 +63,9 @@ Surgeon surgeon_from(const std::vector<const StudyRun*>& runs) {
         surgeon.attempts += 1;
         surgeon.completed += run->report.value("completed", false) ? 1 : 0;
         for (const json& event : run->report.value("events", json::array())) {
-            surgeon.errors += 1;
-            surgeon.put_right += event.value("recovered", false) ? 1 : 0;
+            const bool made = !event.value("given", false);
+            surgeon.errors += made ? 1 : 0;
+            surgeon.put_right += made && event.value("recovered", false) ? 1 : 0;
         }
         const json performance = run->report.value("performance", json::object());
         surgeon.cpu_s += performance.value("cpu_s_per_s", 0.0) * run->report.value("duration_s", 0.0);
@@ -229,6 +231,25 @@ std::string tests_table(const json& result) {
     return text;
 }
 
+std::string exercises_table(const json& result) {
+    std::vector<std::string> head{"exercise"};
+    for (const json& group : result.at("groups")) {
+        head.push_back(group.at("group").get<std::string>().append(": completed; their share of the scale"));
+    }
+    std::string text = table_head(head);
+    for (const auto& [exercise, groups] : result.at("exercises").items()) {
+        std::vector<std::string> cells{exercise};
+        for (const json& group : result.at("groups")) {
+            const json& own = groups.at(group.at("group").get<std::string>());
+            std::string cell = own.at("completed").dump().append(" of ") + own.at("attempts").dump();
+            cells.push_back(
+                own.at("completed") == 0 ? cell : cell.append("; ") + spread("%.2f", own.at("mean"), own.at("sd")));
+        }
+        text += table_row(cells);
+    }
+    return text;
+}
+
 std::string items_table(const json& result) {
     std::vector<std::string> head{"item"};
     for (const json& group : result.at("groups")) {
@@ -278,6 +299,15 @@ json study_result(const StudyPlan& plan, const std::vector<StudyRun>& runs) {
     for (const std::string& item : items) {
         result["items"].push_back(item_line(plan, surgeons, item));
     }
+    result["exercises"] = json::object();
+    for (const auto& [exercise, groups] : scores_by_exercise(plan, runs)) {
+        for (const GroupScores& group : groups) {
+            result["exercises"][exercise][group.group] = {{"attempts", group.attempts},
+                                                          {"completed", group.completed.size()},
+                                                          {"mean", mean_of(group.completed)},
+                                                          {"sd", deviation_of(group.completed)}};
+        }
+    }
     result["published_source"] = plan.published.is_object() ? plan.published.value("source", json()) : json();
     result["attempts"] = runs.size();
     result["cpu_s"] = cpu_s;
@@ -291,6 +321,7 @@ std::string study_text(const json& result) {
         text.append("Published: ").append(result.at("published_source").get<std::string>()).append(".\n\n");
     }
     text.append(tests_table(result)).append("\n").append(items_table(result)).append("\n");
+    text.append(exercises_table(result)).append("\n");
     text.append(result.at("attempts").dump()).append(" attempts, ").append(format("%.0f", result.at("cpu_s")));
     return text.append(" s of CPU in the kernel. Not validated clinically.\n");
 }

@@ -107,6 +107,19 @@ std::string hash_of_curriculum(const std::string& name, const std::string& root)
     return files ? files.value().sha256 : "";
 }
 
+std::string hash_of_what_decides(const std::string& name, const std::string& root) {
+    const Result<CurriculumFiles> files = find_curriculum(name, root);
+    if (!files || fs::path(files.value().script).filename() != "curriculum.lua") {
+        return files ? files.value().sha256 : "";
+    }
+    std::vector<std::string> names = scripts_below(files.value().folder);
+    std::erase_if(names, [](const std::string& file) {
+        return file.starts_with("curriculum.") && file != "curriculum.lua";
+    });
+    const Result<std::string> hash = hash_of(files.value().folder, names);
+    return hash ? hash.value() : "";
+}
+
 Result<std::string> hash_of_scripts(const std::string& folder) { return hash_of(folder, scripts_below(folder)); }
 
 Result<std::string> read_script(const std::string& path) {

@@ -25,6 +25,9 @@ Result<CurriculumFiles> find_curriculum(const std::string& name, const std::stri
 /// Of what find_curriculum finds; "" when it fails.
 std::string hash_of_curriculum(const std::string& name, const std::string& root);
 
+/// Likewise without translations (curriculum.fr.lua): what decides how an attempt goes and what it scores.
+std::string hash_of_what_decides(const std::string& name, const std::string& root);
+
 /// SHA-256 over names and contents of all .lua files below a folder, tests left out.
 Result<std::string> hash_of_scripts(const std::string& folder);
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "lua/cohorts.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_script.hpp"
 #include "lua/surgeon_script.hpp"
@@ -86,6 +87,11 @@ Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
         ExerciseScript::load(files.value(), options.root, options.seed, set, joined, rubric);
     if (!exercise) {
         return exercise.error();
+    }
+    const Result<json> cohort = reference_cohort(files.value(), options.root);
+    const Result<json> taken = cohort ? exercise.value().ask("take_cohort", cohort.value()) : cohort;
+    if (!taken) {
+        return taken.error();
     }
     std::optional<SurgeonScript> surgeon;
     if (options.surgeon != "none") {

@@ -13,31 +13,15 @@ using nlohmann::json;
 
 constexpr double most_in_a_row = 20.0;
 
-Status take_pass(const json& value, const json& bands, const std::string& where, Gate& gate) {
-    if (value.is_number()) {
-        gate.pass = value.get<double>();
-        return check_range("pass", gate.pass, 0.0, 1.0, where);
-    }
-    std::vector<std::string> names;
-    for (const auto& [name, from] : bands.items()) {
-        names.push_back(name);
-    }
-    const std::string band = value.is_string() ? value.get<std::string>() : value.dump();
-    if (!bands.contains(band) || !bands[band].is_number()) {
-        return Error{"there is no band " + band, where, suggestion(band, names)};
-    }
-    gate.pass = bands[band].get<double>();
-    return check_range("bands: " + band, gate.pass, 0.0, 1.0, where);
-}
-
-Status take_gate(const json& given, const json& bands, const std::string& where, Gate& gate) {
+Status take_gate(const json& given, const std::string& where, Gate& gate) {
     if (!given.is_object()) {
-        return Error{"a gate is an object", where, R"({"pass": "independent", "in_a_row": 2})"};
+        return Error{"a gate is an object", where, R"({"pass": 0.8, "in_a_row": 2})"};
     }
     for (const auto& [key, value] : given.items()) {
         Status status = success();
-        if (key == "pass") {
-            status = take_pass(value, bands, where, gate);
+        if (key == "pass" && value.is_number()) {
+            gate.pass = value.get<double>();
+            status = check_range("pass", gate.pass, 0.0, 1.0, where);
         } else if (key == "in_a_row" && value.is_number_integer()) {
             status = check_range("in_a_row", value.get<double>(), 1.0, most_in_a_row, where);
             gate.in_a_row = status ? value.get<int>() : gate.in_a_row;
@@ -47,13 +31,28 @@ Status take_gate(const json& given, const json& bands, const std::string& where,
             gate.from_the_beginning = value.get<bool>();
         } else if (key == "mode" && (value == "exam" || value == "teaching" || value == "")) {
             gate.mode = value.get<std::string>();
+        } else if (key == "reason" && value.is_string()) {
+            gate.reason = value.get<std::string>();
+        } else if (key == "tells_apart" && value.is_boolean()) {
+            gate.tells_apart = value.get<bool>();
         } else {
-            const std::vector<std::string> known = {"pass", "in_a_row", "no_critical_error_left", "from_the_beginning",
-                                                    "mode"};
+            const std::vector<std::string> known = {
+                "pass", "in_a_row", "no_critical_error_left", "from_the_beginning", "mode", "reason", "tells_apart"};
             status = Error{"what is " + key + " = " + value.dump() + "?", where, suggestion(key, known)};
         }
         if (!status) {
             return status;
+        }
+    }
+    return success();
+}
+
+/// What stands beside the gates themselves.
+Status check_keys(const json& given, const std::string& where) {
+    const std::vector<std::string> known = {"note", "usual", "exercises"};
+    for (const auto& [key, value] : given.items()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            return Error{"what is " + key + "?", where, suggestion(key, known)};
         }
     }
     return success();
@@ -74,15 +73,20 @@ const Gate& Gates::of(const std::string& exercise) const {
 Result<Gates> gates_from(const json& given, const std::string& where) {
     Gates gates;
     if (!given.is_object()) {
-        return Error{"gates are an object", where, R"({"bands": {...}, "usual": {...}, "exercises": {...}})"};
+        return Error{"gates are an object", where, R"({"usual": {...}, "exercises": {...}})"};
     }
-    const json bands = given.value("bands", json::object());
-    Status status = take_gate(given.value("usual", json::object()), bands, where + ": usual", gates.usual);
+    Status status = check_keys(given, where);
+    if (status) {
+        status = take_gate(given.value("usual", json::object()), where + ": usual", gates.usual);
+    }
     const json exercises = given.value("exercises", json::object());
+    if (!exercises.is_object()) {
+        return Error{"exercises: their gates by their names", where, R"({"groove": {"pass": 0.8}})"};
+    }
     for (const auto& [exercise, gate] : exercises.items()) {
         if (status) {
             gates.exercises[exercise] = gates.usual;
-            status = take_gate(gate, bands, where + ": " + exercise, gates.exercises[exercise]);
+            status = take_gate(gate, where + ": " + exercise, gates.exercises[exercise]);
         }
     }
     return status ? Result<Gates>(gates) : status.error();

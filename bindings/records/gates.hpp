@@ -15,11 +15,13 @@
 namespace rhexis::records {
 
 struct Gate {
-    double pass = 0.725;                 ///< least share of the scale: 0: every item at its least, 1: at its most
+    double pass = 0.75;                  ///< least share of the scale: 0: every item at its least, 1: at its most
     int in_a_row = 2;                    ///< passes that open the gate
     bool no_critical_error_left = true;  ///< an attempt with a critical error that was not put right is no pass
     bool from_the_beginning = true;      ///< an attempt that began at a later moment is no pass
     std::string mode;                    ///< "exam" or "teaching": attempts in another are no pass; "": any
+    std::string reason;                  ///< why the pass mark is where it is
+    bool tells_apart = true;             ///< false: the exercise tells no beginner from an expert
 };
 
 struct Gates {
@@ -29,7 +31,7 @@ struct Gates {
     [[nodiscard]] const Gate& of(const std::string& exercise) const;
 };
 
-/// From the JSON of rubrics/gates.json; fails on a band that is not there, on names and numbers that make no sense.
+/// From the JSON of rubrics/gates.json; fails on names that there are not and on numbers that make no sense.
 Result<Gates> gates_from(const nlohmann::json& given, const std::string& where);
 
 /// Why an attempt is no pass, in words that scripts/texts translate; "": it is one. Needs the attempt's events.

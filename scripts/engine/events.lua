@@ -5,8 +5,9 @@
 --                                             |                                 ^
 --                                             +-- deadline_s passes: lost ------+ (once `when` has ceased)
 --
--- An error that is put right within near_miss_s, without `harm`, was a near miss. Nothing here ends an exercise unless
--- the curriculum says ends_exercise.
+-- An error that is put right within near_miss_s, without `harm`, was a near miss. What the eye has from the start is
+-- not the operator's error but the task: such an event is `given`, until what makes it so has ceased for once. Nothing
+-- here ends an exercise unless the curriculum says ends_exercise.
 
 local condition = require "engine.condition"
 local words = require "engine.words"
@@ -16,12 +17,14 @@ local events = {}
 local Watch = {}
 Watch.__index = Watch
 
---- Starts to watch for one declared error event.
-function events.watch(declared, eye)
+--- Starts to watch for one declared error event. task: what holds at the first observation is given, not made: not so
+--- in an operation, whose earlier parts made it.
+function events.watch(declared, eye, task)
     local what = "in error event '" .. declared.title .. "'"
     local function bind(parts) return parts and condition.bind(parts, eye, what) end
     local self = setmetatable({ declared = declared, eye = eye, state = "watching" }, Watch)
     self.when, self.recovered, self.harm = bind(declared.when), bind(declared.recovered), bind(declared.harm)
+    self.there = task and bind(declared.given or declared.when) or nil
     for _, name in ipairs(declared.evidence or {}) do
         if not eye.info[name] then
             words.fail(declared.where, ("evidence: unknown measure '%s'%s"):format(name,
@@ -51,6 +54,7 @@ local function raise(self, step, log)
     self.record = { id = declared.id, title = declared.title, step = step, time_s = self.since,
         severity = declared.severity, items = declared.items or {}, advice = declared.advice, cue = declared.cue,
         evidence = evidence_of(self), recovered = false, outcome = "open", harmed = false,
+        given = self.there and true or nil,
         consequences = words.as_object({ texts = declared.consequences.texts,
             settings = words.as_object(declared.consequences.settings) }) }
     table.insert(log.events, self.record)
@@ -119,6 +123,7 @@ end
 
 --- One step. step: id of the running step. log: { events, raised(record, declared), closed(record, declared) }.
 function Watch:tick(time_s, step, log)
+    if self.there and not self.there.test() then self.there = nil end
     if self.state == "watching" then
         local wanted = self.declared.in_steps
         if not wanted or wanted[step] then watch(self, time_s, step, log) end
@@ -132,7 +137,7 @@ end
 --- What the watch of a changed exercise goes on from. index_of: of a record in the list of events.
 function Watch:left(index_of)
     return { id = self.declared.id, state = self.state, since = self.since, right_since = self.right_since,
-        calm_since = self.calm_since, record = self.record and index_of[self.record] }
+        calm_since = self.calm_since, given = self.there ~= nil, record = self.record and index_of[self.record] }
 end
 
 --- Goes on where the event of the same name had come to. records: the events so far.
@@ -140,6 +145,7 @@ function Watch:take_up(left, records)
     self.state, self.since, self.right_since, self.calm_since = left.state, left.since, left.right_since,
         left.calm_since
     self.record = left.record and records[left.record]
+    if not left.given then self.there = nil end
 end
 
 --- The exercise is over: what is still open was not put right.

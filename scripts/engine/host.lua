@@ -12,6 +12,7 @@ local requests = require "engine.requests"
 local review = require "engine.review"
 local scoring = require "scoring"
 local settings_check = require "engine.settings_check"
+local standing = require "engine.standing"
 local texts = require "engine.texts"
 local vocabulary = require "engine.vocabulary"
 local words = require "engine.words"
@@ -111,8 +112,12 @@ function host.join(place) operation.join(host.operation, place.index, host.exerc
 function host.set(name, text, settings)
     local ok, complaint = pcall(language.set, host.exercise, name, text, settings)
     if not ok then return complaint end
+    host.changed = host.changed or standing.is_another_task(name)
     return nil
 end
+
+--- How virtual surgeons did the exercise: an entry of rubrics/cohorts.json, or nil.
+function host.take_cohort(cohort) host.cohort = cohort end
 
 local function shorten_times(exercise)
     for _, event in ipairs(exercise.errors) do
@@ -180,7 +185,7 @@ function host.events()
     local list = {}
     for i, event in ipairs(host.run.events) do
         list[i] = { id = event.id, title = event.title, time_s = event.time_s, outcome = event.outcome,
-            recovery_s = event.recovery_s }
+            recovery_s = event.recovery_s, given = event.given }
     end
     return list
 end
@@ -196,6 +201,9 @@ function host.reached() return host.moment.test() end
 function host.result()
     if not host.run then return words.as_object({}) end
     local result = host.run:result()
+    if result.osacss then
+        result.osacss.standing = standing.of(result.osacss, result.completed, host.cohort, host.changed)
+    end
     if result.operation then result.operation.carried.scene = host.scene() end
     return result
 end

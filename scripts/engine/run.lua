@@ -66,7 +66,8 @@ function Run.new(exercise, schema)
     self.log = event_log(self)
     self.steps = steps.prepare(exercise.steps, self.eye, self.act)
     self.watches = {}
-    for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye) end
+    local task = not (exercise.whole and exercise.whole.before.parts)
+    for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye, task) end
     self.over = exercise.over and condition.bind(exercise.over, self.eye, "in 'over'")
     if exercise.scoring then
         self.sheet = scoring.sheet(exercise.scoring, self.eye, exercise.reference, exercise.step_s)
@@ -75,8 +76,22 @@ function Run.new(exercise, schema)
     return self
 end
 
+-- Who takes the instruments out for good before all is done has given up, which no tissue tells of.
+local function note_given_up(self)
+    local undone = self.steps:first_undone()
+    if not undone or self.eye.info["instruments.out_s"] and self.eye:value("instruments.out_s") == 0 then return end
+    local title = self.t("Given up")
+    table.insert(self.events, { id = "given_up", title = title, step = undone.id, time_s = self.time_s,
+        severity = "critical", items = {}, evidence = words.as_object({}), recovered = false,
+        outcome = "not_recovered", harmed = false,
+        advice = self.t("\"%s\" was not done: go on with it before the instruments leave for good."):format(
+            undone.title),
+        consequences = words.as_object({ texts = {}, settings = words.as_object({}) }) })
+end
+
 local function finish(self, reason)
     self.finished, self.reason = true, reason
+    if reason == "over" then note_given_up(self) end
     self.steps:stop(self.time_s)
     for _, watch in ipairs(self.watches) do watch:finish(self.time_s, self.log) end
     self.act.picture("end", self.t("End of the exercise."))

@@ -186,11 +186,16 @@ function Runner:since() return self.records[self.at] and self.records[self.at].s
 --- All steps have had their turn.
 function Runner:over() return self.at > #self.declared end
 
-function Runner:all_completed()
+--- Record of the first step that was to be done and is not; nil: all are.
+function Runner:first_undone()
     for _, record in ipairs(self.records) do
-        if not record.completed and not record.skipped then return false end
+        if not record.completed and not record.skipped then return record end
     end
-    return true
+    return nil
+end
+
+function Runner:all_completed()
+    return self:first_undone() == nil
 end
 
 return steps

@@ -30,7 +30,8 @@ end
 local function occurrence(w, event)
     local outcome = outcomes[event.outcome] or outcomes[event.recovered and "recovered" or "not_recovered"]
     w("<li>", e(t("at %s", time(event.time_s))), ' <span class="tag ', outcome[2], '">', e(t(outcome[1])),
-        event.recovery_s and e(t(" after %s", time(event.recovery_s))) or "", "</span>")
+        event.recovery_s and e(t(" after %s", time(event.recovery_s))) or "", "</span>",
+        event.given and (' <span class="tag">' .. e(t("given at the start")) .. "</span>") or "")
     local followed = consequences_html(event.consequences)
     if followed ~= "" then
         w('<br><span class="soft small">', e(t("What the exercise let follow: ")), followed, "</span>")

@@ -12,10 +12,10 @@ local scores = {}
 
 local e, number = markup.escape, markup.number
 
--- Colour of a share of the points, 0 to 1.
+-- Colour of a share of the points, 0 to 1: from 4 points on, from 2 on.
 local function class_of(share)
-    if share >= 0.725 then return "good" end
-    if share >= 0.2625 then return "fair" end
+    if share >= 0.75 then return "good" end
+    if share >= 0.25 then return "fair" end
     return "bad"
 end
 
@@ -30,23 +30,44 @@ local function ground(score)
     return t("rests on %d of %d items", scored_of(score), reasons.items_of(score))
 end
 
--- Who begins in the middle has not shown a whole attempt.
-local function band_of(report)
-    if report.begun_at then return t("no band: begun in the middle"), "none" end
-    local score = report.osacss
-    if score.band then return known(score.band), class_of(score.scaled) end
-    return t("no band: not completed"), "none"
+-- Why it is not said whose scores these are like.
+local no_standing = {
+    ["no cohort"] = "no comparison: virtual surgeons have not done it for one",
+    ["another exercise"] = "no comparison: the exercise has changed since virtual surgeons did it",
+    ["another rubric"] = "no comparison: judged by another rubric",
+    ["another task"] = "no comparison: not the exercise as virtual surgeons did it",
+    ["not completed"] = "no comparison: not completed",
+    ["too few items"] = "no comparison: too few items",
+    ["other items"] = "no comparison: other items than virtual surgeons were scored on",
+    ["not told apart"] = "no comparison: this exercise does not tell beginners from experts",
+}
+
+-- "b", "b and c"
+local function listed(groups)
+    if #groups < 2 then return groups[1] end
+    return table.concat(groups, ", ", 1, #groups - 1) .. t(" and ") .. groups[#groups]
 end
 
---- Score and band, for the head of the page.
+-- Whose scores these are like. Who begins in the middle has not shown a whole attempt.
+local function standing_of(report)
+    if report.begun_at then return t("no comparison: begun in the middle"), "none" end
+    local standing = report.osacss.standing
+    if not standing or not standing.like then
+        return t(no_standing[standing and standing.none] or no_standing["no cohort"]), "none"
+    end
+    return t(#standing.like > 1 and "like virtual surgeons of groups %s" or "like virtual surgeons of group %s",
+        listed(standing.like)), class_of(report.osacss.scaled)
+end
+
+--- Score, and whose it is like, for the head of the page.
 function scores.badge(report)
     local score = report.osacss
     if not score or not score.scaled then return '<div class="score"><b>–</b>' .. e(t("not scored")) .. "</div>" end
-    local band, class = band_of(report)
+    local standing, class = standing_of(report)
     local w = markup.writer()
     w('<div class="score"><span class="soft small">', e(score.rubric or "OSACSS"), "</span><b>",
         number(score.total, 1), '</b><span class="soft">', e(t("of %s", number(score.max, 0))), "</span><br>")
-    w('<span class="band ', class, '">', e(band), '</span><br><span class="soft small">')
+    w('<span class="band ', class, '">', e(standing), '</span><br><span class="soft small">')
     if score.items then w(e(ground(score)), "<br>") end
     w(e(t("not clinically validated")), "</span></div>")
     return w:text()
@@ -80,6 +101,10 @@ local function item_row(w, score, item, least)
         "</b><ul>")
     if item.anchor then w('<li class="soft">', e(t("This level reads: ")), e(known(item.anchor)), ".</li>") end
     for _, reason in ipairs(reasons.of(score.rubric, item)) do w("<li>", e(reason), "</li>") end
+    for _, measure in ipairs(item.given or {}) do
+        w('<li class="soft">', e(t("%s: given at the start, not judged.", reasons.measure_name(score.rubric, item,
+            measure))), "</li>")
+    end
     w('</ul></td><td class="points">')
     if item.score then
         local share = (item.score - least) / (5 - least)
@@ -97,13 +122,14 @@ local function item_row(w, score, item, least)
     w("</tbody>")
 end
 
-local function band_told(w, report)
-    local score = report.osacss
-    if not score.band or report.begun_at then return end
-    w('<p class="small">', e(t("Band: ")), "<b>", e(known(score.band)), "</b>", score.band_meaning and ", "
-        .. e(known(score.band_meaning)) or "", e(t("; ") .. ground(score)), ". ",
-        (score.rubric or "OSACSS") == "OSACSS"
-        and e(t("The cuts are where the groups of Saleh et al. 2007 part.")) or "", "</p>")
+-- What a comparison rests on.
+local function standing_told(w, report)
+    local score, standing = report.osacss, report.osacss.standing
+    if report.begun_at or not standing or not standing.like then return end
+    w('<p class="small">', e(t("Comparison: this exercise was completed %d times by virtual surgeons of group %s; the "
+        .. "score falls nearer to theirs than to those of the others.", standing.n, listed(standing.like))), " ",
+        e(t("Group a stands for fewer than 50 operations, d for over 500; what they are is a model, not people.")), " ",
+        e(t("It ")), e(ground(score)), ".</p>")
 end
 
 --- The table of items.
@@ -115,7 +141,7 @@ function scores.section(w, report)
     local least = type(score.least) == "number" and score.least or 1
     for _, item in ipairs(score.items) do item_row(w, score, item, least) end
     w("</table></div>")
-    band_told(w, report)
+    standing_told(w, report)
     w('<p class="soft small">', e(t("Each item has %s to 5 points.", number(least, 0))), " <b>",
         e(t("These scores have not been validated clinically.")), "</b> ",
         e(t("Thresholds marked “proposal” have no published ground; an item that this exercise does not show (N/A) is "

@@ -10,6 +10,13 @@ local story = {}
 
 local e = markup.escape
 
+-- What the operator made, and what the exercise began with.
+local function parted(events)
+    local made, given = {}, {}
+    for _, event in ipairs(events) do table.insert(event.given and given or made, event) end
+    return made, given
+end
+
 -- "2 errors were made, and one put right."
 local function errors_told(events)
     local made, right = #events, 0
@@ -22,6 +29,44 @@ local function errors_told(events)
     if right == 0 then return t("%d errors were made, and none put right.", made) end
     if right == 1 then return t("%d errors were made, and one of them put right.", made) end
     return t("%d errors were made, and %d of them put right.", made, right)
+end
+
+-- How events of one name ended: "not put right", "put right", "2 of 3 put right".
+local function ended(all, right)
+    if right == 0 then return t("not put right") end
+    if right == all then return t("put right") end
+    return t("%d of %d put right", right, all)
+end
+
+-- "“Iris touched” (3 times; 2 of 3 put right)", the gravest first, each name once.
+local function names_of(events)
+    local by_title, order = {}, {}
+    for _, event in ipairs(events) do
+        local title = event.title or event.id
+        local same = by_title[title]
+        if not same then
+            same = { title = title, all = 0, right = 0, minor = event.severity == "minor", first = #order }
+            by_title[title], order[#order + 1] = same, same
+        end
+        same.all, same.right = same.all + 1, same.right + (event.recovered and 1 or 0)
+    end
+    table.sort(order, function(a, b)
+        if a.minor ~= b.minor then return b.minor end
+        return a.first < b.first
+    end)
+    local names = {}
+    for i, same in ipairs(order) do
+        local how = ended(same.all, same.right)
+        if same.all > 1 then how = t("%d times; ", same.all) .. how end
+        names[i] = ("%s (%s)"):format(quoted(known(same.title)), how)
+    end
+    return table.concat(names, ", ")
+end
+
+local function events_told(w, events)
+    local made, given = parted(events)
+    if #made > 0 then w('<p class="tb">', e(t("Errors: ") .. names_of(made)), ".</p>") end
+    if #given > 0 then w("<p>", e(t("The exercise began with: ") .. names_of(given)), ".</p>") end
 end
 
 -- A part that was never loaded is known by its folder only: "phaco_quadrants".
@@ -86,13 +131,15 @@ local function begun_in_the_middle_told(w, report)
     for _, own in ipairs(report.parts or {}) do part = part or own.id == place and own end
     local told = part and t("This operation was begun in the middle, with %s.", quoted(known(part.title or place)))
         or t("This exercise was begun in the middle: %s.", place)
-    w("<p><b>", e(told), "</b> ", e(t("What came before is not judged, and a band of skill is not told.")), "</p>")
+    w("<p><b>", e(told), "</b> ", e(t("What came before is not judged, and the score is not compared.")), "</p>")
 end
 
 --- The section.
 function story.section(w, report)
-    w("<section><h2>", e(t("In short")), "</h2><p>", e(steps_told(report) .. " " .. errors_told(report.events or {})),
+    local events = report.events or {}
+    w("<section><h2>", e(t("In short")), "</h2><p>", e(steps_told(report) .. " " .. errors_told((parted(events)))),
         "</p>")
+    events_told(w, events)
     begun_in_the_middle_told(w, report)
     opening_told(w, report)
     not_begun_told(w, report)

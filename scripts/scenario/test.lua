@@ -10,6 +10,7 @@ local condition = require "engine.condition"
 local fields = require "engine.fields"
 local microscope = require "surgeons.microscope"
 local requests = require "engine.requests"
+local scoring = require "scoring"
 local words = require "engine.words"
 
 local Test = {}
@@ -374,7 +375,7 @@ end
 --- than the rubric leaves it after such an error.
 function Test:judged(result)
     for _, event in ipairs(result.osacss and result.events or {}) do
-        local cap = (result.osacss.caps[event.severity] or {})[event.outcome]
+        local cap = scoring.cap_of(result.osacss.caps, event)
         local concerned = {}
         for _, id in ipairs(event.items) do concerned[id] = cap end
         for _, item in ipairs(result.osacss.items) do

@@ -36,6 +36,54 @@ case("a provoked error that is put right in time is recovered, with evidence", f
     equal(run.finished, nil, "an error does not end the exercise")
 end)
 
+case("what holds at the start is given until it has ceased once, and what comes after is the operator's", function()
+    local function at(t) return (t < 1.5 or t >= 5 and t < 6) and depth(0, 0, 1)
+        or depth(0, 1, 2) end
+    local events = events_of(at)
+    equal(#events, 2)
+    equal(events[1].given, true)
+    equal(events[1].outcome, "recovered")
+    equal(events[2].given, nil)
+    equal(events_of(function(t) return depth(t, 0.02, 1.5) end)[1].given, nil, "what comes a moment later is made")
+    local touched = event:gsub('when = "tip.depth_mm > 2"', 'when = "tip.depth_mm > 2 and tool.present", '
+        .. 'given = "tip.depth_mm > 2"')
+    local function comes_later(t)
+        local values = depth(t, 0, 4)
+        values["tool.present"] = t >= 2
+        return values
+    end
+    local later = events_of(comes_later, 10, touched)
+    near(later[1].time_s, 2, 1e-9)
+    equal(later[1].given, true, "what the eye had before the tool came")
+end)
+
+case("who takes the instruments out for good before all is done has given up", function()
+    local function result(at, rest)
+        local schema = { table.unpack(support.schema) }
+        schema[#schema + 1] = { name = "instruments.out_s", unit = "s", meaning = "" }
+        local exercise = support.demo({ steps = 'step "open" { title = "Open it", done = "tip.depth_mm > 5" }',
+            rest = rest or 'over = "instruments.out_s > 2",' })
+        return support.attempt(exercise, 6, at, schema):result()
+    end
+    local given_up = result(function(t)
+        return { ["tip.depth_mm"] = 0, ["tip.touch"] = false, ["instruments.out_s"] = math.max(0, t - 1) }
+    end)
+    equal(#given_up.events, 1)
+    equal(given_up.events[1].title, "Given up")
+    equal(given_up.events[1].severity, "critical")
+    equal(given_up.events[1].recovered, false)
+    equal(given_up.advice == nil, false)
+    local finished = result(function(t)
+        return { ["tip.depth_mm"] = t > 0.5 and 6 or 0, ["tip.touch"] = false,
+            ["instruments.out_s"] = math.max(0, t - 1) }
+    end)
+    equal(#finished.events, 0)
+    local out_of_time = result(function()
+        return { ["tip.depth_mm"] = 0, ["tip.touch"] = false, ["instruments.out_s"] = 0 }
+    end, "time_limit_s = 4,")
+    equal(#out_of_time.events, 0, "an instrument in the eye has not given up")
+end)
+
 case("where recovery must last, passing through it does not count, and what began in time does", function()
     local held = event:gsub("deadline_s = 2", "deadline_s = 2, recovered_hold_s = 0.5")
     local function dip(length)

@@ -39,7 +39,8 @@ local function full()
             { id = "iris", title = "Iris", time_s = 8, severity = "minor", outcome = "not_recovered", recovered = false,
             advice = "Careful.", items = {}, evidence = {} } },
         advice = { "Do <less>." },
-        osacss = { rubric = "OSACSS", total = 7.5, max = 10, scaled = 0.69, band = "supervised", items = {
+        osacss = { rubric = "OSACSS", total = 7.5, max = 10, scaled = 0.69,
+            standing = { like = { "b", "c" }, n = 9 }, items = {
             { id = "T9", name = "Nucleus", score = 3, reasons = { "Too deep: at most 3 points." }, capped_by = {},
                 measures = { { id = "T9.m", name = "Depth", value = 55, unit = "%", score = 2.5,
                     threshold_source = "proposal" } } },
@@ -79,7 +80,8 @@ end)
 case("a full report holds score, reasons, errors, pictures and charts, all escaped", function()
     local html = report.html(full(), series(), { ["frames/001.png"] = "aGVsbG8=" })
     check_balance(html)
-    for _, text in ipairs({ "Groove &lt;b&gt;", "Dig &amp; be gentle.", "7.5", "supervised",
+    for _, text in ipairs({ "Groove &lt;b&gt;", "Dig &amp; be gentle.", "7.5",
+        "like virtual surgeons of groups b and c",
         "Too deep: at most 3 points.", "Too &lt;deep&gt;", "Up &amp; away.", "put right after 0.8 s",
         "not put right in time", "Do &lt;less&gt;.",
         "data:image/png;base64,aGVsbG8=", "After &lt;it&gt;", "not been validated clinically", "<svg",
@@ -255,10 +257,10 @@ case("a page can be in another language than its run: items by their ids, measur
         measures = { { id = measure.id, name = measure.name, unit = "mm", value = 1.48, score = 3.9,
             better = measure.better, threshold_source = measure.source,
             text = measure.name .. ": 1.48 mm (5 points at 1.75 to 2.25 mm, 3 at 1.25 or 2.75 mm, 1 at 1.00 mm)" } } } }
-    told.osacss.band = "supervised"
     told.steps, told.pictures = {}, { { file = "a.png", caption = 'Step "Cut" completed.', time_s = 1 } }
     local html = visible(report.html(told, series(), { ["a.png"] = "QUJD" }))
-    for _, text in ipairs({ "Incision et paracentèse", "sous supervision", "Étape « Cut » accomplie.",
+    for _, text in ipairs({ "Incision et paracentèse",
+        "comme les chirurgiens virtuels des groupes b et c", "Étape « Cut » accomplie.",
         "Longueur du tunnel de l'incision principale : 1,48 mm (5 points pour 1,75 à 2,25 mm, 3 pour 1,25 ou "
             .. "2,75 mm, 1 pour 1,00 mm). À peu près aussi long que large : 2 mm." }) do
         holds((html:gsub(joined, " ")), markup.escape(text))
@@ -266,19 +268,22 @@ case("a page can be in another language than its run: items by their ids, measur
     lacks(html, "paracentesis")
 end)
 
-case("the badge says on how many items the score rests, and who began in the middle has no band", function()
+case("the badge says on how many items the score rests and whose it is like; not of who began in the middle", function()
     local told = full()
     told.completed = true
     local html = report.html(told, series(), {})
     holds(html, "rests on 1 of 20 items")
-    holds(html, '<span class="band fair">supervised</span>')
+    holds(html, '<span class="band fair">like virtual surgeons of groups b and c</span>')
+    holds(html, "this exercise was completed 9 times by virtual surgeons of group b and c")
+    told.osacss.standing = { none = "too few items" }
+    holds(report.html(told, series(), {}), '<span class="band none">no comparison: too few items</span>')
     lacks(html, "in the middle")
     told.begun_at, told.parts = "cortex", { { id = "cortex", title = "Cortex <out>", duration_s = 12 } }
     html = report.html(told, series(), {})
     check_balance(html)
     holds(html, "This operation was begun in the middle, with “Cortex &lt;out&gt;”.")
-    holds(html, "no band: begun in the middle")
-    lacks(html, "supervised")
+    holds(html, "no comparison: begun in the middle")
+    lacks(html, "like virtual surgeons")
     told.begun_at, told.parts = "half.rhxs", nil
     holds(report.html(told, series(), {}), "This exercise was begun in the middle: half.rhxs.")
 end)
@@ -306,6 +311,25 @@ case("what happened is told in sentences that fit one, some and all", function()
     equal(report_words.count(0, "%d trainee", "%d trainees", 0), "0 interne")
     holds(story(3, 2, 2, 3, false), "2 étapes sur 3 ont été accomplies ; non accomplie : « S3 ». 3 erreurs, dont 2 "
         .. "corrigées.")
+end)
+
+case("errors are named in short, the gravest first, and what was given is not among them", function()
+    local told = full()
+    told.events = {
+        { id = "m", title = "Iris <touched>", time_s = 1, severity = "minor", recovered = true, outcome = "recovered" },
+        { id = "m", title = "Iris <touched>", time_s = 2, severity = "minor", recovered = false, outcome = "open" },
+        { id = "c", title = "Burn", time_s = 3, severity = "critical", recovered = false, outcome = "not_recovered" },
+        { id = "g", title = "Prolapse", time_s = 0, severity = "critical", recovered = true, outcome = "recovered",
+            given = true } }
+    local html = report.html(told, series(), {})
+    check_balance(html)
+    holds(html, "3 errors were made, and one of them put right.")
+    holds(html, "Errors: “Burn” (not put right), “Iris &lt;touched&gt;” (2 times; 1 of 2 put right).")
+    holds(html, "The exercise began with: “Prolapse” (put right).")
+    holds(html, "given at the start")
+    told.language = "fr"
+    local french = visible(report.html(told, series(), {})):gsub(joined, " ")
+    holds(french, markup.escape("L'exercice a commencé par : « Prolapse » (corrigée)."))
 end)
 
 case("scores are compared as shares of the scale, with pass, numbers and what was not completed", function()

@@ -10,8 +10,8 @@ local case, equal, near, fails = support.case, support.equal, support.near, supp
 local caps = { critical = { not_recovered = 1, open = 1, recovered = 3, near_miss = 4 },
     minor = { not_recovered = 3, open = 3, recovered = 4, near_miss = 5 } }
 
-local function rubric(measures, bands)
-    return scoring.rubric { name = "test", caps = caps, bands = bands, items = {
+local function rubric(measures)
+    return scoring.rubric { name = "test", caps = caps, items = {
         { id = "I1", name = "first", measures = measures },
         { id = "I2", name = "second", not_scored = "not here." },
     } }
@@ -240,14 +240,69 @@ case("a rubric may have levels of its own, anchors, and errors of other items", 
     equal(result(0, { event }).items[1].score, 5)
 end)
 
-case("the band follows the share of the scale", function()
-    local eye = Eye.new(support.schema, {})
-    local bands = { { from = 0, name = "low" }, { from = 0.5, name = "high" } }
-    local sheet = scoring.sheet(rubric({ depth_measure() }, bands)({ "I1" }), eye, {}, 0.01)
-    eye:look(0, { 2, 1, 0, 1 }, 0)
-    sheet:tick(0)
-    equal(sheet:score({}, true).band, "high")
-    equal(sheet:score({}, false).band, nil)
+case("what was given caps nothing when it is met, and does when it is met badly or not at all", function()
+    local function points(event)
+        event.id, event.title, event.severity, event.items, event.time_s = "e", "E", "critical", { "I1" }, 0
+        return score({ depth_measure() }, { 0 }, { event }).items[1].score
+    end
+    equal(points { outcome = "recovered", recovered = true }, 3)
+    equal(points { outcome = "recovered", recovered = true, given = true }, 5)
+    equal(points { outcome = "recovered", recovered = true, given = true, harmed = true }, 3)
+    equal(points { outcome = "not_recovered", recovered = false, given = true }, 1)
+end)
+
+case("advice goes by severity, what was not put right first, and not by what was given and met", function()
+    local function event(advice, severity, outcome, given)
+        return { id = advice, title = advice, severity = severity, items = {}, time_s = 0, outcome = outcome,
+            recovered = outcome == "recovered", advice = advice, given = given }
+    end
+    local list = scoring.advice({ items = {} }, { event("minor left", "minor", "not_recovered"),
+        event("grave mended", "critical", "recovered"), event("grave left", "critical", "not_recovered"),
+        event("given", "critical", "recovered", true) })
+    equal(table.concat(list, ", "), "grave left, grave mended, minor left")
+end)
+
+case("whose scores a score is like: only of the same exercise, done in the same way, on the same items", function()
+    local standing = require "engine.standing"
+    local function items(...)
+        local list = {}
+        for i, id in ipairs({ ... }) do list[i] = { id = id, score = 4 } end
+        return list
+    end
+    local cohort = { rubric = "OSACSS", items = { "T1", "T2", "G1" }, seeds = { 401, 406 }, cuts = {
+        { from = 0, groups = { "a" }, n = 5 }, { from = 0.6, groups = { "b", "c" }, n = 11 },
+        { from = 0.9, groups = { "d" }, n = 6 } } }
+    local function like(scaled)
+        return table.concat(standing.of({ rubric = "OSACSS", items = items("T1", "T2", "G1"), scaled = scaled }, true,
+            cohort).like, " ")
+    end
+    equal(like(0.59), "a")
+    equal(like(0.6), "b c")
+    equal(like(0.95), "d")
+    local function why(change, completed, of, changed)
+        local judged = { rubric = "OSACSS", items = items("T1", "T2", "G1"), scaled = 0.7 }
+        for key, value in pairs(change or {}) do judged[key] = value end
+        return standing.of(judged, completed ~= false, of, changed).none
+    end
+    equal(why(nil, true, nil), "no cohort")
+    equal(why(nil, false, cohort), "not completed")
+    equal(why(nil, true, cohort, true), "another task")
+    equal(why({ rubric = "ICO-OSCAR" }, true, cohort), "another rubric")
+    equal(why({ items = items("T1", "T2") }, true, cohort), "too few items")
+    equal(why({ items = items("T1", "T2", "G2") }, true, cohort), "other items")
+    cohort.cuts = { { from = 0, groups = { "a", "b", "c", "d" }, n = 22 } }
+    equal(why(nil, true, cohort), "not told apart")
+    cohort.stale = true
+    equal(why(nil, true, cohort), "another exercise")
+    equal(standing.is_another_task("language"), false)
+    equal(standing.is_another_task("patient.side"), false)
+    equal(standing.is_another_task("surgeon.recovery"), false)
+    equal(standing.is_another_task("patient.cataract"), true)
+    equal(standing.is_another_task("level"), true)
+end)
+
+case("a rubric with a field that there is not is told so", function()
+    fails(function() scoring.rubric { name = "x", caps = caps, items = {}, bands = {} } end, "no field 'bands'")
 end)
 
 case("OSACSS has its twenty items, and every measure says where its thresholds come from", function()

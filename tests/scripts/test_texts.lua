@@ -66,10 +66,6 @@ case("all that the rubric says is there in French", function()
             for _, key in ipairs({ "name", "better", "too_low", "too_high", "source" }) do wanted(measure[key]) end
         end
     end
-    for _, band in ipairs(osacss.bands) do
-        wanted(band.name)
-        wanted(band.meaning)
-    end
 end)
 
 case("all that a report calls measures, settings and goals is there in French", function()
@@ -118,7 +114,7 @@ local function page(lang)
         steps = { { id = "a", title = "A", completed = true, start_s = 0, end_s = 1 },
             { id = "b", title = "B", completed = false, start_s = 1, end_s = 3 } },
         events = { event, lost },
-        osacss = { total = 4, max = 5, scaled = 0.75, band = "autonome", band_meaning = "z", items = {
+        osacss = { total = 4, max = 5, scaled = 0.75, standing = { like = { "d" }, n = 8 }, items = {
             { id = "T5", name = "N", score = 4, reasons = { "r" }, measures = { { id = "m", name = "M", value = 1,
                 unit = "mm", score = 4, threshold_source = "proposal" } } },
             { id = "T6", name = "O", reasons = {} } } },
@@ -133,7 +129,8 @@ case("a report in French has no English word of its own left", function()
     equal(table.concat(report_words.missing, " | "), "")
     for _, part in ipairs({ '<html lang="fr">', "Note, critère par critère", "En bref", "œil gauche",
         "chirurgien gaucher", "examen (sans conseils)", "Une étape sur 2", "2 erreurs, dont une corrigée.",
-        "Avant le premier instant.", "Déroulement", "non corrigée à temps", "Remplissage de la chambre" }) do
+        "Avant la première étape.", "comme les chirurgiens virtuels du groupe d",
+        "Déroulement", "non corrigée à temps", "Remplissage de la chambre" }) do
         has(html, part)
     end
     for _, part in ipairs({ "Score, item", "In short", "What happened", "Next time", "not scored" }) do

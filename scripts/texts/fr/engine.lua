@@ -9,7 +9,7 @@ return {
     ["Put right after %.1f s: %s."] = "Corrigé après %.1f s : %s.",
     ["During step \"%s\"."] = "Pendant l'étape « %s ».",
     ["End of the exercise."] = "Fin de l'exercice.",
-    ["Before the first step."] = "Avant le premier instant.",
+    ["Before the first step."] = "Avant la première étape.",
     ["Asked and declared"] = "Demandé et déclaré",
     ["At the end."] = "À la fin.",
 

@@ -53,8 +53,23 @@ return {
     ["not scored"] = "non noté",
     ["of %s"] = "sur %s",
     ["rests on %d of %d items"] = "repose sur %d critères sur %d",
-    ["no band: begun in the middle"] = "sans palier : commencé en cours de route",
-    ["no band: not completed"] = "sans palier : non accompli",
+    ["like virtual surgeons of group %s"] = "comme les chirurgiens virtuels du groupe %s",
+    ["like virtual surgeons of groups %s"] = "comme les chirurgiens virtuels des groupes %s",
+    [" and "] = " et ",
+    ["no comparison: begun in the middle"] = "sans comparaison : commencé en cours de route",
+    ["no comparison: virtual surgeons have not done it for one"] =
+        "sans comparaison : aucun chirurgien virtuel n'a servi de référence",
+    ["no comparison: the exercise has changed since virtual surgeons did it"] =
+        "sans comparaison : l'exercice a changé depuis que des chirurgiens virtuels l'ont fait",
+    ["no comparison: judged by another rubric"] = "sans comparaison : jugé selon une autre grille",
+    ["no comparison: not the exercise as virtual surgeons did it"] =
+        "sans comparaison : l'exercice n'est pas celui qu'ont fait les chirurgiens virtuels",
+    ["no comparison: not completed"] = "sans comparaison : non accompli",
+    ["no comparison: too few items"] = "sans comparaison : trop peu de critères",
+    ["no comparison: other items than virtual surgeons were scored on"] =
+        "sans comparaison : d'autres critères que ceux des chirurgiens virtuels",
+    ["no comparison: this exercise does not tell beginners from experts"] =
+        "sans comparaison : cet exercice ne distingue pas débutants et experts",
 
     -- report: in short
     ["In short"] = "En bref",
@@ -71,12 +86,21 @@ return {
     ["This operation was begun in the middle, with %s."] =
         "Cette opération a été commencée en cours de route, avec %s.",
     ["This exercise was begun in the middle: %s."] = "Cet exercice a été commencé en cours de route : %s.",
-    ["What came before is not judged, and a band of skill is not told."] =
-        "Ce qui précède n'est pas jugé, et aucun palier n'est donné.",
+    ["What came before is not judged, and the score is not compared."] =
+        "Ce qui précède n'est pas jugé, et la note n'est pas comparée.",
     ["; not completed: "] = " ; non accomplie : ",
     ["; these were not completed: "] = " ; non accomplies : ",
     ["%s began with a round opening of the bag: what was torn before could not be its opening."] =
         "%s a commencé avec une ouverture ronde du sac : ce qui avait été déchiré ne pouvait être la sienne.",
+    ["Errors: "] = "Erreurs : ",
+    ["The exercise began with: "] = "L'exercice a commencé par : ",
+    ["%d of %d put right"] = "%d sur %d corrigées",
+    ["%d times; "] = "%d fois ; ",
+    ["given at the start"] = "donnée au départ",
+    ["%s: given at the start, not judged."] = "%s : donné au départ, non jugé.",
+    ["Given up"] = "Abandon",
+    ["\"%s\" was not done: go on with it before the instruments leave for good."] =
+        "« %s » n'a pas été fait : poursuivez avant de retirer les instruments pour de bon.",
     ["No error was made."] = "Aucune erreur.",
     ["One error was made, and put right."] = "Une erreur, corrigée.",
     ["One error was made, and not put right."] = "Une erreur, non corrigée.",
@@ -139,11 +163,16 @@ return {
     ["Value"] = "Valeur",
     ["Ground for the thresholds"] = "Origine des seuils",
     ["of 5"] = "sur 5",
-    ["Band: "] = "Palier : ",
-    ["The cuts are where the groups of Saleh et al. 2007 part."] =
-        "Les limites sont celles qui séparent les groupes de Saleh et coll. 2007.",
+    ["Comparison: this exercise was completed %d times by virtual surgeons of group %s; the score falls nearer to "
+        .. "theirs than to those of the others."] =
+        "Comparaison : cet exercice a été accompli %d fois par des chirurgiens virtuels du groupe %s ; la note est "
+            .. "plus proche des leurs que de celles des autres.",
+    ["Group a stands for fewer than 50 operations, d for over 500; what they are is a model, not people."] =
+        "Le groupe a représente moins de 50 opérations, le groupe d plus de 500 ; ce sont des modèles, non des "
+            .. "personnes.",
+    ["It "] = "Elle ",
     ["not clinically validated"] = "non validé cliniquement",
-    ["At"] = "À",
+    ["At"] = "Moment",
     ["What would have been better"] = "Ce qui aurait été mieux",
     ["N/A, not scored"] = "Sans objet, non noté",
     ["proposal"] = "proposition",

@@ -98,7 +98,7 @@ done
 expect 2 "nothing scored is stored of P99" "$rhexis" records curve P99
 expect 2 "0 to 1" "$rhexis" records gates --pass 7
 echo '{"usual": {"pass": "expert"}}' >"$work/gates.json"
-expect 2 "there is no band expert" "$rhexis" records gates --gates "$work/gates.json"
+expect 2 'what is pass = "expert"?' "$rhexis" records gates --gates "$work/gates.json"
 sql "UPDATE attempts SET completed = 1 WHERE trainee = 'P07'"
 expect 0 "" "$rhexis" records gates --pass 0
 says "open since attempt 2"
