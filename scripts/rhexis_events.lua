@@ -37,11 +37,13 @@ function rhexis_events.overfilled(own)
 end
 
 --- Spokes about the needle before it is through: zonules that hold the capsule loosely let it wrinkle where they would
---- keep it taut (docs/tearing.md, "Needle"). Put right by saying so, before the nucleus is touched. An exercise with
---- this event has the request "Weak zonules declared".
+--- keep it taut (docs/tearing.md, "Wrinkles at the puncture"). Not where a shallow or overfilled chamber has moved the
+--- lens: that draws wrinkles in any eye. Put right by saying so, before the nucleus is touched. An exercise with this
+--- event has the request "Weak zonules declared".
 function rhexis_events.wrinkles(own)
     return with({
-        when = "not rhexis.opened and cystotome.wrinkled_share > 0.05 and not requested.weak_zonules_declared",
+        when = "not rhexis.opened and cystotome.wrinkled_share > 0.12 and lens.lift_mm > -0.3 and lens.lift_mm < 0.2 "
+            .. "and not requested.weak_zonules_declared",
         recovered = "requested.weak_zonules_declared",
         deadline_s = 30,
         near_miss_s = 0,

@@ -138,6 +138,15 @@ function rhexis_hand.cut_from_other_end(t, circle)
     return rhexis_hand.draw_round(t, circle)
 end
 
+--- A cut from the other end leads outwards to where the old tear ran; the needle is put in anew where a last strip only
+--- yields.
+function rhexis_hand.meet_tear(t)
+    local circle = { sense = -1, radius = 3.2, outwards = 0.3, by = 360, longest = 0.8, stop = "rhexis.loose_mm2 > 5" }
+    for _ = 1, 8 do
+        if rhexis_hand.draw_round(t, circle) then return end
+    end
+end
+
 function rhexis_hand.lift_out(t)
     t.cystotome:move_by({ 0, 0, 1.2 }, { speed = 8 })
     t.cystotome:withdraw({ speed = 20 })
@@ -164,11 +173,10 @@ end
 --- A place by the tear: from its end so far ahead, the way it goes, and so far aside, into the flap [mm], at a height
 --- over the front of the lens [mm].
 function rhexis_hand.by_tear(t, ahead, aside, height)
-    local radius, angle, lift = rhexis_hand.tear_end(t)
-    local a = math.rad(angle)
-    local way = a + math.rad(90 - t:value("rhexis.tip_heading_deg"))
-    local x = radius * math.cos(a) + ahead * math.cos(way) - aside * math.sin(way)
-    local y = radius * math.sin(a) + ahead * math.sin(way) + aside * math.cos(way)
+    local _, angle, lift = rhexis_hand.tear_end(t)
+    local way = math.rad(angle + 90 - t:value("rhexis.tip_heading_deg"))
+    local x = t:value("rhexis.tip_x_mm") + ahead * math.cos(way) - aside * math.sin(way)
+    local y = t:value("rhexis.tip_y_mm") + ahead * math.sin(way) + aside * math.cos(way)
     return place(math.sqrt(x * x + y * y), math.deg(math.atan(y, x)), height, lift)
 end
 
@@ -179,9 +187,11 @@ function rhexis_hand.open_jaws(t)
 end
 
 --- Takes hold of the flap, so far behind the end of the tear and so far inside of it [mm]; lower and farther behind
---- each time until it is held. Returns whether it is.
+--- each time until it is held, then the same nearer to the tear's edge. Returns whether it is.
 function rhexis_hand.take_hold(t, behind, inside)
-    for try = 0, 3 do
+    for round = 0, 7 do
+        local try = round % 4
+        if round == 4 then inside = 0.4 * inside end
         local back = -behind - 0.15 * try
         t.forceps:jaw(1)
         t:wait(0.1)
@@ -195,7 +205,7 @@ function rhexis_hand.take_hold(t, behind, inside)
 end
 
 --- Holds the flap and pulls towards a place by the tear, close to the lens, until it is there or a condition holds.
---- Returns whether it does. ahead, aside: of by_tear [mm]. A pull of 2 and 1.5 leads a tear round in a deep chamber.
+--- Returns whether it does. ahead, aside: of by_tear [mm]. In a shallow chamber 2 and 1 lead a tear outwards.
 function rhexis_hand.pull(t, ahead, aside, stop)
     rhexis_hand.take_hold(t, 0.5, 0.4)
     return t.forceps:move_to(rhexis_hand.by_tear(t, ahead, aside, 0.2), { speed = 2, motion = "even", stop = stop })
@@ -205,7 +215,7 @@ end
 --- are in the eye.
 function rhexis_hand.pull_on(t)
     for _ = 1, 8 do
-        if rhexis_hand.pull(t, 2, 1.5, "rhexis.run_out") then break end
+        if rhexis_hand.pull(t, 2, 1, "rhexis.run_out") then break end
         rhexis_hand.open_jaws(t)
     end
     t:expect("rhexis.run_out")
@@ -216,7 +226,7 @@ end
 function rhexis_hand.lose_edge(t)
     for pull = 1, 8 do
         local radius, angle, lift = rhexis_hand.tear_end(t)
-        rhexis_hand.take_hold(t, 0.2, 0.2)
+        rhexis_hand.take_hold(t, 0.3, 0.2)
         t:expect("forceps.holding")
         t.forceps:move_to(place(radius - 0.2, angle + 3, 0.3 + lift), { speed = 2 })
         local to = place(4.6, angle + 30 + 10 * ((pull - 1) % 3), 0)

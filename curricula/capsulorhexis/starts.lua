@@ -23,7 +23,7 @@ local function pulled_until(stop)
         rhexis_hand.begin_flap(t)
         t.forceps:enter({ speed = 20 })
         for _ = 1, 6 do
-            if rhexis_hand.pull(t, 2, 1.5, stop) then break end
+            if rhexis_hand.pull(t, 2, 1, stop) then break end
             rhexis_hand.open_jaws(t)
         end
         rhexis_hand.open_jaws(t)
@@ -45,10 +45,10 @@ return starts {
         t.forceps:withdraw({ speed = 20 })
     end },
     narrow = nearly_round(1.85, 0),
-    rather_narrow = nearly_round(2.35, 0),
+    rather_narrow = nearly_round(2.15, 0),
     wide = nearly_round(3.15, 0),
-    rather_wide = nearly_round(2.9, 0),
+    rather_wide = nearly_round(2.68, 0),
     aside = nearly_round(2.6, 0.75),
-    rather_aside = nearly_round(2.6, 0.4),
+    rather_aside = nearly_round(2.6, 0.47),
     round = { surgeon = "expert", seed = 101, when = "rhexis.closed" },
 }

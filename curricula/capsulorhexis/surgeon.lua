@@ -6,7 +6,7 @@ local capsulorhexis = require "surgeons.capsulorhexis"
 local centring = require "surgeons.centring"
 local sculpting = require "surgeons.sculpting"
 
-local wanted_radius = 2.68  -- for an opening 5.2 mm wide: corners are cut
+local wanted_radius = 2.54  -- for an opening 5.25 mm wide as it stands: corners are cut, the rim springs outwards
 
 return function(me)
     centring.centre(me)

@@ -7,8 +7,8 @@ local capsulorhexis = require "surgeons.capsulorhexis"
 local centring = require "surgeons.centring"
 local sculpting = require "surgeons.sculpting"
 
-local wanted_radius = 2.62
-local inwards = 20  -- farther than usual: what has run out once will do so again [degrees]
+local wanted_radius = 2.7
+local inwards = 10  -- farther than usual: what has run out once will do so again [degrees]
 
 return function(me)
     centring.centre(me)

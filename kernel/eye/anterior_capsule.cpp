@@ -8,34 +8,19 @@
 #include "base/index.hpp"
 #include "eye/anatomy.hpp"
 #include "eye/capsular_bag.hpp"
-#include "eye/capsule_material.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "eye/table.hpp"
+#include "eye/tissue_numbers.hpp"
 #include "mesh/shapes.hpp"
 
 namespace rhexis {
 namespace {
 
-constexpr double extent = 0.9;           ///< of the sheet, share of the equator's radius: beyond, it bends back
-constexpr double jitter = 0.2;           ///< of the nodes, share of an edge
-constexpr double across_share = 0.5;     ///< of the modulus along fibres, where there are any. Proposal
-constexpr double fibre_toughness = 4.0;  ///< across them, over that along: as strong as [Dequidt2013] shows. Proposal
-/// Of the anterior zonules at rest [mm]: 37 mN in all at 68 years, for the muscle that slackens them is paralysed when
-/// the pupil is widened. Models of the lens take 0.75 to 300 mN for all zonules [Schachar2023]. Proposal.
-constexpr double zonule_stretch = 1.2;
-/// [uN/mm]. Proposal: an empty chamber before a vitreous at 10 mmHg is 0.7 mm shallower than a full one, at 20
-/// mmHg 1.5.
-constexpr double vitreous_stiffness = 6e4;
-constexpr double settling = 0.02;        ///< time in which lens and capsule come to rest [s]
-constexpr double layer_distance = 0.02;  ///< about its thickness, and less than its nodes sink in under a tool [mm]
-/// Of the capsule that goes on beyond the sheet until lens and cortex hold it [mm]. Proposal: it is 1.0 mm to the
-/// equator, where it bends round and the zonules insert; and a pull over a third of the rim dies away within 1.4 mm.
-constexpr double beyond_length = 1.0;
+constexpr double extent = 0.9;            ///< of the sheet, share of the equator's radius: beyond, it bends back
+constexpr double jitter = 0.2;            ///< of the nodes, share of an edge
+constexpr double settling = 0.02;         ///< time in which lens and capsule come to rest [s]
+constexpr double layer_distance = 0.02;   ///< about its thickness, and less than its nodes sink in under a tool [mm]
 constexpr double insertion_width = 0.25;  ///< of the ring in which the zonules insert, each way [mm]
-
-constexpr std::array<TableRow, 2> pole{{{0.0, 0.011}, {98.0, 0.015}}};
-constexpr std::array<TableRow, 2> mid_periphery{{{0.0, 0.0135}, {98.0, 0.016}}};
-constexpr double mid_share = 0.55;  ///< of the way to the equator, where it is thickest
 
 double across(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
 
@@ -70,7 +55,7 @@ double hang_on_lens(const std::vector<int>& rim, double age, double equator, Mem
         const Vec3& node = nodes[at(rim[i])];
         const Vec3& next = nodes[at(rim[(i + 1) % rim.size()])];  // round sheets number their rim in turn, evenly
         const double thickness = anterior_thickness(age, across(node), equator);
-        const double stiffness = capsule_modulus(age) * thickness / beyond_length * (next - node).norm();
+        const double stiffness = capsule_modulus(age) * thickness / capsule_beyond_sheet * (next - node).norm();
         model.springs.push_back({rim[i], node, stiffness, 0.0, true});
         sum += stiffness;
     }
@@ -121,8 +106,8 @@ void hang(const BagModel& bag, double age, double tension, MembraneModel& model)
 }  // namespace
 
 double anterior_thickness(double age, double rho, double equator) {
-    const std::array<TableRow, 3> rows{{{0.0, linear_between(pole, age)},
-                                        {mid_share * equator, linear_between(mid_periphery, age)},
+    const std::array<TableRow, 3> rows{{{0.0, linear_between(capsule_thickness_pole, age)},
+                                        {capsule_thickest_at * equator, linear_between(capsule_thickness_middle, age)},
                                         {equator, capsule_at_equator}}};
     return linear_between(rows, rho);
 }
@@ -133,10 +118,10 @@ MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& 
     MembraneModel model;
     model.name = anterior_capsule_name;
     model.sheet = std::make_shared<const MembraneSheet>(sheet_of(lens, age, settings));
-    model.material = settings.circles ? Orthotropic{modulus, across_share * modulus, capsule_poisson_ratio, 0.0}
+    model.material = settings.circles ? Orthotropic{modulus, capsule_across_share * modulus, capsule_poisson_ratio, 0.0}
                                       : isotropic(modulus, capsule_poisson_ratio);
     const double toughness = settings.toughness * capsule_toughness;
-    model.toughness = {toughness, settings.circles ? fibre_toughness * toughness : toughness};
+    model.toughness = {toughness, settings.circles ? capsule_fibre_toughness * toughness : toughness};
     model.piercing = capsule_piercing_force / capsule_piercing_thickness;
     model.damping_mass = viscoelastic_drag;
     model.support = SupportModel{{lens.radius, lens.anterior, lens.posterior}, 0.05, 0.0, 0.0, 0.0};

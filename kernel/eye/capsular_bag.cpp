@@ -7,6 +7,7 @@
 
 #include "eye/anatomy.hpp"
 #include "eye/table.hpp"
+#include "eye/tissue_numbers.hpp"
 
 namespace rhexis {
 
@@ -20,8 +21,6 @@ constexpr double posterior_inset = 0.75;
 constexpr double bag_mass = 0.01;      ///< [g]
 constexpr double damping_ratio = 0.7;  ///< of the axial motion of bag and lens together
 constexpr double opening_radius = 2.6;
-
-constexpr std::array<TableRow, 3> ring_stiffness_by_age{{{60.0, 22000.0}, {73.0, 16500.0}, {90.0, 14000.0}}};
 
 /// Unit vectors 15 degrees apart. By roots and products only: the library's sine may differ in its last bit between
 /// processors.
@@ -52,7 +51,7 @@ std::vector<ZonuleSpring> place_zonules(const HalfEllipsoids& bag) {
 
 }  // namespace
 
-double zonule_ring_stiffness(double age) { return linear_between(ring_stiffness_by_age, age); }
+double zonule_ring_stiffness(double age) { return linear_between(zonule_ring_stiffness_by_age, age); }
 
 double suspension_stiffness(const BagModel& bag, const Vec3& direction) {
     double sum = 0.0;

@@ -14,24 +14,14 @@
 #include "eye/anatomy.hpp"
 #include "eye/anterior_capsule.hpp"
 #include "eye/capsular_bag.hpp"
-#include "eye/capsule_material.hpp"
 #include "eye/posterior_capsule.hpp"
 #include "eye/table.hpp"
+#include "eye/tissue_numbers.hpp"
 #include "math/turn.hpp"
 #include "mesh/shapes.hpp"
 
 namespace rhexis {
 namespace {
-
-/// That the edge of a capsulorhexis made by hand bore, in pigs' eyes [Auffarth2013].
-constexpr double rupture_strain = 0.35;
-constexpr double at_posterior_pole = 0.0035;  ///< thickness [Barraquer2006] [mm]
-/// Of the zonules at rest [mm]. Proposal: without the lens that it was drawn over the bag gives way to most of their
-/// tension. With it the opening is 3 % wider than it was torn.
-constexpr double hollow_bag_stretch = 0.15;
-/// With which the vitreous holds the posterior capsule, per area [uN/mm^3]: that of a whole lens, 60 mN/mm, over its
-/// area. Proposal.
-constexpr double vitreous_bed = 900.0;
 
 double from_axis(const Vec3& place) { return std::sqrt(place.x() * place.x() + place.y() * place.y()); }
 
@@ -163,7 +153,8 @@ double thickness_at(const HalfEllipsoids& lens, double age, const Vec3& place) {
     if (place.z() > 0.0) {
         return anterior_thickness(age, rho, lens.radius);
     }
-    return at_posterior_pole + (capsule_at_equator - at_posterior_pole) * std::min(1.0, rho / lens.radius);
+    return posterior_pole_thickness +
+           (capsule_at_equator - posterior_pole_thickness) * std::min(1.0, rho / lens.radius);
 }
 
 Vec3 direction_in(const TriMesh& mesh, int triangle) {
@@ -227,7 +218,7 @@ void hang(const BagModel& bag, const Rings& rings, MembraneModel& model) {
             const Vec3& place = mesh.nodes[at(node)];
             const Vec3 anchor = ciliary_place(place, *inserted);
             model.springs.push_back({node, anchor, stiffness / static_cast<double>(ring.size()),
-                                     std::max(0.0, (anchor - place).norm() - hollow_bag_stretch)});
+                                     std::max(0.0, (anchor - place).norm() - zonule_stretch_hollow)});
         }
     }
 }
@@ -292,7 +283,7 @@ MembraneModel make_empty_bag(const HalfEllipsoids& lens, const BagModel& bag, do
     model.piercing = capsule_piercing_force / capsule_piercing_thickness;
     model.damping_mass = viscoelastic_drag;
     model.shell_friction = settings.friction;
-    model.rupture_stretch = 1.0 + settings.rim_strength * rupture_strain;
+    model.rupture_stretch = 1.0 + settings.rim_strength * capsule_rupture_strain;
     hang(bag, rings_for(lens, settings), model);
     lay_on_vitreous(model);
     return model;

@@ -12,9 +12,9 @@
 namespace rhexis {
 namespace {
 
-Status check_sheet(const MembraneModel& model) {
+Status check_sheet(const MembraneModel& model, UnusedNodes unused) {
     const MembraneSheet& sheet = *model.sheet;
-    if (Status status = validate_tri_mesh(sheet.mesh, model.name); !status) {
+    if (Status status = validate_tri_mesh(sheet.mesh, model.name, unused); !status) {
         return status;
     }
     const std::size_t count = sheet.mesh.triangles.size();
@@ -142,14 +142,17 @@ MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness) {
     return sheet;
 }
 
-Status check_membrane(const MembraneModel& model) {
+Status check_membrane(const MembraneModel& model, UnusedNodes unused) {
     if (!model.sheet) {
         return Error{"has no sheet", model.name, "a triangle mesh"};
     }
     if (Status s = check_orthotropic(model.material, model.name); !s) {
         return s;
     }
-    for (const auto& check : {check_sheet, check_numbers, check_holds, check_support}) {
+    if (Status s = check_sheet(model, unused); !s) {
+        return s;
+    }
+    for (const auto& check : {check_numbers, check_holds, check_support}) {
         if (Status s = check(model); !s) {
             return s;
         }
@@ -174,8 +177,13 @@ double stretch_stiffness(const MembraneModel& model, const MembraneSheet& sheet,
     return times * std::max(model.material.along, model.material.across) * mean;
 }
 
+bool is_out(const MembraneSheet& sheet, int node) {
+    return sheet.neighbours.offset[at(node)] == sheet.neighbours.offset[at(node) + 1];
+}
+
 bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node) {
-    return std::binary_search(model.fixed_nodes.begin(), model.fixed_nodes.end(), sheet.origin[at(node)]);
+    return is_out(sheet, node) ||
+           std::binary_search(model.fixed_nodes.begin(), model.fixed_nodes.end(), sheet.origin[at(node)]);
 }
 
 double toughness_along(const Toughness& toughness, const Vec3& fibre, const Vec3& direction) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A thin sheet that stretches, wrinkles and tears: what it is (model), what changes (state). Its connectivity is a
-// value of its own, because it changes while a scene runs: a sheet is never altered, a tear makes the next one.
+// value of its own, because it changes while a scene runs: a sheet is never altered, a tear makes the next one, and so
+// does an instrument that takes a piece of it out.
 #pragma once
 
 #include <memory>
@@ -16,7 +17,8 @@
 namespace rhexis {
 
 /// Connectivity and what each triangle is made of. Only topology makes new ones; nodes keep their numbers, and those
-/// that a tear adds come at the end.
+/// that a tear adds come at the end. Nodes of what was taken out belong to no triangle: they move no more and meet
+/// nothing.
 struct MembraneSheet {
     TriMesh mesh;                   ///< at rest [mm]
     TriNeighbours neighbours;       ///< of the mesh
@@ -154,20 +156,25 @@ struct MembraneState {
     std::vector<Vec3> punctures;  ///< where needles went through, in the sheet at rest [mm]
     double torn_area = 0.0;       ///< that tears have opened so far: length times thickness [mm^2]
     double torn_energy = 0.0;     ///< that they took [nJ]
+    double edge_out = 0.0;        ///< length at rest of the edges of what instruments took out [mm]
+    double area_out = 0.0;        ///< its area at rest [mm^2]
 };
 
 /// Fibres all one way and the same thickness everywhere. fibre: need not lie in the sheet; not at a right angle to it.
 MembraneSheet uniform_sheet(TriMesh mesh, const Vec3& fibre, double thickness);
 
 /// Fails with the field, the number of the triangle or node, and what is allowed.
-Status check_membrane(const MembraneModel& model);
+Status check_membrane(const MembraneModel& model, UnusedNodes unused = UnusedNodes::refused);
 
 MembraneState rest_state(const MembraneModel& model);
 
 /// So many times its greater modulus times its mean thickness [uN/mm].
 double stretch_stiffness(const MembraneModel& model, const MembraneSheet& sheet, double times);
 
-/// Whether a node moves only by hand of the caller.
+/// Whether a node belongs to what was taken out.
+bool is_out(const MembraneSheet& sheet, int node);
+
+/// Whether a node moves only by hand of the caller, or not at all since it is out.
 bool is_fixed(const MembraneModel& model, const MembraneSheet& sheet, int node);
 
 /// Unit vector to the front of a triangle at rest.

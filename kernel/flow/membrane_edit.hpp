@@ -26,9 +26,12 @@ struct SheetTriangle {
 struct MembraneEdit {
     std::vector<SheetNode> nodes;          ///< in the order of their numbers
     std::vector<SheetTriangle> triangles;  ///< changed ones ascending, then new ones
+    std::vector<int> out;                  ///< triangles that are taken out, ascending; nothing else changes then
     std::vector<TearTip> tips;             ///< all of them, after the edit
     double torn_area = 0.0;                ///< that it opens: length times thickness [mm^2]
     double torn_energy = 0.0;              ///< that it takes [nJ]
+    double edge_out = 0.0;                 ///< length at rest of the edges of what is taken out [mm]
+    double area_out = 0.0;                 ///< its area at rest [mm^2]
 };
 
 }  // namespace rhexis

@@ -32,6 +32,7 @@ struct MembraneStepReport {
     std::vector<PunctureProposal> punctures;
     std::vector<CutProposal> cuts;
     std::vector<NotchProposal> notches;
+    std::vector<int> out;  ///< nodes that jaws held when they left the eye
 };
 
 struct ShellStepReport {

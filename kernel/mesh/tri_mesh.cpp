@@ -48,7 +48,7 @@ int triangle_with(const TriMesh& mesh, const TriNeighbours& around, int from, in
     return -1;
 }
 
-Status check_nodes(const TriMesh& mesh, const std::string& where) {
+Status check_nodes(const TriMesh& mesh, const std::string& where, UnusedNodes unused) {
     std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::array<int, 3>& nodes = mesh.triangles[t];
@@ -67,7 +67,7 @@ Status check_nodes(const TriMesh& mesh, const std::string& where) {
         if (!mesh.nodes[n].allFinite()) {
             return Error{"node " + std::to_string(n) + " is not finite", where, "numbers"};
         }
-        if (used[n] == 0) {
+        if (used[n] == 0 && unused == UnusedNodes::refused) {
             return Error{"node " + std::to_string(n) + " belongs to no triangle", where, "nodes that are used"};
         }
     }
@@ -227,11 +227,14 @@ double mean_edge(const TriMesh& mesh) {
     return mesh.triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
-Status validate_tri_mesh(const TriMesh& mesh, const std::string& where) {
+Status validate_tri_mesh(const TriMesh& mesh, const std::string& where, UnusedNodes unused) {
     if (mesh.triangles.empty()) {
         return Error{"there is no triangle", where, "at least one"};
     }
-    for (const auto& check : {check_nodes, check_areas, check_edges, check_stars}) {
+    if (Status status = check_nodes(mesh, where, unused); !status) {
+        return status;
+    }
+    for (const auto& check : {check_areas, check_edges, check_stars}) {
         if (Status status = check(mesh, where); !status) {
             return status;
         }

@@ -43,10 +43,16 @@ double smallest_angle(const TriMesh& mesh);
 /// Mean length of the edges [mm].
 double mean_edge(const TriMesh& mesh);
 
+/// Nodes that belong to no triangle.
+enum class UnusedNodes {
+    refused,
+    allowed,  ///< what was taken out of a sheet leaves them
+};
+
 /// Every node finite and used, every triangle with three different nodes that exist and an area, no edge shared by more
 /// than two triangles or run twice the same way (a flipped triangle), no node at which two sheets only touch. Otherwise
 /// the first fault with its number, from 0. where: for the message.
-Status validate_tri_mesh(const TriMesh& mesh, const std::string& where = {});
+Status validate_tri_mesh(const TriMesh& mesh, const std::string& where = {}, UnusedNodes unused = UnusedNodes::refused);
 
 /// Closed loops of boundary nodes, each along the sheet's edge with the sheet on the left, starting at its smallest
 /// node; the loops by that node. The mesh must be valid.

@@ -72,13 +72,13 @@ std::vector<std::uint8_t> attached_nodes(const MembraneSheet& sheet, const std::
     };
     std::vector<std::uint8_t> attached(parts.size() + 1, 0);
     for (std::size_t n = 0; n < outer.size(); ++n) {
-        if (outer[n] != 0) {
+        if (outer[n] != 0 && !is_out(sheet, static_cast<int>(n))) {
             attached[part_of(n)] = 1;
         }
     }
     std::vector<std::uint8_t> result(outer.size(), 0);
     for (std::size_t n = 0; n < outer.size(); ++n) {
-        result[n] = attached[part_of(n)];
+        result[n] = is_out(sheet, static_cast<int>(n)) ? 0 : attached[part_of(n)];
     }
     return result;
 }
@@ -123,12 +123,13 @@ bool turns_back(const Vec3& a, const Vec3& b, const Vec3& c) {
     return !(back.dot(on) < most_cosine * back.norm() * on.norm());  // one of them may be zero
 }
 
-/// A ring less the slits that go off from it: empty if it was nothing else.
-std::vector<Vec3> without_slits(std::vector<Vec3> ring) {
+/// Nodes of a ring less the slits that go off from it: empty if it was nothing else.
+std::vector<int> without_slits(const TriMesh& mesh, std::vector<int> ring) {
     std::size_t i = 0;
     for (std::size_t kept = 0; ring.size() > 2 && kept < ring.size();) {
         const std::size_t n = ring.size();
-        if (turns_back(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n])) {
+        const auto place = [&](std::size_t k) -> const Vec3& { return mesh.nodes[at(ring[k % n])]; };
+        if (turns_back(place(i + n - 1), place(i), place(i + 1))) {
             ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
             i = (i + n - 2) % (n - 1);
             kept = 0;
@@ -137,7 +138,7 @@ std::vector<Vec3> without_slits(std::vector<Vec3> ring) {
             ++kept;
         }
     }
-    return ring.size() > 2 ? ring : std::vector<Vec3>{};
+    return ring.size() > 2 ? ring : std::vector<int>{};
 }
 
 constexpr double least_area = 2.0;  ///< of an opening; less is a scrap that a needle cut out [mm^2]
@@ -224,9 +225,10 @@ std::vector<Vec3> between_tips(const TriMesh& mesh, const std::vector<TearTip>& 
     return farthest;
 }
 
-/// Area of the triangles that do not hang at the outer edge any more.
-double loose_area(const TriMesh& mesh, const std::vector<std::uint8_t>& attached) {
-    double sum = 0.0;
+/// Area of what does not hang at the outer edge any more, in the eye or out of it.
+double loose_area(const MembraneState& state, const std::vector<std::uint8_t>& attached) {
+    const TriMesh& mesh = state.sheet->mesh;
+    double sum = state.area_out;
     for (const std::array<int, 3>& n : mesh.triangles) {
         if (attached[at(n[0])] == 0) {
             sum += triangle_area(mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])]);
@@ -330,8 +332,9 @@ TornOpening find_opening(const MembraneSheet& start, const MembraneState& state)
     TornOpening opening;
     const std::vector<std::uint8_t> attached = attached_nodes(*state.sheet, outer);
     const std::vector<Stretch> stretches = open_edges(*state.sheet, loops, outer, attached, opening.run_out);
-    opening.loose = loose_area(mesh, attached);
-    opening.torn = std::max(0.0, 0.5 * (boundary_length(mesh, loops) - boundary_length(start.mesh, before)));
+    opening.loose = loose_area(state, attached);
+    const double edges = boundary_length(mesh, loops) + state.edge_out;
+    opening.torn = std::max(0.0, 0.5 * (edges - boundary_length(start.mesh, before)));
     const Stretch* const chosen = longest_of(mesh, stretches);
     if (chosen == nullptr) {
         return opening;
@@ -347,9 +350,12 @@ TornOpening find_opening(const MembraneSheet& start, const MembraneState& state)
         opening.curve = along(opening.edge);
         return opening;
     }
-    opening.curve = without_slits(opening.edge);
+    const std::vector<int> rim = without_slits(mesh, chosen->nodes);
+    opening.curve = places_of(mesh, rim);
     opening.closed = std::abs(ring_area(opening.curve)) > least_area;
-    if (!opening.closed) {
+    if (opening.closed) {
+        opening.rim = rim;
+    } else {
         opening.curve = place >= 0 ? between_tips(mesh, state.tips, *chosen, place) : std::vector<Vec3>{};
     }
     if (opening.curve.empty()) {

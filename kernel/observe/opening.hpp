@@ -18,6 +18,7 @@ struct TornOpening {
     int tip = -1;             ///< the leading one, index into the state's tips; -1: none is left at this opening
     std::vector<int> lip;     ///< nodes of the flap's edge, from the leading tip on for 2 mm; empty without a tip
     std::vector<int> margin;  ///< likewise of the other edge of the tear, that of what stays
+    std::vector<int> rim;     ///< closed: nodes once round the rim, without side slits; else empty
     std::vector<Vec3> edge;   ///< all its nodes at rest, both sides of slits [mm]
     std::vector<Vec3> curve;  ///< closed: once round the rim; else along the tear, end to end. Without side slits [mm]
 };

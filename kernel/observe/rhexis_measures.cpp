@@ -39,10 +39,13 @@ public:
                           "Direction of that tip outward from the circle about the axis; negative: inward."});
         schema.push_back({"rhexis.largest_radius_mm", "mm",
                           "Greatest distance of the opening's edge from the axis. Nothing while there is none."});
-        schema.push_back({"rhexis.smallest_radius_mm", "mm",
-                          "Least distance of the rim from the axis. Nothing until the opening is closed."});
-        schema.push_back({"rhexis.diameter_mm", "mm",
-                          "Of the circle that has the opening's area. Nothing until the opening is closed."});
+        schema.push_back(
+            {"rhexis.smallest_radius_mm", "mm",
+             "Least distance of the rim from the axis, as it stands. Nothing until the opening is closed."});
+        schema.push_back(
+            {"rhexis.diameter_mm", "mm",
+             "Of the circle that has the opening's area, as it stands, drawn by the zonules. Nothing until "
+             "the opening is closed."});
         schema.push_back({"rhexis.circularity", "1",
                           "4 pi area / perimeter^2 of the rim, 1 for a circle. Nothing until the opening is closed."});
         schema.push_back({"rhexis.centre_offset_mm", "mm",
@@ -61,6 +64,9 @@ public:
         schema.push_back({"rhexis.tip_x_mm", "mm",
                           "Where that tip lies now, drawn by whatever pulls: to the surgeon's right of the axis."});
         schema.push_back({"rhexis.tip_y_mm", "mm", "Likewise: away from the surgeon."});
+        schema.push_back({"rhexis.rest_diameter_mm", "mm",
+                          "Of the circle that has the area of what was torn out, without tension. Nothing until the "
+                          "opening is closed."});
     }
 
     void measure(const ObserveInput& input, const LensView& lens, std::span<double> memory,
@@ -92,6 +98,7 @@ public:
         const Vec3& tip = state.position[ends ? static_cast<std::size_t>(shape.lip[0]) : 0];
         values[20] = ends ? tip.x() : RhexisShape::none;
         values[21] = ends ? tip.y() : RhexisShape::none;
+        values[22] = shape.rest_diameter;
     }
 
 private:

@@ -122,12 +122,13 @@ void measure_tip(const Vec2& place, const Vec2& direction, RhexisShape& shape) {
 
 constexpr double optic_radius = 3.0;  ///< of a usual implant [mm]
 
+double diameter_of(double area) { return 2.0 * std::sqrt(area / std::numbers::pi); }
+
 void measure_rim(const std::vector<Vec2>& rim, RhexisShape& shape) {
     const std::vector<Vec2> points = resampled(rim);
-    shape.flap_area = std::abs(ring_area(points));
-    shape.turned = 2.0 * std::numbers::pi;
-    if (shape.flap_area > 0.0) {
-        shape.mean_diameter = 2.0 * std::sqrt(shape.flap_area / std::numbers::pi);
+    const double area = std::abs(ring_area(points));
+    if (area > 0.0) {
+        shape.mean_diameter = diameter_of(area);
         shape.circularity = circularity_of(smoothed(points));
         shape.centre = centroid_of(points);
         shape.smallest_radius = smallest_norm(points);
@@ -157,7 +158,11 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
     shape.run_out = opening.run_out || shape.largest_radius > zonules;
     const std::vector<Vec2> curve = flat(opening.curve);
     if (opening.closed) {
-        measure_rim(curve, shape);
+        shape.turned = 2.0 * std::numbers::pi;
+        shape.flap_area = std::abs(ring_area(resampled(curve)));
+        shape.rest_diameter = diameter_of(shape.flap_area);
+        shape.rim = opening.rim;
+        measure_rim_now(state, shape);
     } else {
         shape.turned = turned_by(curve);
         shape.flap_area = std::abs(ring_area(curve));
@@ -168,6 +173,14 @@ RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
         measure_tip(place.head<2>(), tip.direction.head<2>(), shape);
     }
     return shape;
+}
+
+void measure_rim_now(const MembraneState& state, RhexisShape& shape) {
+    std::vector<Vec2> rim;
+    for (const int node : shape.rim) {
+        rim.emplace_back(state.position[static_cast<std::size_t>(node)].head<2>());
+    }
+    measure_rim(rim, shape);
 }
 
 double zonules_end(const MembraneModel& model) {
@@ -185,6 +198,8 @@ void RhexisGauge::measure(const MembraneModel& model, const MembraneState& state
     if (measured_ != state.sheet) {
         shape_ = rhexis_shape(*model.sheet, state, zonules_end(model));
         measured_ = state.sheet;
+    } else if (shape_.closed) {
+        measure_rim_now(state, shape_);
     }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The capsulorhexis as a shape: how far the tear has come round, where it runs, and how round and well placed the
-// opening is. Measured on the sheet at rest, so that a pull on the rim or a fold of the flap changes nothing, and as
-// seen along the eye's axis: in the plane z = 0, which tells from the rim's own plane by less than a thousandth for a
-// rim half a millimetre off the centre of a lens.
+// opening is. The tear is measured on the sheet at rest, so that a pull on the rim or a fold of the flap changes
+// nothing. A closed opening is measured as it stands now, drawn wide by the zonules, as a surgeon sees it. Both as seen
+// along the eye's axis: in the plane z = 0, which tells from the rim's own plane by less than a thousandth for a rim
+// half a millimetre off the centre of a lens. In the eye itself: the cornea shows all of it about a tenth larger.
 #pragma once
 
 #include <limits>
@@ -27,12 +28,14 @@ struct RhexisShape {
     double tip_angle = none;       ///< of the leading tip about the axis, from +x towards +y, -pi to pi [rad]
     double tip_heading = none;     ///< of the leading tip: its direction outward from the tangent, -pi/2 to pi/2 [rad]
     double largest_radius = none;  ///< greatest distance of the opening's edge from the axis, tags included [mm]
-    double smallest_radius = none;  ///< least distance of the closed rim from the axis [mm]
-    double mean_diameter = none;    ///< of the circle of the same area; only of a closed rim [mm]
-    double circularity = none;      ///< 4 pi area / perimeter^2: 1 for a circle; only of a closed rim
-    Vec2 centre = {none, none};     ///< centroid of the opening from the axis; only of a closed rim [mm]
-    double flap_area = 0.0;         ///< that the outline encloses [mm^2]
-    double overlap = none;          ///< angle over which a closed rim covers the edge of an implant's optic [rad]
+    double smallest_radius = none;  ///< least distance of the closed rim from the axis, now [mm]
+    double mean_diameter = none;    ///< of the circle of the same area; only of a closed rim, now [mm]
+    double rest_diameter = none;    ///< likewise on the sheet at rest [mm]
+    double circularity = none;      ///< 4 pi area / perimeter^2: 1 for a circle; only of a closed rim, now
+    Vec2 centre = {none, none};     ///< centroid of the opening from the axis; only of a closed rim, now [mm]
+    double flap_area = 0.0;         ///< that the outline encloses on the sheet at rest [mm^2]
+    double overlap = none;          ///< angle over which a closed rim covers the edge of an implant's optic, now [rad]
+    std::vector<int> rim;           ///< nodes once round a closed rim, without its slits
     std::vector<int> lip;           ///< nodes of the flap's edge from the leading tip on for 2 mm, where there is a tip
     std::vector<int> margin;        ///< likewise of the edge of what stays
 };
@@ -54,11 +57,15 @@ struct RhexisShape {
 RhexisShape rhexis_shape(const MembraneSheet& start, const MembraneState& state,
                          double zonules = std::numeric_limits<double>::infinity());
 
+/// Measures a closed rim anew as it stands in `state`, whose sheet `shape` is of. Work: in proportion to the rim's
+/// nodes.
+void measure_rim_now(const MembraneState& state, RhexisShape& shape);
+
 /// Distance from the axis of the outermost node of the uncut sheet at which a zonule inserts: a spring that has a
 /// length of its own [mm]. Infinite without zonules.
 double zonules_end(const MembraneModel& model);
 
-/// Cheap enough for every step: measures only when the sheet is another one than before.
+/// Cheap enough for every step: looks for the opening only when the sheet is another one than before.
 class RhexisGauge {
 public:
     void measure(const MembraneModel& model, const MembraneState& state);

@@ -127,8 +127,8 @@ void add_vitreous_landmarks(const ObserveInput& input, std::vector<Landmark>& ma
                      filled_share(*input.world.vitreous, vitreous)});
 }
 
-/// A bag that lies beside its place: its edge, where it comes out behind the iris, and its tilt. Where zonules lack lies
-/// under the iris: it shows by the edge of the opening, where the pupil does. Hooks and ring show.
+/// A bag that lies beside its place: its edge, where it comes out behind the iris, and its tilt. Where zonules lack
+/// lies under the iris: it shows by the edge of the opening, where the pupil does. Hooks and ring show.
 void add_zonule_landmarks(const ObserveInput& input, std::vector<Landmark>& marks) {
     const EyeAnatomy& eye = input.eye.anatomy;
     const BagState& bag = input.state.bags[0];
@@ -136,9 +136,9 @@ void add_zonule_landmarks(const ObserveInput& input, std::vector<Landmark>& mark
     const BagEdge edge = bag_edge(input);
     marks.push_back({"bag_edge", edge.inside > 0.0, edge.place, edge.inside});
     // Towards a gap the edge of the opening stands nearest to the middle: there it lacks its hold.
-    const Vec3 slack_edge = bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
-                                              input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) *
-                                                  Vec3::UnitZ());
+    const Vec3 slack_edge =
+        bag.pose.to_world(input.world.bags[0].opening_radius * gap.middle +
+                          input.world.bags[0].shape.anterior * rim_share(input.world.bags[0]) * Vec3::UnitZ());
     marks.push_back({"zonule_gap", gap.width_deg >= seen_gap_deg && over_pupil(eye, slack_edge), slack_edge,
                      0.5 * gap.width_deg * std::numbers::pi / 180.0 * input.world.bags[0].opening_radius});
     marks.push_back({"ring", bag.zonules->ring >= 1.0, bag.pose.position, input.world.bags[0].shape.radius});

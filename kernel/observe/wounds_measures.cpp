@@ -67,7 +67,8 @@ public:
         schema.push_back({"wounds.checks", "1", "Tests of it so far."});
         schema.push_back({"wounds.tested_leak_ul_s", "ul/s", "What came meanwhile in the last test, at most."});
         schema.push_back({"wounds.injected_ml", "ml", "Given into the chamber so far."});
-        schema.push_back({"suprachoroidal.pressure_mmhg", "mmHg", "Pressure of bleeding that an instructor has asked for."});
+        schema.push_back(
+            {"suprachoroidal.pressure_mmhg", "mmHg", "Pressure of bleeding that an instructor has asked for."});
         schema.push_back({"suprachoroidal.blood_mm3", "mm^3", "Blood behind the choroid."});
     }
     [[nodiscard]] std::size_t memory_size() const override { return memory_count; }

@@ -398,6 +398,8 @@ void membrane_fields(auto& io, auto& membrane) {
     io(membrane.support.push);
     io(membrane.torn_area);
     io(membrane.torn_energy);
+    io(membrane.edge_out);
+    io(membrane.area_out);
 }
 
 void shell_fields(auto& io, auto& shell) {
@@ -436,7 +438,7 @@ void world_fields(auto& io, auto& world) {
             split_io(split.tets);
         });
     });
-    io.list(world.membranes, 88, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
+    io.list(world.membranes, 104, [](auto& inner, auto& membrane) { membrane_fields(inner, membrane); });
     io.list(world.shells, 57, [](auto& inner, auto& shell) { shell_fields(inner, shell); });
     io.list(world.bags, 169, [](auto& inner, auto& bag) {
         inner(bag.pose);

@@ -96,8 +96,8 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state, int to
     const std::size_t nodes = state.sheet->mesh.nodes.size();
     MembraneModel model = base;
     model.sheet = state.sheet;
-    return nodes >= base.sheet->mesh.nodes.size() && check_membrane(model).ok() && state.position.size() == nodes &&
-           state.velocity.size() == nodes &&
+    return nodes >= base.sheet->mesh.nodes.size() && check_membrane(model, UnusedNodes::allowed).ok() &&
+           state.position.size() == nodes && state.velocity.size() == nodes &&
            std::all_of(state.tips.begin(), state.tips.end(),
                        [&](const TearTip& tip) { return in_sheet(tip.node, state); }) &&
            std::all_of(state.touches.begin(), state.touches.end(),
@@ -113,7 +113,8 @@ bool membrane_fits(const MembraneModel& base, const MembraneState& state, int to
                        }) &&
            std::all_of(state.punctures.begin(), state.punctures.end(),
                        [](const Vec3& place) { return place.allFinite(); }) &&
-           std::isfinite(state.support.lift) && std::isfinite(state.support.push) &&
+           std::isfinite(state.edge_out) && std::isfinite(state.area_out) && std::isfinite(state.support.lift) &&
+           std::isfinite(state.support.push) &&
            std::all_of(state.loads.begin(), state.loads.end(), [&](const SheetLoad& load) {
                return !load.nodes.empty() && std::all_of(load.nodes.begin(), load.nodes.end(),
                                                          [&](int node) { return in_sheet(node, state); });

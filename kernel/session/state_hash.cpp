@@ -84,6 +84,10 @@ void add(StateHash& hash, const MembraneState& membrane) {
     hash.add(membrane.support.push);
     hash.add(membrane.torn_area);
     hash.add(membrane.torn_energy);
+    if (membrane.edge_out > 0.0) {  // where nothing was taken out the hash is as before there was a word for it
+        hash.add(membrane.edge_out);
+        hash.add(membrane.area_out);
+    }
 }
 
 void add(StateHash& hash, const BagState& bag) {

@@ -10,6 +10,7 @@
 #include "base/index.hpp"
 #include "base/numbers.hpp"
 #include "topology/sheet_editor.hpp"
+#include "topology/take_out.hpp"
 
 namespace rhexis {
 namespace {
@@ -432,6 +433,10 @@ int carry_out(const MembraneModel& model, const MembraneStepReport& report, Memb
     for (std::size_t i = 0; i < report.cuts.size() && done == 0; ++i) {
         done += cut(model, report.cuts[i], state, rules) ? 1 : 0;
     }
+    if (const MembraneEdit out = take_out(model, state, report.out); !out.out.empty()) {
+        state = applied(state, out);
+        ++done;
+    }
     // tears renumber triangles: a needle that still presses goes through in the next step
     for (std::size_t i = 0; i < report.punctures.size() && done == 0; ++i) {
         const PunctureProposal& proposal = report.punctures[i];
@@ -447,6 +452,9 @@ int carry_out(const MembraneModel& model, const MembraneStepReport& report, Memb
 }
 
 MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
+    if (!edit.out.empty()) {
+        return without(state, edit);
+    }
     MembraneState next = state;
     std::shared_ptr<MembraneSheet> sheet = std::make_shared<MembraneSheet>(*state.sheet);
     for (const SheetNode& node : edit.nodes) {

@@ -43,8 +43,13 @@ Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& stat
 /// The state with the edit made. Positions and velocities of new nodes follow from those that they lie between.
 MembraneState applied(const MembraneState& state, const MembraneEdit& edit);
 
+/// Takes out the pieces of the sheet that some nodes are of, if they hang at nothing: no node of theirs is one of the
+/// model's springs or fixed nodes, and they are not the largest piece. No edit where there are none.
+MembraneEdit take_out(const MembraneModel& model, const MembraneState& state, const std::vector<int>& nodes);
+
 /// Carries out what physics proposes, one edge per tip and one slit per needle, and notches only where no tear goes on;
-/// what cannot be done in the mesh is left out. Returns how much was done.
+/// what cannot be done in the mesh is left out. What jaws held that have left the eye goes with them. Returns how much
+/// was done.
 int carry_out(const MembraneModel& model, const MembraneStepReport& report, MembraneState& state,
               const TearRules& rules = {});
 

@@ -11,6 +11,7 @@
 #include "base/clock.hpp"
 #include "scenes/capsule_load.hpp"
 #include "scenes/proportions.hpp"
+#include "scenes/retraction.hpp"
 #include "scenes/run_out.hpp"
 
 namespace rhexis::bench {
@@ -27,6 +28,7 @@ using scenes::RunOutTrial;
 constexpr double positive_pressure = 20.0;  ///< of the vitreous in an eye that pushes [mmHg]
 constexpr double standard_age = 68.0;
 constexpr int quick_triangles = 800;
+constexpr double published_cut = 5.67;  ///< [Tan2025] [mm]
 
 /// How the same hands, or hands that all pull one way, are put to the test.
 struct Condition {
@@ -262,15 +264,44 @@ json tension(const BenchOptions& options) {
     return rows;
 }
 
+json retraction_row(double age, double tension) {
+    const double before = thread_cpu_seconds();
+    const scenes::Retraction cut = scenes::retraction(age, published_cut, {.zonule_tension = tension});
+    return {{"name", "retraction/" + number(age) + "/tension " + number(tension)},
+            {"age", age},
+            {"tension", tension},
+            {"at_rest_mm", cut.rest},
+            {"cut_mm", cut.cut},
+            {"open_mm", cut.open},
+            {"growth_percent", 100.0 * (cut.open / cut.cut - 1.0)},
+            {"cpu_s", thread_cpu_seconds() - before}};
+}
+
+json retractions(const BenchOptions& options) {
+    json rows = json::array();
+    for (const double age : {25.0, 45.0, 55.0, 68.0, 80.0, 90.0}) {
+        rows.push_back(retraction_row(age, 1.0));
+        if (options.quick) {
+            return rows;
+        }
+    }
+    for (const double tension : {0.0, 0.5, 2.0}) {
+        rows.push_back(retraction_row(standard_age, tension));
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::vector<BenchCase> run_out_cases() {
-    return {{"run_out_tension", "what pulls on the uncut capsule, over fill of the chamber, pressure and age", tension},
-            {"run_out", "share of capsulorhexes that run out, over fill of the chamber, that is push of the vitreous",
-             over_fill},
-            {"run_out_age", "the same over age, in a shallow chamber and a full one", over_age},
-            {"run_out_direction", "the same over direction of pull", over_direction},
-            {"run_out_rescue", "share of tears led back, with refill of viscoelastic and without", rescues}};
+    return {
+        {"retraction", "how far a round cut of 5.67 mm springs open, over age and tension of the zonules", retractions},
+        {"run_out_tension", "what pulls on the uncut capsule, over fill of the chamber, pressure and age", tension},
+        {"run_out", "share of capsulorhexes that run out, over fill of the chamber, that is push of the vitreous",
+         over_fill},
+        {"run_out_age", "the same over age, in a shallow chamber and a full one", over_age},
+        {"run_out_direction", "the same over direction of pull", over_direction},
+        {"run_out_rescue", "share of tears led back, with refill of viscoelastic and without", rescues}};
 }
 
 }  // namespace rhexis::bench

@@ -39,10 +39,10 @@ return scenarios {
             t:expect_event("Wrinkles at the puncture", { recovered = false, within = 4 })
         end },
 
-    scenario "zonules a seventh as stiff: a few wrinkles at the puncture" {
-        set = zonules(0.15),
+    scenario "zonules a third as stiff: a few wrinkles at the puncture" {
+        set = zonules(0.3),
         silent_twin_of = "Wrinkles at the puncture",
-        near = "not rhexis.opened and cystotome.wrinkled_share > 0.028",
+        near = "not rhexis.opened and cystotome.wrinkled_share > 0.06",
         function(t)
             puncture(t)
             t:wait(0.5)

@@ -8,7 +8,7 @@ local full = { ["viscoelastic.fill"] = 1 }
 
 -- Cuts the rest of the circle; the needle stays in the eye.
 local function finish(t, radius, aside)
-    local closed = rhexis_hand.cut_on(t, { radius = radius, aside = aside, by = 200, longest = 5, outwards = 0,
+    local closed = rhexis_hand.cut_on(t, { radius = radius, aside = aside, by = 200, longest = 8, outwards = 0.2,
         stop = "rhexis.closed" })
     if not closed then t:expect("rhexis.closed") end
     t:wait(0.05)
@@ -44,7 +44,7 @@ return scenarios {
         silent_twin_of = "Opening too small",
         near = "rhexis.diameter_mm < 4.7",
         function(t)
-            finish(t, 2.35)
+            finish(t, 2.15)
         end },
 
     scenario "too large, and recorded" {
@@ -74,7 +74,7 @@ return scenarios {
         silent_twin_of = "Opening too large",
         near = "rhexis.diameter_mm > 5.75",
         function(t)
-            finish(t, 2.9)
+            finish(t, 2.68)
         end },
 
     scenario "off-centre, and enlarged on its near side" {
@@ -105,6 +105,6 @@ return scenarios {
         silent_twin_of = "Opening off-centre",
         near = "rhexis.centre_offset_mm > 0.38",
         function(t)
-            finish(t, 2.6, 0.4)
+            finish(t, 2.6, 0.47)
         end },
 }

@@ -31,7 +31,7 @@ local back = "rhexis.tip_radius_mm < 2.9 and rhexis.tip_heading_deg < 20"
 local function pull_until(t, stop)
     come_in(t)
     for _ = 1, 4 do
-        local stopped = rhexis_hand.pull(t, 2, 1.5, stop)
+        local stopped = rhexis_hand.pull(t, 2, 1, stop)
         open_jaws(t)
         if stopped then break end
     end
@@ -40,7 +40,7 @@ end
 local function run_out(t)
     come_in(t)
     for _ = 1, 6 do
-        if rhexis_hand.pull(t, 2, 1.5, out) then break end
+        if rhexis_hand.pull(t, 2, 1, out) then break end
         open_jaws(t)
     end
     t:wait(0.05)
@@ -78,7 +78,7 @@ return scenarios {
             for i = 1, 12 do way[i] = place(1.7, angle - 10 + 10 * i, 0.2) end
             t.forceps:move_to(place(1.7, angle - 10, 0.4), { speed = 2 })
             t.forceps:path(way, { speed = 1.5, motion = "even" })
-            t:expect("rhexis.turned_deg > 130")
+            t:expect("rhexis.turned_deg > 118")
             t:expect_no_event()
         end },
 
@@ -140,8 +140,9 @@ return scenarios {
             t:wait(0.05)
             t:expect_event("Edge lost")
             rhexis_hand.fill(t, { to = 0.92, press = 1 })
-            rhexis_hand.cut_from_other_end(t, { at = 20, from = 2.9, radius = 2.6, by = 360, longest = 6,
+            rhexis_hand.cut_from_other_end(t, { at = 20, from = 2.8, radius = 2.3, by = 360, longest = 6,
                 stop = "rhexis.loose_mm2 > 5" })
+            rhexis_hand.meet_tear(t)
             t:expect_event("Edge lost", { recovered = true, within = 0.1 })
         end },
 }

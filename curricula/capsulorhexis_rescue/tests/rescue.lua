@@ -19,14 +19,6 @@ local function bring_back(t)
     end
 end
 
--- The new cut leads outwards to where the old tear ran; the needle is put in anew where a last strip only yields.
-local function meet_tear(t)
-    local circle = { sense = -1, radius = 3.2, outwards = 0.3, by = 360, longest = 0.8, stop = "rhexis.loose_mm2 > 5" }
-    for _ = 1, 8 do
-        if rhexis_hand.draw_round(t, circle) then return end
-    end
-end
-
 return scenarios {
     scenario "the chamber filled, the tear brought back" {
         silent_twin_of = "Edge lost",
@@ -75,7 +67,7 @@ return scenarios {
         function(t)
             rhexis_hand.cut_from_other_end(t, { at = -35, from = 1, radius = 2.5, by = 360, longest = 4,
                 stop = "rhexis.turned_deg > 125" })
-            meet_tear(t)
+            rhexis_hand.meet_tear(t)
             t:expect_event("Edge lost", { recovered = true, within = 0.1 })
         end },
 }

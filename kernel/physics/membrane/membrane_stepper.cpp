@@ -178,7 +178,7 @@ bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, 
     report = MembraneStepReport{};
     report.substeps = divisions;
     next = task.state;
-    take_hold(task.world, task.tools, next);
+    report.out = take_hold(task.world, task.tools, next);
     for (int i = 0; i < divisions; ++i) {
         std::swap(between_, next);
         const ImplicitReport one = substep(task, i, divisions, between_, next, contacts);

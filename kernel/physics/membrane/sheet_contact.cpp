@@ -116,6 +116,9 @@ void SheetContacts::add(SheetContact contact, const MembraneState& state, const 
 void SheetContacts::meet_support(const MembraneState& state, double dt) {
     const MembraneModel& model = world_->membranes[at(membrane_)];
     for (int node = 0; model.support && node < static_cast<int>(state.position.size()); ++node) {
+        if (is_out(*state.sheet, node)) {
+            continue;
+        }
         const double reach = margin + dt * state.velocity[at(node)].norm();
         const SurfaceDistance near = bag_distance(model.support->shape, support_.to_body(state.position[at(node)]));
         if (near.distance < reach) {
@@ -142,7 +145,7 @@ void SheetContacts::meet_planes(const MembraneState& state, double dt) {
         const PlaneModel& plane = world_->planes[at(i)];
         for (int node = 0; node < static_cast<int>(state.position.size()); ++node) {
             const double reach = margin + dt * state.velocity[at(node)].norm();
-            if (plane.normal.dot(state.position[at(node)] - plane.point) < reach) {
+            if (!is_out(*state.sheet, node) && plane.normal.dot(state.position[at(node)] - plane.point) < reach) {
                 SheetContact contact;
                 contact.touch.node = contact.nodes[0] = node;
                 contact.touch.partner = ContactPartner::plane;

@@ -85,7 +85,13 @@ void hook(const ToolModel& model, const ToolState& tool, int index, MembraneStat
 
 }  // namespace
 
-void take_hold(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state) {
+std::vector<int> take_hold(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state) {
+    std::vector<int> out;
+    for (const SheetGrip& grip : state.grips) {
+        if (!grip.pushed && !tools[at(grip.tool)].present) {
+            out.push_back(grip.node);
+        }
+    }
     for (int k = 0; k < static_cast<int>(tools.size()); ++k) {
         const ToolModel& model = world.tools[at(k)];
         if (model.kind == ToolKind::forceps) {
@@ -94,6 +100,7 @@ void take_hold(const WorldModel& world, std::span<const ToolState> tools, Membra
             hook(model, tools[at(k)], k, state);
         }
     }
+    return out;
 }
 
 void SheetGrips::look(const WorldModel& world, int membrane, const MembraneState& state, double stiffness) {

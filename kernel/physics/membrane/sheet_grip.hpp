@@ -15,8 +15,8 @@ namespace rhexis {
 
 /// Takes hold and lets go. Jaws: by how they moved in the step, of what lies between them at its start; where some of
 /// that is folded over, only of that: it lies on top. A needle that is through the sheet pushes the end or the lip of
-/// the tear that it has gone past, as long as it has.
-void take_hold(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state);
+/// the tear that it has gone past, as long as it has. Returns the nodes that jaws held which have left the eye.
+std::vector<int> take_hold(const WorldModel& world, std::span<const ToolState> tools, MembraneState& state);
 
 class SheetGrips {
 public:

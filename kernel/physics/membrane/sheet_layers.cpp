@@ -206,7 +206,7 @@ void SheetLayers::look(const MembraneModel& model, const MembraneState& state, d
             const Vec3& x = state.position[at(node)];
             const bool inside =
                 x.x() > fold_.low.x() && x.x() < fold_.high.x() && x.y() > fold_.low.y() && x.y() < fold_.high.y();
-            if (inside && (upright_[at(node)] < 0.0) == over && bears_[at(node)] == 0) {
+            if (inside && !is_out(*state.sheet, node) && (upright_[at(node)] < 0.0) == over && bears_[at(node)] == 0) {
                 meet(model, state, node);
             }
         }

@@ -126,6 +126,33 @@ TEST_SUITE("rim") {
         }
     }
 
+    TEST_CASE("the piece that has come off is taken out: what is left is measured as before") {
+        Cut cut(domed(jittered_round(3000), 10.0));
+        cut.cut_along(circle(2.6));
+        REQUIRE(cut.parts() == 2);
+        const RhexisShape before = cut.shape();
+        const int outer = cut.nearest_to(Vec2(4.0, 0.0));
+        CHECK(take_out(cut.model, cut.state, {outer}).out.empty());  // the rest of the capsule stays
+        const int inner = cut.nearest_to(Vec2::Zero());
+        cut.state.tips.push_back({inner});
+        cut.state.grips.push_back({0, inner, Vec3::Zero(), false, 0.0});
+        cut.state = applied(cut.state, take_out(cut.model, cut.state, {inner}));
+        CHECK(cut.parts() == 1);
+        CHECK(is_out(*cut.state.sheet, inner));
+        CHECK(cut.state.grips.empty());
+        CHECK(cut.state.tips.empty());
+        MembraneModel rest = cut.model;
+        rest.sheet = cut.state.sheet;
+        CHECK(check_membrane(rest, UnusedNodes::allowed).ok());
+        const RhexisShape after = cut.shape();
+        CHECK(after.closed);
+        CHECK(after.mean_diameter == doctest::Approx(before.mean_diameter));
+        CHECK(after.circularity == doctest::Approx(before.circularity));
+        CHECK(after.loose_area == doctest::Approx(before.loose_area));
+        CHECK(after.length == doctest::Approx(before.length));
+        CHECK(take_out(cut.model, cut.state, {inner}).out.empty());
+    }
+
     TEST_CASE("half way round: the angle, the tip and the flap are those of half a circle") {
         Cut cut(jittered_round(2400));
         cut.cut_along(circle(2.6), pi);
