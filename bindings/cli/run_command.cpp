@@ -413,7 +413,7 @@ void add_run(CLI::App& app, Context& context) {
     command->footer(run_help);
     auto given = std::make_shared<RunOptions>();
     command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
-    command->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, none or random")
+    command->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, none or random [expert]")
         ->capture_default_str();
     command->add_option("--seed", given->seed, "Seed of all chance in the run")->capture_default_str();
     command->add_option("--patient", given->patient, "Patient file (JSON), as in assets/patients/");

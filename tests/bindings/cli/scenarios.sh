@@ -164,6 +164,28 @@ expect 1 "" "$rhexis" test "$demo" --jobs 3
 sed 's/ s of CPU//; s/[0-9.]*$//' "$work/stdout" >"$work/three"
 cmp -s "$work/one" "$work/three" || fail "three jobs say something else than one: $(diff "$work/one" "$work/three")"
 expect 0 "" "$rhexis" test "$demo" --filter far
+
+# Names and messages of any bytes, and the same ones in two files of one name: XML that a parser reads, each case once.
+bytes='caf\233 \237\191\190\237\160\128\239\191\190\239\191\191\240\159\145\129\195\169 a\1b\tc ]]> <&\" \192\128'
+odd='return scenarios {
+    scenario "'"$bytes"'" { function(t) error("'"$bytes"'") end },
+    scenario "caf\\xE9" { function(t) t:wait(0.02) end },
+    scenario "caf\233" { function(t) t:wait(0.02) end },
+}'
+mkdir "$demo/tests/one" "$demo/tests/two"
+printf '%s\n' "$odd" | tee "$demo/tests/one/odd_test.lua" >"$demo/tests/two/odd_test.lua"
+expect 1 "" "$rhexis" test "$demo/tests/one/odd_test.lua" "$demo/tests/two/odd_test.lua" --junit "$work/odd.xml"
+python3 - "$work/odd.xml" <<'P' || fail "junit: odd names: $(cat "$work/odd.xml")"
+import sys, xml.etree.ElementTree as tree
+cases = [c.attrib for c in tree.parse(sys.argv[1]).iter("testcase")]
+want = r"caf\xE9 \xED\xBF\xBE\xED\xA0\x80\u{FFFE}\u{FFFF}" + "\U0001F441\u00e9 a" + r"\x01b" + "\tc ]]> <&\" " + r"\xC0\x80"
+names = [c["name"] for c in cases]
+assert names == [want, r"caf\xE9", r"caf\xE9 (2)"] * 2, names
+assert [c["classname"] for c in cases] == ["demo.tests.one.odd_test"] * 3 + ["demo.tests.two.odd_test"] * 3, cases
+failed = [e.get("message") for e in tree.parse(sys.argv[1]).iter() if e.tag in ("failure", "error")]
+assert len(failed) == 2 and all(want in m for m in failed), failed
+P
+rm -r "$demo/tests/one" "$demo/tests/two"
 expect 2 "nowhere/junit.xml" "$rhexis" test "$demo" --filter far --junit "$work/nowhere/junit.xml"
 rm "$demo/tests/c_wrong.lua"
 expect 0 "" "$rhexis" test "$demo"
