@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/output_file.hpp"
 #include "cli/html.hpp"
 #include "cli/pictures.hpp"
 #include "cli/places.hpp"
@@ -279,9 +280,9 @@ Result<AttemptResult> Attempt::write_results() {
     result.recording = writer_.file();
     result.saved = saved_;
     // the report last: where it stands, all that it speaks of is there
-    Status status = write_whole_file(options_.folder + "/series.json", series_.json().dump() + "\n");
+    Status status = write_file(options_.folder + "/series.json", series_.json().dump() + "\n");
     if (status) {
-        status = write_whole_file(options_.folder + "/report.json", result.report.dump(2) + "\n");
+        status = write_file(options_.folder + "/report.json", result.report.dump(2) + "\n");
     }
     if (!status) {
         return status.error();
@@ -316,7 +317,7 @@ Result<std::optional<PictureBook>> open_book(const AttemptOptions& options, std:
 /// The page is for reading; a run without it is still a run.
 void write_html(const AttemptOptions& options, AttemptResult& result) {
     const Result<std::string> html = report_page(options.exercise.root, options.folder);
-    const Status written = html ? write_whole_file(options.folder + "/report.html", html.value()) : html.error();
+    const Status written = html ? write_file(options.folder + "/report.html", html.value()) : html.error();
     result.html_error = written ? "" : written.error().text();
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/folded_implant.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <nlohmann/json.hpp>
 
 #include "base/hash.hpp"
 #include "base/index.hpp"
+#include "cli/kept_states.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "session/build_world.hpp"
@@ -26,27 +23,6 @@ std::map<std::string, double> settings_of_fold(const SceneDescription& scene) {
     std::erase_if(settings, [](const auto& entry) { return !shapes_folded_implant(entry.first); });
     return settings;
 }
-
-/// Held by one process at a time, until it goes; the system frees it of one that dies. Where there are no locks each
-/// process folds for itself.
-class Turn {
-public:
-    explicit Turn(const std::string& path) : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-        if (file_ >= 0) {
-            ::flock(file_, LOCK_EX);
-        }
-    }
-    ~Turn() {
-        if (file_ >= 0) {
-            ::close(file_);
-        }
-    }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-
-private:
-    int file_;
-};
 
 bool still_good(const std::string& path, const std::string& fingerprint) {
     const Result<PreparedState> kept = read_state(path);
@@ -87,7 +63,7 @@ Status make(const std::string& path, const std::map<std::string, double>& settin
 }  // namespace
 
 Result<std::string> hash_of_program() {
-    const Result<std::string> program = read_whole_file("/proc/self/exe");
+    const Result<std::string> program = read_whole_file(program_path());
     if (!program) {
         return program.error();
     }
@@ -103,12 +79,12 @@ Result<std::string> find_folded_implant(const SceneDescription& scene, bool quie
     }
     const std::map<std::string, double> settings = settings_of_fold(scene);
     const std::string fingerprint = sha256_hex(json({program.value(), build_note(), settings}).dump());
-    if (Status status = prepare_folder(folder_of_states); !status) {
-        return status.error();
+    const Result<std::string> folder = folder_of_states();
+    if (!folder) {
+        return folder.error();
     }
-    const std::string path =
-        std::string(folder_of_states) + "/folded-" + sha256_hex(json(settings).dump()).substr(0, 12) + ".rhxs";
-    const Turn turn(path + ".lock");
+    const std::string path = folder.value() + "/folded-" + sha256_hex(json(settings).dump()).substr(0, 12) + ".rhxs";
+    const Turn turn(path);
     if (!still_good(path, fingerprint)) {
         if (Status made = make(path, settings, fingerprint, quiet); !made) {
             return made.error();

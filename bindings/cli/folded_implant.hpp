@@ -9,9 +9,6 @@
 
 namespace rhexis::cli {
 
-/// Where states are kept that are made when they are asked for.
-inline constexpr const char* folder_of_states = "runs/states";
-
 /// Hash over the bytes of the program that runs: what another one makes may differ in its last bits.
 Result<std::string> hash_of_program();
 

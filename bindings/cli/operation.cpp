@@ -10,6 +10,7 @@
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "base/output_file.hpp"
 #include "cli/html.hpp"
 #include "cli/operation_report.hpp"
 #include "cli/places.hpp"
@@ -258,7 +259,7 @@ private:
         left["fingerprint"] = fingerprint(index);
         keep(index, left);
         // the last file of a part: where it stands, the part is whole
-        return made.script_error.empty() ? write_whole_file(folder(index) + left_file, left.dump() + "\n") : success();
+        return made.script_error.empty() ? write_file(folder(index) + left_file, left.dump() + "\n") : success();
     }
 
     Result<OperationResult> finish() {
@@ -269,15 +270,15 @@ private:
         result_.report = whole.value().report;
         result_.report.update(options_.attempt.comparison);
         const std::string& to = options_.attempt.folder;
-        Status status = write_whole_file(to + "/series.json", whole.value().series.dump() + "\n");
+        Status status = write_file(to + "/series.json", whole.value().series.dump() + "\n");
         if (status) {
-            status = write_whole_file(to + "/report.json", result_.report.dump(2) + "\n");
+            status = write_file(to + "/report.json", result_.report.dump(2) + "\n");
         }
         if (!status) {
             return status.error();
         }
         const Result<std::string> html = report_page(options_.attempt.exercise.root, to);
-        const Status written = html ? write_whole_file(to + "/report.html", html.value()) : html.error();
+        const Status written = html ? write_file(to + "/report.html", html.value()) : html.error();
         result_.html_error = written ? "" : written.error().text();
         return result_;
     }

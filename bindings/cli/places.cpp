@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/places.hpp"
 
-#include <fcntl.h>
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "base/hash.hpp"
+#include "base/output_file.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -25,23 +26,18 @@ bool is_root(const fs::path& folder) {
     return fs::exists(folder / "scripts" / "exercise.lua", ignored);
 }
 
-Error system_error(const std::string& path, const char* what, int code) {
-    return {std::string(what) + ": " + std::strerror(code), path, ""};
-}
-
-Status write_all(int descriptor, const std::string& path, const std::string& content) {
-    std::size_t written = 0;
-    while (written < content.size()) {
-        const ssize_t count = ::write(descriptor, content.data() + written, content.size() - written);
-        if (count < 0 && errno != EINTR) {
-            return system_error(path, "cannot write", errno);
-        }
-        written += count > 0 ? static_cast<std::size_t>(count) : 0;
-    }
-    return success();
-}
-
 }  // namespace
+
+std::string program_path() {
+    constexpr const char* of_system = "/proc/self/exe";
+    if (::access(of_system, R_OK) == 0) {
+        return of_system;
+    }
+    const auto* const called = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+    std::error_code failed;
+    const fs::path path = called != nullptr ? fs::canonical(called, failed) : fs::path();
+    return failed ? std::string() : path.string();
+}
 
 std::string find_root() {
     const char* home = std::getenv("RHEXIS_HOME");
@@ -49,7 +45,7 @@ std::string find_root() {
         return home;
     }
     std::error_code failed;
-    fs::path folder = fs::read_symlink("/proc/self/exe", failed).parent_path();
+    fs::path folder = fs::canonical(program_path(), failed).parent_path();
     for (int level = 0; level < 6 && !failed && !folder.empty(); ++level) {
         for (const fs::path& candidate : {folder / "share" / "rhexis", folder}) {
             if (is_root(candidate)) {
@@ -68,31 +64,12 @@ Status prepare_folder(const std::string& folder) {
         return Error{"cannot make this folder: " + failed.message(), folder, "a folder that can be written"};
     }
     const std::string probe = folder + "/.rhexis-probe";
-    const Status status = write_whole_file(probe, "probe\n");
+    const Status status = write_file(probe, "probe\n");
     ::unlink(probe.c_str());
     if (!status) {
         return Error{status.error().what, folder, "a folder that can be written, on a disk that is not full"};
     }
     return success();
-}
-
-Status write_whole_file(const std::string& path, const std::string& content) {
-    const std::string part = path + "." + std::to_string(::getpid()) + ".part";  // others may write it too
-    const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (descriptor < 0) {
-        return system_error(path, "cannot write", errno);
-    }
-    Status status = write_all(descriptor, path, content);
-    if (::close(descriptor) != 0 && status) {
-        status = system_error(path, "cannot write", errno);
-    }
-    if (status && std::rename(part.c_str(), path.c_str()) != 0) {
-        status = system_error(path, "cannot write", errno);
-    }
-    if (!status) {
-        ::unlink(part.c_str());
-    }
-    return status;
 }
 
 Result<std::string> read_whole_file(const std::string& path) {

@@ -10,15 +10,15 @@
 
 namespace rhexis::cli {
 
+/// Of the program that runs: as the system says, or, where there is no /proc, as it was called.
+std::string program_path();
+
 /// The folder with scripts/ and curricula/: RHEXIS_HOME, or beside the program (in the source tree that it was built
 /// in, or share/rhexis of where it is installed). Empty when there is none.
 std::string find_root();
 
 /// Makes the folder and its parents and makes sure that files can be written there.
 Status prepare_folder(const std::string& folder);
-
-/// Writes a file under another name and renames it: it is there as a whole or not at all.
-Status write_whole_file(const std::string& path, const std::string& content);
 
 Result<std::string> read_whole_file(const std::string& path);
 

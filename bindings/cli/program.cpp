@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <vector>
 
 #include "base/near_names.hpp"
@@ -29,7 +33,8 @@ constexpr const char* description =
 
 constexpr const char* footer =
     "Exit status: 0 done; 1 the run, check or test found failures; 2 bad usage or bad input.\n"
-    "Scripts and exercises are found beside the program, or in the folder that RHEXIS_HOME names.";
+    "Scripts and exercises are found beside the program, or in the folder that RHEXIS_HOME names. --cache, for any\n"
+    "command, or RHEXIS_CACHE names the folder in which states to start from are kept, else ~/.cache/rhexis.";
 
 std::vector<std::string> command_names(const CLI::App& app) {
     std::vector<std::string> names;
@@ -126,10 +131,27 @@ void add_instruction_set(CLI::App& command, std::string& instruction_set) {
         ->check(CLI::IsMember({"baseline", "avx2", "avx512"}));
 }
 
+/// The results that were printed have gone where they should. A full disk shows only when the last of them is written.
+void check_printed() {
+    std::cout.flush();
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) {
+        return;
+    }
+    std::fprintf(stderr, "rhexis: not all of the output could be written%s%s\n", errno != 0 ? ": " : "",
+                 errno != 0 ? std::strerror(errno) : "");
+    std::_Exit(bad_input);  // whatever status it was to be
+}
+
 int run_program(int argc, const char* const* argv) {
+    std::atexit(check_printed);  // also where a script ends the program
     Context context;
     CLI::App app(description);
     app.footer(footer);
+    app.fallthrough();
+    app.add_option_function<std::string>(
+        "--cache", [](const std::string& folder) { ::setenv("RHEXIS_CACHE", folder.c_str(), 1); },
+        "Folder for states that are kept for the next time [RHEXIS_CACHE, or the user's cache]");
     app.set_version_flag("--version", std::string("rhexis ") + RHEXIS_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/folder_lock.hpp"
+#include "base/output_file.hpp"
 #include "base/rng.hpp"
 #include "cli/command.hpp"
 #include "cli/counted.hpp"
@@ -131,7 +133,7 @@ Status make_case(const RateOptions& given, const Case& one, std::size_t number, 
         return status;
     }
     const Result<std::string> html = page_html(context.root, "records.form", data);
-    return html ? write_whole_file(folder + "/form.html", html.value()) : Status(html.error());
+    return html ? write_file(folder + "/form.html", html.value()) : Status(html.error());
 }
 
 int make_package(RateOptions given, const Context& context) {
@@ -147,6 +149,10 @@ int make_package(RateOptions given, const Context& context) {
     std::error_code ignored;
     if (fs::exists(given.out, ignored) && !fs::is_empty(given.out, ignored)) {
         return complain({"this folder is not empty", given.out, "--out DIR, a new folder for each rater"});
+    }
+    const Result<FolderLock> lock = FolderLock::take(given.out);
+    if (!lock) {
+        return complain(lock.error());
     }
     for (std::size_t i = 0; i < cases.value().size(); ++i) {
         const Status made = make_case(given, cases.value()[i], i + 1, cases.value().size(), context);

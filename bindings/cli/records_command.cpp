@@ -6,6 +6,7 @@
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "base/output_file.hpp"
 #include "cli/gates_file.hpp"
 #include "cli/places.hpp"
 #include "cli/run_folder.hpp"
@@ -113,7 +114,7 @@ int write_records_page(const RecordsOptions& given, const std::string& module, n
     }
     data["language"] = language.value().empty() ? "en" : language.value();
     const Result<std::string> html = page_html(context.root, module, data);
-    const Status written = html ? write_whole_file(given.html, html.value()) : Status(html.error());
+    const Status written = html ? write_file(given.html, html.value()) : Status(html.error());
     return written ? done : complain(written.error());
 }
 

@@ -24,6 +24,7 @@ struct RecordsOptions {
     std::string arm;
     std::string attempt;
     std::vector<std::string> folders;
+    std::string csv_style = "plain";
     std::string out;
     std::string html;
     std::string language;

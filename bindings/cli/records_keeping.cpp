@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/folder_lock.hpp"
+#include "base/output_file.hpp"
 #include "cli/counted.hpp"
 #include "cli/places.hpp"
 #include "cli/records_command.hpp"
@@ -130,6 +132,10 @@ int remove(const RecordsOptions& given) {
     return done;
 }
 
+records::CsvStyle style_named(const std::string& name) {
+    return name == "excel-eu" ? records::CsvStyle{';', ',', true} : records::CsvStyle{};
+}
+
 int export_csv(const RecordsOptions& given) {
     Result<records::Store> store = open_records(given);
     if (!store) {
@@ -149,9 +155,11 @@ int export_csv(const RecordsOptions& given) {
     if (const Status known = check_wanted(store.value(), given, attempts.value()); !known) {
         return complain(known.error());  // tables that lie there already stay
     }
-    Status status = prepare_folder(given.out);
-    for (const auto& [file, content] : records::csv_of(attempts.value(), ratings.value())) {
-        status = status ? write_whole_file(given.out + "/" + file, content) : status;
+    const Result<FolderLock> lock = FolderLock::take(given.out);
+    Status status = lock ? prepare_folder(given.out) : Status(lock.error());
+    for (const auto& [file, content] :
+         records::csv_of(attempts.value(), ratings.value(), style_named(given.csv_style))) {
+        status = status ? write_file(given.out + "/" + file, content) : status;
     }
     if (!status) {
         return complain(status.error());
@@ -174,6 +182,11 @@ void add_records_keeping(CLI::App& records, const std::shared_ptr<RecordsOptions
 
     command = records.add_subcommand("export", "Tables for other programs: attempts.csv, items.csv, measures.csv, ...");
     command->add_option("--out", given->out, "Folder for them")->required();
+    command
+        ->add_option("--csv-style", given->csv_style,
+                     "plain: comma and decimal point; excel-eu: as a European Excel opens it, semicolon, decimal comma "
+                     "and a byte order mark [plain]")
+        ->check(CLI::IsMember({"plain", "excel-eu"}));
     command->add_option("--trainee", given->trainee, "Of this one only");
     command->add_option("--exercise", given->exercise, "At this one only");
     command->add_option("--cohort", given->cohort, "Of this cohort only");

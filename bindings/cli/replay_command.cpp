@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "cli/command.hpp"
 #include "cli/film.hpp"
@@ -128,7 +129,8 @@ int score(const Recording& recording, const ReplayOptions& given, const Context&
 int film(const Recording& recording, const ReplayOptions& given, nlohmann::json& out) {
     const std::filesystem::path beside = std::filesystem::path(given.recording).parent_path() / "replay";
     const std::string folder = given.out.empty() ? beside.string() : given.out;
-    const Status prepared = prepare_folder(folder);
+    const Result<FolderLock> lock = FolderLock::take(folder);
+    const Status prepared = lock ? prepare_folder(folder) : Status(lock.error());
     if (!prepared) {
         return complain(prepared.error());
     }

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/folder_lock.hpp"
+#include "base/output_file.hpp"
 #include "cli/command.hpp"
 #include "cli/html.hpp"
 #include "cli/language.hpp"
@@ -71,7 +73,8 @@ int report(const ReportOptions& given, const Context& context) {
     if (!html) {
         return complain(html.error());
     }
-    const Status written = write_whole_file(file, html.value());
+    const Result<FolderLock> lock = FolderLock::take(given.folder);
+    const Status written = lock ? write_file(file, html.value()) : Status(lock.error());
     if (!written) {
         return complain(written.error());
     }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/folder_lock.hpp"
 #include "base/numbers.hpp"
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
@@ -349,13 +350,19 @@ int run(RunOptions given, const Context& context) {
         return complain(status.error());
     }
     if (operation.value()) {
-        return run_whole(given, *operation.value(), attempt_options(given, std::move(set).value(), context));
+        AttemptOptions whole = attempt_options(given, std::move(set).value(), context);
+        const Result<FolderLock> lock = FolderLock::take(whole.folder);
+        return lock ? run_whole(given, *operation.value(), std::move(whole)) : complain(lock.error());
     }
     if (!given.from.empty() || !given.to.empty() || given.resume) {
         return complain({"--from, --to and --resume are for operations, and " + given.curriculum + " is an exercise",
                          "", "--start STATE"});
     }
     AttemptOptions options = attempt_options(given, set.value(), context);
+    const Result<FolderLock> lock = FolderLock::take(options.folder);
+    if (!lock) {
+        return complain(lock.error());
+    }
     Result<SaveOptions> save = save_options_of(given.save_state);
     if (!save) {
         return complain(save.error());
@@ -413,7 +420,8 @@ void add_run(CLI::App& app, Context& context) {
     command->footer(run_help);
     auto given = std::make_shared<RunOptions>();
     command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
-    command->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, none or random [expert]")
+    command
+        ->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, none or random [expert]")
         ->capture_default_str();
     command->add_option("--seed", given->seed, "Seed of all chance in the run")->capture_default_str();
     command->add_option("--patient", given->patient, "Patient file (JSON), as in assets/patients/");

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/output_file.hpp"
 #include "cli/places.hpp"
 #include "records/identity.hpp"
 #include "records/report_fields.hpp"
@@ -21,7 +22,7 @@ Status write_note(const std::string& folder, const Attempt& attempt, bool added)
     if (added) {
         note["added"] = true;
     }
-    return write_whole_file(folder + "/" + note_file, note.dump(2) + "\n");
+    return write_file(folder + "/" + note_file, note.dump(2) + "\n");
 }
 
 Result<Attempt> read_note(const std::string& folder) {

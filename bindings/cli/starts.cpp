@@ -8,6 +8,7 @@
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
 #include "cli/folded_implant.hpp"
+#include "cli/kept_states.hpp"
 #include "cli/opening_files.hpp"
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
@@ -243,8 +244,7 @@ Status make(const Recipe& recipe, const StartRequest& request, const std::string
     if (!made) {
         return made.error();
     }
-    const Status folder = prepare_folder(folder_of_states);
-    return folder ? write_state(path, {header_of(recipe, identity, made.value()), made.value().copy_state()}) : folder;
+    return write_state(path, {header_of(recipe, identity, made.value()), made.value().copy_state()});
 }
 
 /// Whether a kept state is what the recipe would make.
@@ -327,8 +327,13 @@ Result<std::string> kept(Recipe& recipe, const StartRequest& request) {
     // one file per exercise, start and set: what was made by older scripts is overwritten
     const std::string opening = recipe.opening.empty() ? "" : json(recipe.opening).dump();
     const std::string variant = sha256_hex(recipe.files.script + json(recipe.set).dump() + opening);
-    const std::string path = std::string(folder_of_states) + "/" + recipe.files.id + "-" + request.start + "-" +
-                             variant.substr(0, 12) + ".rhxs";
+    const Result<std::string> folder = folder_of_states();
+    if (!folder) {
+        return folder.error();
+    }
+    const std::string path =
+        folder.value() + "/" + recipe.files.id + "-" + request.start + "-" + variant.substr(0, 12) + ".rhxs";
+    const Turn turn(path);
     if (!still_good(path, recipe)) {
         if (Status made = make(recipe, request, path); !made) {
             return made.error();

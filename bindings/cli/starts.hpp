@@ -28,8 +28,8 @@ struct Start {
     std::string opening_note{};     ///< why it is not the one that was torn before; empty: nothing to say
 };
 
-/// The state is the file itself, or the one kept in runs/states/, which is made again when it is missing or was made by
-/// other scripts, another program or for another patient.
+/// The state is the file itself, or the one that is kept (kept_states.hpp), which is made again when it is missing or
+/// was made by other scripts, another program or for another patient.
 Result<Start> find_start(const StartRequest& request);
 
 /// Fails when the exercise has no such start, or the file is no good; makes nothing.

@@ -9,7 +9,9 @@
 #include <thread>
 #include <utility>
 
+#include "base/folder_lock.hpp"
 #include "base/hash.hpp"
+#include "base/output_file.hpp"
 #include "cli/attempt.hpp"
 #include "cli/command.hpp"
 #include "cli/operation.hpp"
@@ -184,7 +186,7 @@ void run_job(const StudyPlan& plan, StudyJob& job, const Context& context, bool 
     auto [report, script_error] = std::move(result).value();
     job.run.report = std::move(report);
     job.error = std::move(script_error);
-    const Status marked = write_whole_file(job.folder + done_file, job.fingerprint.dump() + "\n");
+    const Status marked = write_file(job.folder + done_file, job.fingerprint.dump() + "\n");
     if (!marked && job.error.empty()) {
         job.error = marked.error().text();
     }
@@ -265,7 +267,7 @@ Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, cons
                   const Context& context) {
     if (plan.reference) {
         const std::string file = out + "/cohorts.json";
-        if (Status status = write_whole_file(file, cohorts_of(plan, runs, context.root).dump(1) + "\n"); !status) {
+        if (Status status = write_file(file, cohorts_of(plan, runs, context.root).dump(1) + "\n"); !status) {
             return status;
         }
         std::printf(quiet ? "" : "  reference  %s: copy it to rubrics/\n", file.c_str());
@@ -274,7 +276,7 @@ Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, cons
     if (plan.gates) {
         const Result<nlohmann::json> tried = gates_tried(plan, runs, context.root);
         const std::string file = out + "/gates_accepted.json";
-        const Status status = tried ? write_whole_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
+        const Status status = tried ? write_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
         if (!status) {
             return status;
         }
@@ -316,6 +318,10 @@ int study(const StudyOptions& given, const Context& context) {
         return check_gates(plan.value(), context);
     }
     const std::string out = given.out.empty() ? "runs/study-" + plan.value().name : given.out;
+    const Result<FolderLock> lock = FolderLock::take(out);
+    if (!lock) {
+        return complain(lock.error());
+    }
     std::vector<StudyJob> jobs = jobs_of(plan.value(), out, context);
     Status status = prepare(plan.value(), jobs, given.judge_again, context);
     if (status && !given.judge_again) {
@@ -336,9 +342,9 @@ int study(const StudyOptions& given, const Context& context) {
     const Result<std::string> groups = read_whole_file(context.root + "/scripts/surgeons/groups.lua");
     result["groups_sha256"] = groups ? sha256_hex(groups.value()) : "";
     const std::string tables = out + (given.judge_again ? "/judged_again" : "/study");
-    status = write_whole_file(tables + ".json", result.dump(2) + "\n");
+    status = write_file(tables + ".json", result.dump(2) + "\n");
     if (status) {
-        status = write_whole_file(tables + ".md", study_text(result));
+        status = write_file(tables + ".md", study_text(result));
     }
     if (!status) {
         return complain(status.error());

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/output_file.hpp"
 #include "cli/command.hpp"
 #include "cli/coverage.hpp"
 #include "cli/junit.hpp"
@@ -213,7 +214,7 @@ Status write_junit(const Plan& plan, const std::string& path) {
     for (const Job& job : plan.jobs) {
         scenarios.push_back(job.scenario);
     }
-    return write_whole_file(path, junit_xml(scenarios));
+    return write_file(path, junit_xml(scenarios));
 }
 
 Coverage coverage_of(const Plan& plan) {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/text_file.hpp"
 #include "lua/guard.hpp"
 #include "lua/sandbox.hpp"
 
@@ -87,6 +88,15 @@ namespace {
 /// What most often is behind a message of Lua about the form of a script, for who does not program; or nothing.
 std::string_view likely_slip(std::string_view message) {
     const auto says = [message](std::string_view part) { return message.find(part) != std::string_view::npos; };
+    if (says("near '<\\194>'") || says("near '<\\160>'")) {
+        return ": a no-break space stands there, as word processors and web pages put it; a plain space is meant";
+    }
+    if (says("near '<\\226>'")) {
+        return ": a typographic quotation mark, dash or space stands there; Lua knows the plain ones";
+    }
+    if (says("near '<\\239>'")) {
+        return ": a byte order mark stands there; it may only be at the very beginning";
+    }
     if (says("unfinished string")) {
         return ": a quotation mark is missing at the end of a text";
     }
@@ -104,8 +114,9 @@ std::string_view likely_slip(std::string_view message) {
 
 }  // namespace
 
-void load_text(lua_State* L, const std::string& text, const std::string& chunk) {
+void load_text(lua_State* L, const std::string& given, const std::string& chunk) {
     const std::string name = "@" + chunk;
+    const std::string_view text = without_mark(given);
     if (text.starts_with('\x1b')) {
         luaL_error(L, "%s:1: is precompiled, only text is taken", chunk.c_str());
     }
@@ -130,8 +141,8 @@ void load_file(lua_State* L, const std::string& path, const std::string& chunk) 
         luaL_error(L, text.size() > max_source_bytes ? "%s: larger than a script may be (4 MiB)" : "%s: cannot be read",
                    chunk.c_str());
     }
-    if (text.starts_with('#')) {  // "#!" line; its line stays, so that numbers hold
-        text.insert(0, "--");
+    if (without_mark(text).starts_with('#')) {  // "#!" line; its line stays, so that numbers hold
+        text = "--" + std::string(without_mark(text));
     }
     load_text(L, text, chunk);
 }

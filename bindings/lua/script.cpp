@@ -26,14 +26,34 @@ void set_arguments(lua_State* L, const std::string& path, const std::vector<std:
     lua_setglobal(L, "arg");
 }
 
+/// A searcher before Lua's own of files: NAME.lua beside the script. Not by package.path, in which ; and ? are no
+/// letters.
+int find_beside(lua_State* L) {
+    std::string name = luaL_checkstring(L, 1);
+    std::replace(name.begin(), name.end(), '.', '/');
+    const std::string path = (std::filesystem::path(lua_tostring(L, lua_upvalueindex(1))) / (name + ".lua")).string();
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+        lua::push(L, std::string_view("no file '" + path + "'"));
+        return 1;
+    }
+    lua::load_file(L, path, path);
+    lua::push(L, std::string_view(path));
+    return 2;
+}
+
 void search_beside(lua_State* L, const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     lua_getglobal(L, "package");
-    lua_getfield(L, -1, "path");
-    const std::string search = (folder.empty() ? "." : folder) + "/?.lua;" + lua_tostring(L, -1);
-    lua_pop(L, 1);
-    lua::set_field(L, "path", std::string_view(search));
-    lua_pop(L, 1);
+    lua_getfield(L, -1, "searchers");
+    for (lua_Integer i = luaL_len(L, -1); i >= 2; --i) {  // the first is for what is preloaded
+        lua_rawgeti(L, -1, i);
+        lua_rawseti(L, -2, i + 1);
+    }
+    lua::push(L, std::string_view(folder.empty() ? "." : folder));
+    lua_pushcclosure(L, lua::guarded<find_beside>, 1);
+    lua_rawseti(L, -2, 2);
+    lua_pop(L, 2);
 }
 
 LuaOptions state_options(const ScriptOptions& options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole files in and out.
+// Whole files that are read; see output_file.hpp for those that are written.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,7 @@ namespace rhexis {
 /// The content of a regular file of at most `most_bytes`. Errors name the path.
 Result<std::string> read_text_file(const std::string& path, std::size_t most_bytes);
 
-/// Writes beside the target and renames, so that the file appears whole or not at all, also where several processes
-/// write it at once.
-Status write_text_file(const std::string& path, std::string_view content);
+/// Without the byte order mark that some editors put at the beginning of UTF-8.
+std::string_view without_mark(std::string_view text);
 
 }  // namespace rhexis

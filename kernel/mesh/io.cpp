@@ -4,6 +4,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "base/output_file.hpp"
 #include "base/text_file.hpp"
 #include "mesh/raw_mesh.hpp"
 
@@ -89,7 +90,8 @@ Result<RawMesh> read_raw(const std::string& path) {
     if (!text.ok()) {
         return text.error();
     }
-    return is_vtk(path) ? read_vtk(text.value(), path) : read_msh(text.value(), path);
+    const std::string_view content = without_mark(text.value());
+    return is_vtk(path) ? read_vtk(content, path) : read_msh(content, path);
 }
 
 }  // namespace
@@ -106,10 +108,10 @@ Result<TriMesh> read_tri_mesh(const std::string& path) {
 
 Status write_tet_mesh(const TetMesh& mesh, const std::string& path) {
     if (ends_with(path, ".vtk")) {
-        return write_text_file(path, vtk_text(mesh));
+        return write_file(path, vtk_text(mesh));
     }
     if (ends_with(path, ".msh")) {
-        return write_text_file(path, msh_text(mesh));
+        return write_file(path, msh_text(mesh));
     }
     return unknown_ending(path);
 }
@@ -130,7 +132,7 @@ Status write_obj(const Surface& surface, const std::vector<Vec3>& positions, con
         }
         text += '\n';
     }
-    return write_text_file(path, text);
+    return write_file(path, text);
 }
 
 }  // namespace rhexis

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "base/output_file.hpp"
 
 namespace rhexis {
 
@@ -107,15 +107,17 @@ bool shift_index(Bytes contents, std::uint64_t shift) {
     return true;
 }
 
-void copy_box(std::ifstream& from, const Mp4Box& box, std::ofstream& to) {
+Status copy_box(std::ifstream& from, const Mp4Box& box, OutputFile& to) {
     std::vector<char> block(1 << 20);
     from.seekg(static_cast<std::streamoff>(box.start));
-    for (std::uint64_t left = box.length; left > 0 && from && to;) {
-        const std::streamsize count = static_cast<std::streamsize>(std::min<std::uint64_t>(left, block.size()));
-        from.read(block.data(), count);
-        to.write(block.data(), count);
-        left -= static_cast<std::uint64_t>(count);
+    Status status = success();
+    for (std::uint64_t left = box.length; left > 0 && from && status;) {
+        const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(left, block.size()));
+        from.read(block.data(), static_cast<std::streamsize>(count));
+        status = to.write({block.data(), count});
+        left -= count;
     }
+    return status;
 }
 
 std::vector<Mp4Box>::const_iterator find(const std::vector<Mp4Box>& boxes, const char* letters) {
@@ -150,20 +152,23 @@ Status write_index_first(const std::string& from, const std::string& to) {
         return Error{"this is not a whole MP4 file", from, "one with an index"};
     }
     const std::vector<unsigned char> index = moved_index(file, boxes);
-    std::ofstream out(to, std::ios::binary | std::ios::trunc);
+    Result<OutputFile> out = OutputFile::create(to);
+    if (!out) {
+        return out.error();
+    }
+    Status status = success();
     for (const Mp4Box& box : boxes) {
         if (box.letters == "mdat" && !index.empty() && box.start == find(boxes, "mdat")->start) {
-            out.write(reinterpret_cast<const char*>(index.data()), static_cast<std::streamsize>(index.size()));
+            status = status ? out.value().write({reinterpret_cast<const char*>(index.data()), index.size()}) : status;
         }
         if (box.letters != "moov" || index.empty()) {
-            copy_box(file, box, out);
+            status = status ? copy_box(file, box, out.value()) : status;
         }
     }
-    out.close();
-    if (!file || !out) {
-        return Error{std::string("cannot write: ").append(std::strerror(errno)), to, "a writable path with room"};
+    if (status && !file) {
+        return Error{"cannot be read", from, "a whole MP4 file"};
     }
-    return success();
+    return status ? out.value().finish() : status;
 }
 
 }  // namespace rhexis

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "base/output_file.hpp"
 #include "render/image_file.hpp"
 #include "render/mp4_boxes.hpp"
 
@@ -51,6 +55,18 @@ Status check_writable(const std::string& path) {
     }
     std::fclose(file);
     return success();
+}
+
+/// Where the codec library writes, which goes back and forth in it: beside the video, or where it may if that is no
+/// file.
+std::string part_of(const OutputPlace& place) {
+    std::error_code ignored;
+    const std::string whole =
+        place.plain
+            ? place.path
+            : (std::filesystem::temp_directory_path(ignored) / ("rhexis-" + std::to_string(::getpid()))).string();
+    const std::string ending = ends_in(whole, ".mp4") ? ".mp4" : "";
+    return whole.substr(0, whole.size() - ending.size()) + ".part.mp4";
 }
 
 int readable_frames(const std::string& path) {
@@ -116,7 +132,11 @@ Result<VideoFile> VideoFile::create(const std::string& path, int width, int heig
     parts->path = path;
     parts->width = width;
     parts->height = height;
-    const std::string part = path.substr(0, path.size() - 4) + ".part.mp4";
+    const Result<OutputPlace> place = output_place(path);
+    if (!place) {
+        return cannot_write_video(place.error().what, path);
+    }
+    const std::string part = part_of(place.value());
     if (const Status status = check_writable(part); !status.ok()) {
         return Error{status.error().what, path, status.error().allowed};
     }
@@ -155,12 +175,9 @@ Status VideoFile::finish() {
             "only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) + " pictures can be read back",
             parts_->path);
     }
-    const std::string ordered = parts_->part + ".tmp";
-    const Status written = write_index_first(parts_->part, ordered);
-    if (!written.ok() || std::rename(ordered.c_str(), parts_->path.c_str()) != 0) {
-        const std::string why = written.ok() ? std::strerror(errno) : written.error().what;
-        std::remove(ordered.c_str());
-        return cannot_write_video(why, parts_->path);
+    const Status written = write_index_first(parts_->part, parts_->path);
+    if (!written.ok()) {
+        return cannot_write_video(written.error().what, parts_->path);
     }
     std::remove(parts_->part.c_str());
     parts_->part.clear();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/output_file.hpp"
 #include "base/text_file.hpp"
 #include "session/chunk.hpp"
 #include "session/codec.hpp"
@@ -66,9 +67,9 @@ Status check_same_scene(const PreparedState& state, const SceneDescription& here
 }  // namespace
 
 Status write_state(const std::string& path, const PreparedState& state) {
-    return write_text_file(path, first_line(state_file) + make_chunk(ChunkKind::header, encode(state.made)) +
-                                     make_chunk(ChunkKind::checkpoint, encode(state.snapshot)) +
-                                     make_chunk(ChunkKind::end, ""));
+    return write_file(path, first_line(state_file) + make_chunk(ChunkKind::header, encode(state.made)) +
+                                make_chunk(ChunkKind::checkpoint, encode(state.snapshot)) +
+                                make_chunk(ChunkKind::end, ""));
 }
 
 Result<PreparedState> read_state(const std::string& path) {

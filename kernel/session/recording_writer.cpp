@@ -4,10 +4,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include "base/clock.hpp"
 #include "base/hash.hpp"
+#include "base/output_file.hpp"
 #include "session/chunk.hpp"
 #include "session/codec.hpp"
 
@@ -27,24 +27,13 @@ struct RecordingWriter::Parts {
         }
     }
 
-    [[nodiscard]] Error failure(int code) const {
-        return {std::string("cannot write: ") + std::strerror(code), file, ""};
-    }
+    [[nodiscard]] Error failure(int code) const { return cannot_write(file, code); }
 
     Status flush() {
-        std::size_t done = 0;
-        while (done < waiting.size()) {
-            const ssize_t written = ::write(descriptor, waiting.data() + done, waiting.size() - done);
-            if (written < 0 && errno != EINTR) {
-                const int code = errno;
-                waiting.erase(0, done);
-                return failure(code);
-            }
-            done += written > 0 ? static_cast<std::size_t>(written) : 0;
-        }
-        waiting.clear();
+        const Status written = write_bytes(descriptor, file, waiting);
+        waiting.clear();  // of what failed the rest as well: it is not written twice
         flushed_s = wall_seconds();
-        return success();
+        return written;
     }
 
     Status add(ChunkKind kind, const std::string& payload) {
@@ -71,16 +60,24 @@ RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = defaul
 
 Result<RecordingWriter> RecordingWriter::create(const std::string& path, const RecordingHeader& header) {
     std::unique_ptr<Parts> parts = std::make_unique<Parts>();
-    parts->path = path;
-    parts->file = path + ".part";
-    parts->descriptor = ::open(parts->file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const Result<OutputPlace> place = output_place(path);
+    if (!place) {
+        return place.error();
+    }
+    const bool plain = place.value().plain;
+    parts->path = place.value().path;
+    parts->file = parts->path + (plain ? ".part" : "");
+    parts->descriptor =
+        ::open(parts->file.c_str(), O_WRONLY | O_CLOEXEC | (plain ? O_CREAT | O_TRUNC : 0), place.value().mode);
     if (parts->descriptor < 0) {
         return parts->failure(errno);
     }
     parts->waiting = first_line(recording_file);
     const Status status = parts->add(ChunkKind::header, encode(header));
     if (!status) {
-        ::unlink(parts->file.c_str());  // not even a header: nothing to keep
+        if (plain) {
+            ::unlink(parts->file.c_str());  // not even a header: nothing to keep
+        }
         return status.error();
     }
     return RecordingWriter(std::move(parts));
@@ -105,7 +102,7 @@ Status RecordingWriter::finish() {
     if (!synced || !closed) {
         return parts_->failure(synced ? errno : code);
     }
-    if (std::rename(parts_->file.c_str(), parts_->path.c_str()) != 0) {
+    if (parts_->file != parts_->path && std::rename(parts_->file.c_str(), parts_->path.c_str()) != 0) {
         return parts_->failure(errno);
     }
     parts_->file = parts_->path;

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <thread>
 
-#include "base/text_file.hpp"
+#include "base/output_file.hpp"
 
 namespace rhexis::bench {
 namespace {
@@ -100,7 +100,7 @@ nlohmann::json run_memory(const BenchOptions& options) {
         return peak;
     };
     const std::string idle = folder.path / "idle.lua";
-    if (!write_text_file(empty + "/curriculum.lua", empty_exercise) || !write_text_file(idle, idle_script)) {
+    if (!write_file(empty + "/curriculum.lua", empty_exercise) || !write_file(idle, idle_script)) {
         return {{{"name", "memory"}, {"failure", "cannot write to " + empty}, {"passed", false}}};
     }
     const double program = measure("program", {"lua", idle});

@@ -3,6 +3,7 @@
 # Exercises that begin with a folded implant: it is folded when it is asked for first, by one process, kept and shared.
 set -u
 . "$(dirname "$0")/expect.sh"
+export RHEXIS_CACHE=$work/cache
 cd "$work" || exit 2
 
 mkdir -p mine/tests other
@@ -48,7 +49,7 @@ expect 2 "cartridge.bore_mm is 1.8, too small for the implant (at least 2." "${r
 expect 2 "mine/starts.lua:2: start brought: cartridge.bore_mm is 1.8, too small for the implant" "${run[@]}" \
     --start brought --set cartridge.bore_mm=1.8 --set cartridge.nozzle_mm=1.8 --out refused
 [ ! -e refused ] || fail "a run that could not start left something"
-[ -z "$(ls runs/states/*.rhxs 2>/dev/null)" ] || fail "a lens that cannot be folded was kept"
+[ -z "$(ls "$RHEXIS_CACHE"/states/*.rhxs 2>/dev/null)" ] || fail "a lens that cannot be folded was kept"
 
 # Two at once: one folds, the other waits for it.
 for one in first second; do "${run[@]}" --out $one >$one.txt 2>&1 & done
@@ -56,7 +57,7 @@ wait
 for one in first second; do
     [ -s $one/report.json ] || fail "of two runs at once, the $one failed: $(cat $one.txt)"
 done
-state=$(echo runs/states/folded-*.rhxs)
+state=$(echo "$RHEXIS_CACHE"/states/folded-*.rhxs)
 [ -s "$state" ] || fail "no folded implant is kept, or more than one: $state"
 made() { stat -c %Y.%i "$state"; }
 before=$(made)

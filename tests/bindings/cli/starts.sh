@@ -3,6 +3,7 @@
 # States to start from: kept by a run, prepared by an exercise, started from, replayed; and what is wrong with them.
 set -u
 . "$(dirname "$0")/expect.sh"
+export RHEXIS_CACHE=$work/cache
 repository=$PWD
 cd "$work" || exit 2
 small=(--no-pictures --set patient.tetrahedra=500)
@@ -88,7 +89,7 @@ return scenarios {
 L
 expect 0 "" "$rhexis" test mine
 says "1 passed, 0 failed"
-state=$(echo runs/states/mine-begun-*.rhxs)
+state=$(echo "$RHEXIS_CACHE"/states/mine-begun-*.rhxs)
 [ -s "$state" ] || fail "no state is kept"
 made() { stat -c %Y.%i "$state"; }
 before=$(made)
