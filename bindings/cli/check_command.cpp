@@ -29,7 +29,8 @@ constexpr const char* check_help =
     "never reached, conditions that never change, recoveries that can never hold. Then what the trainee is to learn, "
     "the\n"
     "levels, the texts that lack a translation, and notes: what is no mistake of form, but may not do what was meant.\n"
-    "Of scenario tests it checks form, exercise, settings and start; rhexis test runs them.";
+    "A file that is wrong does not hide what is wrong in the files beside it. Of scenario tests it checks form, "
+    "exercise, settings and start; rhexis test runs them.";
 
 constexpr int dry_steps = 20;
 
@@ -102,19 +103,26 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     return found;
 }
 
-/// The scenario tests in a file: their form, their exercise, what they set and start from.
-Status check_scenarios(const std::string& path, const Context& context) {
+/// A mistake once, however many files show it.
+void add_fault(Findings& all, const Error& error) {
+    if (std::find(all.faults.begin(), all.faults.end(), error.text()) == all.faults.end()) {
+        all.faults.push_back(error.text());
+    }
+}
+
+/// The scenario tests in a file: their form, their exercise; with an exercise that loads, what they set and start from.
+void check_scenarios(const std::string& path, bool exercise_loads, const Context& context, Findings& all) {
     const Result<ScenarioFile> file = read_scenarios(path, context.root);
     if (!file) {
-        return file.error();
+        add_fault(all, file.error());
+        return;
     }
-    for (const nlohmann::json& scenario : file.value().scenarios) {
-        Status good = check_scenario(file.value(), scenario, context.root);
+    for (std::size_t i = 0; exercise_loads && i < file.value().scenarios.size(); ++i) {
+        const Status good = check_scenario(file.value(), file.value().scenarios.at(i), context.root);
         if (!good) {
-            return good;
+            add_fault(all, good.error());
         }
     }
-    return success();
 }
 
 /// Whether the part whose opening another one takes over can tear one. tissues: of the parts so far, by id.
@@ -173,28 +181,21 @@ Status check_plan(const std::string& path, const Context& context) {
 }
 
 /// Its starts and its scenario tests.
-Status check_beside(const std::string& path, const Context& context) {
+void check_beside(const std::string& path, bool exercise_loads, const Context& context, Findings& all) {
     const Result<CurriculumFiles> files = find_curriculum(path, context.root);
-    if (!files) {
-        return files.error();
-    }
-    if (std::filesystem::path(files.value().script).filename() != "curriculum.lua") {
-        return success();  // a lone file: what lies beside it is not its own
+    if (!files || std::filesystem::path(files.value().script).filename() != "curriculum.lua") {
+        return;  // a lone file: what lies beside it is not its own
     }
     const std::string starts = files.value().folder + "/starts.lua";
     if (std::filesystem::exists(starts)) {
         const Result<ScenarioScript> script = ScenarioScript::load(starts, "starts", context.root);
         if (!script) {
-            return script.error();
+            add_fault(all, script.error());
         }
     }
     for (const std::string& file : scenarios_below(files.value().folder)) {
-        Status good = check_scenarios(file, context);
-        if (!good) {
-            return good;
-        }
+        check_scenarios(file, exercise_loads, context, all);
     }
-    return success();
 }
 
 /// An exercise as it is written, and at each of its levels.
@@ -222,13 +223,20 @@ Result<Findings> check_levels(const std::string& path, const Context& context) {
 /// An exercise with its starts and its scenario tests; or an operation.
 Result<Findings> check_exercise(const std::string& path, const Context& context) {
     const Result<std::optional<Operation>> operation = load_operation(path, context.root);
-    if (!operation || operation.value()) {
-        return operation ? check_operation(*operation.value(), context) : Result<Findings>(operation.error());
+    if (operation && operation.value()) {
+        return check_operation(*operation.value(), context);
     }
-    Result<Findings> found = check_levels(path, context);
-    const Status plan = found ? check_plan(path, context) : success();
-    const Status beside = found && plan ? check_beside(path, context) : plan;
-    return beside ? found : Result<Findings>(beside.error());
+    const Result<Findings> found = operation ? check_levels(path, context) : Result<Findings>(operation.error());
+    Findings all = found ? found.value() : Findings{};
+    if (!found) {
+        add_fault(all, found.error());
+    }
+    const Status plan = found ? check_plan(path, context) : success();  // it is read after the exercise
+    if (!plan) {
+        add_fault(all, plan.error());
+    }
+    check_beside(path, static_cast<bool>(found), context, all);
+    return all;
 }
 
 /// A mistake's line with its file as it is found from where one stands: messages begin with the folder's own name.
@@ -267,8 +275,9 @@ int tell(const std::string& path, const Findings& found, const Context& context)
 
 int check_one(const std::string& path, const Context& context) {
     if (is_scenario_file(std::filesystem::absolute(path).string())) {
-        const Status good = check_scenarios(path, context);
-        return good ? tell(path, {}, context) : complain(good.error(), found_failures);
+        Findings found;
+        check_scenarios(path, true, context, found);
+        return tell(path, found, context);
     }
     const Result<Findings> found = check_exercise(path, context);
     return found ? tell(path, found.value(), context)

@@ -194,5 +194,14 @@ expect 0 "" "$rhexis" check "$demo/tests/a_far.lua"
 expect 0 "" "$rhexis" check "$demo"
 echo 'return 3' >"$demo/tests/d_broken.lua"
 expect 1 "tests/d_broken.lua:1: the file must end with: return scenarios" "$rhexis" check "$demo"
+# All files are told at once, and nothing follows from the curriculum that does not load.
+echo 'return exercise {' >"$demo/curriculum.lua"
+echo 'return starts {' >"$demo/starts.lua"
+"$rhexis" check "$demo" >"$work/stdout" 2>"$work/stderr"
+[ $? = 1 ] || fail "check: status of three mistakes"
+grep -q "demo/curriculum.lua:" "$work/stderr" || fail "check: curriculum: $(cat "$work/stderr")"
+grep -q "starts.lua:" "$work/stderr" || fail "check: starts: $(cat "$work/stderr")"
+grep -q "tests/d_broken.lua:1:" "$work/stderr" || fail "check: tests: $(cat "$work/stderr")"
+[ "$(grep -c . "$work/stderr")" = 3 ] || fail "check: three mistakes: $(cat "$work/stderr")"
 cd / || exit 2
 finished
