@@ -113,9 +113,8 @@ std::string hash_of_what_decides(const std::string& name, const std::string& roo
         return files ? files.value().sha256 : "";
     }
     std::vector<std::string> names = scripts_below(files.value().folder);
-    std::erase_if(names, [](const std::string& file) {
-        return file.starts_with("curriculum.") && file != "curriculum.lua";
-    });
+    std::erase_if(names,
+                  [](const std::string& file) { return file.starts_with("curriculum.") && file != "curriculum.lua"; });
     const Result<std::string> hash = hash_of(files.value().folder, names);
     return hash ? hash.value() : "";
 }
