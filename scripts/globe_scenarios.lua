@@ -16,9 +16,11 @@ local function carry(t, off, stop)
     t:wait(0.6)
 end
 
---- scenario: the word of the language of scenarios. Returns a list for `scenarios`.
-return function(scenario)
+--- scenario: the word of the language of scenarios; patient: whose eye the hands are to meet. Returns a list for
+--- `scenarios`.
+return function(scenario, patient)
     return {
+        patient = patient,
         scenario "eye rolled, shaft back to the wound" {
             function(t)
                 come_in(t)

@@ -2,6 +2,7 @@
 -- The words that scenario tests are written in. See curricula/groove/tests for some that use most of them.
 --
 --   return scenarios {                                    -- of the exercise in whose folder this file lies
+--       patient = { age = 68, pupil_mm = 7.5 },           -- whose eye these hands know; else that of the exercise
 --       scenario "iris touched, put right" {
 --           set = { ["patient.pupil_mm"] = 6 },           -- as --set of rhexis run
 --           start = "after_groove",                       -- a state that the exercise prepares, in its starts.lua
@@ -101,6 +102,16 @@ function language.scenario(name)
     end
 end
 
+-- The patient that a file's hands know stands in for the exercise's, unless a scenario chooses another itself: places
+-- and depths that were found in one eye are others in another.
+local function pin(patient, list)
+    for name, value in pairs(flatten({ patient = patient }, words.where("patient"), "", {})) do
+        for _, entry in ipairs(list) do
+            if not entry.set.level then entry.set[name] = entry.set[name] or value end
+        end
+    end
+end
+
 local function collect(given, exercise)
     if type(given) ~= "table" then words.fail(words.where(), "scenarios must be followed by a table { ... }") end
     local seen, list = {}, {}
@@ -114,9 +125,17 @@ local function collect(given, exercise)
         seen[entry.name], list[i] = true, entry
     end
     for key in pairs(given) do
-        if not list[key] then words.fail(words.where(), "scenarios: only scenario \"name\" { ... } may stand in it") end
+        if not list[key] and key ~= "patient" then
+            words.fail(words.where(), "scenarios: only patient and scenario \"name\" { ... } may stand in it")
+        end
     end
     if #list == 0 then words.fail(words.where(), "scenarios: there is none in it") end
+    if given.patient ~= nil then
+        if type(given.patient) ~= "table" then
+            words.fail(words.where("patient"), "scenarios: patient must be a table, as in an exercise")
+        end
+        pin(given.patient, list)
+    end
     return { kind = "scenarios", exercise = exercise, list = list }
 end
 

@@ -5,7 +5,8 @@
 -- of the lens, +x to the surgeon's right, +y away from the surgeon, +z to the microscope. Times are simulated [s].
 
 ---Ends a file of scenario tests: `return scenarios { ... }` for the exercise in whose folder the file lies,
----`return scenarios "groove" { ... }` for any.
+---`return scenarios "groove" { ... }` for any. `patient = { ... }` in it: whose eye the hands know, in place of the
+---exercise's.
 ---@param list rhexis.Scenario[] | string
 function scenarios(list) end
 

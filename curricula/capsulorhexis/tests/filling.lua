@@ -28,6 +28,8 @@ local function inject(t, condition)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "opened in a shallow chamber, then filled" {
         set = chamber(0.6),
         function(t)

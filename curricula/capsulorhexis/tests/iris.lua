@@ -9,6 +9,8 @@ local function come_in(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "iris touched, put right" {
         set = full,
         function(t)

@@ -9,6 +9,8 @@ local function work(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "the eye is centred and in focus before an instrument goes in" {
         function(t)
             t:expect_near("microscope.pupil_offset", 2 / 7.3, 1e-6)

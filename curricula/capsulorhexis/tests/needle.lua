@@ -21,6 +21,8 @@ local function puncture(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "wrinkles at the puncture, and weak zonules declared" {
         set = zonules(0.1),
         function(t)

@@ -15,6 +15,8 @@ local function finish(t, radius, aside)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "too small, and enlarged by a second cut from the rim" {
         set = full,
         start = "narrow",

@@ -68,6 +68,8 @@ local function lose_edge(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "the flap led round: no error" {
         set = full,
         start = "flap",

@@ -22,6 +22,8 @@ local function to_the_iris(t, stop)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "pressed too long, and let out along the cannula" {
         set = thin,
         function(t)

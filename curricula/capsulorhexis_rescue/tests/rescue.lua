@@ -20,6 +20,8 @@ local function bring_back(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "the chamber filled, the tear brought back" {
         silent_twin_of = "Edge lost",
         near = "rhexis.tip_radius_mm > 3.25",

@@ -11,6 +11,8 @@ local function low(t, turned)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 8.5 },
+
     scenario "drawn in, and let go at once" {
         set = { cortex = { left = 0 } },
         function(t)

@@ -22,6 +22,8 @@ local function take(t, angle)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 8.5 },
+
     scenario "one sector, stripped and taken" {
         set = { cortex = { left = 0.0625 } },
         function(t)

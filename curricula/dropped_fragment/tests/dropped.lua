@@ -28,6 +28,8 @@ local function chase(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "piece left alone, hole covered, then out" {
         start = "some_viscoelastic",
         function(t)

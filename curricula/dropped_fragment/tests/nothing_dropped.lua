@@ -18,6 +18,8 @@ local function hold(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "a piece led through the hole while the bottle is down, held, and drawn up with the bottle" {
         start = "untouched",
         silent_twin_of = "Dropped piece",

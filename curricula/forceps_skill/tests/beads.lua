@@ -27,6 +27,8 @@ local function to_tray(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "all beads in the tray" {
         function(t)
             go_in(t)

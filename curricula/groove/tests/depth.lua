@@ -14,6 +14,8 @@ local function drill(t, rest)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "too deep, put right by letting go and lifting the tip" {
         set = coarse,
         function(t)

@@ -18,6 +18,8 @@ local function touch(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "iris touched, put right" {
         function(t)
             touch(t)

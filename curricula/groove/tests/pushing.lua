@@ -18,6 +18,8 @@ local function push(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "lens pushed, put right by drawing back" {
         function(t)
             push(t)

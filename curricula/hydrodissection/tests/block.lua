@@ -15,6 +15,8 @@ local function inject(t, condition)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "the nucleus bulges, and is pressed back" {
         function(t)
             inject(t, "hydro.forward_mm > 0.55")

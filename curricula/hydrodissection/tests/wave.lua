@@ -19,6 +19,8 @@ local function turn(t, from, to, seconds, speed)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "a gentle wave crosses" {
         function(t)
             t.saline_cannula:enter()

@@ -12,6 +12,8 @@ local function push(t, by)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7 },
+
     scenario "pushed against the lip: out, in again below it, and laid flat" {
         set = cut,
         function(t)

@@ -67,6 +67,8 @@ end
 local cuts_main = { wounds = { uncut = 1 } }
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7 },
+
     scenario "a tunnel of two planes shuts itself" {
         set = cuts_main,
         function(t)

@@ -4,6 +4,8 @@
 local implant_hand = require "implant_hand"
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "cartridge pressed into the iris, and led up again" {
         function(t)
             implant_hand.bring(t, { 0, -1.7, 0.4 })

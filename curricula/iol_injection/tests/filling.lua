@@ -12,6 +12,8 @@ local function begin(t)
 end
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "injected without viscoelastic, and left so" {
         recover_within_s = 3,
         set = chamber(0.5),

@@ -11,6 +11,8 @@ local function hook_comes_and_goes(t)
 end
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "trailing haptic before the rim, put back into the bag" {
         start = "trailing_out",
         hold_within_s = 0.1,

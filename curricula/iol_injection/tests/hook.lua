@@ -19,6 +19,8 @@ local function to_cornea(t, stop)
 end
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "iris touched, put right" {
         function(t)
             come_in(t)

@@ -21,6 +21,8 @@ local function push_until_it_jams(t)
 end
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "implant jammed, and the plunger drawn back" {
         set = dry,
         function(t)

@@ -26,6 +26,8 @@ end
 local overstretched, split = "bag.rim_stretch > 1.26", "bag.rim_split"
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "rim overstretched, and let go" {
         set = narrow,
         function(t)

@@ -16,6 +16,8 @@ end
 local stuck = "implant.haptics_on_optic > 0 and implant.tilt_deg > 5"
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "haptics stuck to the optic, and left so" {
         recover_within_s = 3,
         hold_within_s = 0.1,

@@ -12,6 +12,8 @@ local function turn_over(t)
 end
 
 return scenarios {
+    patient = { age = 68, pupil_mm = 8 },
+
     scenario "on its side with its front to the back, and turned over with the hook" {
         set = implant_hand.thin,
         start = "on_its_side",

@@ -32,6 +32,8 @@ local function stroke(t, times)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 6 },
+
     scenario "let down through the side port, and stroked home" {
         function(t)
             t:expect_event("Iris prolapse", { within = 1 })

@@ -29,6 +29,8 @@ end
 local quick = { set = { ["goal.hold_s"] = 0.5 } }
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "all places held, the circle led round, out" {
         set = quick.set,
         function(t)

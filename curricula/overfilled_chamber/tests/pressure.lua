@@ -24,6 +24,8 @@ local function burp(t, condition)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7 },
+
     scenario "pressed too long, and burped through the side port" {
         set = full,
         function(t)

@@ -24,6 +24,8 @@ local function tear(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO4", pupil_mm = 7.5 },
+
     scenario "capsule struck, lifted" {
         function(t)
             press(t, "phaco.tip_posterior_mm < 0.25")

@@ -14,6 +14,8 @@ local function approach(t, stop)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO4", pupil_mm = 7.5 },
+
     scenario "iris touched, put right" {
         set = narrow,
         function(t)

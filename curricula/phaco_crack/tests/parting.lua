@@ -37,6 +37,8 @@ local function split(t, y, z, way)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO4", pupil_mm = 7.5 },
+
     scenario "parted too little, looked, and parted again" {
         function(t)
             enter(t)

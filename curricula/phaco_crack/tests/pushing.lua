@@ -25,6 +25,8 @@ local function lift(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO4", pupil_mm = 7.5 },
+
     scenario "nucleus pushed aside, let go" {
         function(t)
             engage(t)

@@ -25,6 +25,8 @@ local function capture(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "capsule in the tip, let go in time" {
         start = "hole",
         set = coarse,

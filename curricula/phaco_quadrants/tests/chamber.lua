@@ -45,6 +45,8 @@ local function empty(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "surge, pedal up at once" {
         set = risky,
         function(t)

@@ -36,6 +36,8 @@ local function drop(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "piece dropped, not chased" {
         start = "torn",
         set = coarse,

@@ -16,6 +16,8 @@ local function catch(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "iris in the tip, let go" {
         set = coarse,
         function(t)

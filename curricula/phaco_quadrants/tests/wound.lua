@@ -19,6 +19,8 @@ local function burn(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "wound burnt for want of flow; ultrasound off, infusion opened" {
         set = coarse,
         function(t)

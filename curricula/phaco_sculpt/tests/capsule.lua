@@ -25,6 +25,8 @@ local function tear(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "capsule torn; irrigation only, chamber kept, then out" {
         start = "hole",
         set = coarse,

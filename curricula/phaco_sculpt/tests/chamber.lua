@@ -30,6 +30,8 @@ local function run_dry(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "chamber empty; pedal to irrigation, infusion opened" {
         set = coarse,
         function(t)

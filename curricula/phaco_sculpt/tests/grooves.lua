@@ -38,6 +38,8 @@ local function touch_with_spatula(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "spatula at a shallow groove; both grooves made deep enough" {
         start = "thin_groove",
         set = shallow(24),

@@ -21,6 +21,8 @@ local function touch(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "iris touched, put right over the middle of the pupil" {
         set = coarse,
         function(t)

@@ -27,6 +27,8 @@ local function come_in(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "pedal at most 2 along the way of sculpting removes nothing" {
         set = { patient = { tetrahedra = 1000 } },
         function(t)

@@ -23,6 +23,8 @@ local function draw_back(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "nucleus pushed, put right by drawing back and lifting the tip off the lens" {
         set = hard,
         function(t)

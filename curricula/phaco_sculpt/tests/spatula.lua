@@ -20,6 +20,8 @@ local function press(t, deep)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "spatula on the edge of the capsule, put right by lifting it straight up" {
         set = coarse,
         function(t)

@@ -20,6 +20,8 @@ local function bear_down(t, strain)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "zonules overstrained, put right by taking the tip off the lens" {
         set = weak,
         function(t)

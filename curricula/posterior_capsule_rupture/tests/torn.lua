@@ -31,6 +31,8 @@ local function press(t, stop)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7 },
+
     scenario "a hole, covered before the tip leaves" {
         start = "some_viscoelastic",
         function(t)

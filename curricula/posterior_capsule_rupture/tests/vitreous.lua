@@ -42,6 +42,8 @@ local function suck(t, condition)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7 },
+
     scenario "vitreous made white, cut away, and looked for again" {
         start = "vitreous",
         function(t)

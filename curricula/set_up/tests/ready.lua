@@ -43,6 +43,8 @@ local function test_pedal(t, last, seconds)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, incision_deg = 90 },
+
     scenario "all done, then ready" {
         function(t)
             drape(t, 12)

@@ -34,6 +34,8 @@ local function capture(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "chamber empty, bottle up and pedal 1" {
         function(t)
             empty(t)

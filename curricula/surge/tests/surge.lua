@@ -20,6 +20,8 @@ end
 local function tear_away(t) t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30 }) end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "the occlusion breaks, pedal up at once" {
         function(t)
             occlude(t)

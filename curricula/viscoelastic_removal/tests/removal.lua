@@ -22,6 +22,8 @@ local function behind(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "in front, then behind the optic" {
         function(t)
             enter(t)

@@ -17,6 +17,8 @@ local function run_dry(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+
     scenario "no flow, seen and cleared" {
         function(t)
             run_dry(t)

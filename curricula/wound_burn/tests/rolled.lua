@@ -3,4 +3,4 @@
 
 local rolled = require "globe_scenarios"
 
-return scenarios(rolled(scenario))
+return scenarios(rolled(scenario, { age = 68, cataract = "NO3", pupil_mm = 7.5 }))

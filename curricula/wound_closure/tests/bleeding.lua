@@ -4,6 +4,8 @@
 local setting = "suprachoroidal.pressure_mmhg"
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 6 },
+
     scenario "bleeding with an instrument in the eye: out at once, the wound shuts, the eye hardens" {
         function(t)
             t.cannula:enter()

@@ -19,6 +19,8 @@ local function lay_flat(t)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 6 },
+
     scenario "pushed against the lip: out, in again below the flap, and laid flat with viscoelastic" {
         function(t)
             push(t, 0.7)

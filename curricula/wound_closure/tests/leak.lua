@@ -32,6 +32,8 @@ local function test(t, deep)
 end
 
 return scenarios {
+    patient = { age = 68, cataract = "NO3", pupil_mm = 6 },
+
     scenario "hydrated, and dry under the sponge" {
         function(t)
             hydrate(t, 1.5)

@@ -27,6 +27,8 @@ local function draw_back(t)
 end
 
 return scenarios {
+    patient = { age = 74, cataract = "NO3", pupil_mm = 8 },
+
     scenario "pushed on until they tear; bottle down, viscoelastic over the gap, a hook" {
         set = set,
         function(t)

@@ -20,6 +20,8 @@ local function sound(t)
 end
 
 return scenarios {
+    patient = { age = 74, cataract = "NO3", pupil_mm = 8 },
+
     scenario "the lens lies away from the gap, and a hook over it draws it back" {
         set = gap(90),
         function(t)

@@ -47,6 +47,8 @@ local function cut(t)
 end
 
 return scenarios {
+    patient = { age = 74, cataract = "NO3", pupil_mm = 8 },
+
     scenario "the tip leaves with nothing over the gap: vitreous comes; cut, and looked for again" {
         set = gap,
         function(t)

@@ -130,5 +130,5 @@ return {
     ["side port blade"] = "couteau de contre-incision",
     ["speculum"] = "blépharostat",
     ["sponge"] = "éponge",
-    ["triamcinolone"] = "canule de triamcinolone",
+    ["triamcinolone"] = "canule à triamcinolone",
 }

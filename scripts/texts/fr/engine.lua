@@ -39,7 +39,4 @@ return {
     ["needs teaching"] = "à former",
     ["supervised"] = "sous supervision",
     ["independent"] = "autonome",
-    ["scores like surgeons with fewer than 50 operations"] = "note de chirurgiens ayant moins de 50 opérations",
-    ["scores like surgeons with 50 to 249 operations"] = "note de chirurgiens ayant 50 à 249 opérations",
-    ["scores like surgeons with 250 operations or more"] = "note de chirurgiens ayant 250 opérations ou plus",
 }

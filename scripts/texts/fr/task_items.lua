@@ -197,7 +197,7 @@ return {
         "Rien ne doit faire chuter la pression : couvrez le trou avant que la pointe ne sorte.",
     ["Vitreous left in chamber and wound in the end"] = "Vitré laissé dans la chambre et l'incision à la fin",
     ["Cut until triamcinolone shows none, also in the wound."] =
-        "Coupez jusqu'à ce que la triamcinolone n'en montre plus, dans l'incision aussi.",
+        "Coupez jusqu'à ce qu'il ne reste plus de vitré marqué à la triamcinolone, dans l'incision non plus.",
     ["Time with vitreous in a mouth that did not cut"] = "Temps avec du vitré dans une bouche qui ne coupait pas",
     ["Cut before you aspirate."] = "Coupez avant d'aspirer.",
     ["Time with the instrument in the eye"] = "Temps avec l'instrument dans l'œil",
