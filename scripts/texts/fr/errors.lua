@@ -199,8 +199,8 @@ return {
     ["There is vitreous in the chamber: no more phaco. Cover the hole, make the vitreous white, and cut it away, "
         .. "cutting before you aspirate and fast; also what hangs in the wound. Look again with triamcinolone."] =
         "Il y a du vitré dans la chambre : plus de phaco. Couvrez le trou, marquez le vitré à la triamcinolone et "
-            .. "coupez-le, à cadence élevée et avant d'aspirer ; de même ce qui pend dans l'incision. Contrôlez de nouveau à la "
-            .. "triamcinolone.",
+            .. "coupez-le, à cadence élevée et avant d'aspirer ; de même ce qui pend dans l'incision. Contrôlez de "
+            .. "nouveau à la triamcinolone.",
     ["Vitreous pulled"] = "Traction sur le vitré",
     ["Strands run to the tip, and the edge of the hole moves with it."] =
         "Des mèches convergent vers la pointe, et le bord du trou la suit.",
