@@ -280,6 +280,9 @@ Result<MembraneEdit> notch(const MembraneModel& model, const MembraneState& stat
     if (Status status = check_direction(direction); !status) {
         return status.error();
     }
+    if (is_out(*state.sheet, node)) {
+        return Error{"node " + std::to_string(node) + " was taken out", "notch", "a node on the sheet's edge"};
+    }
     if (!SheetEditor(*state.sheet).on_boundary(node)) {
         return Error{"node " + std::to_string(node) + " is inside the sheet", "notch",
                      "a node on its edge; a puncture begins inside"};

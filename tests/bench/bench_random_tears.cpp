@@ -33,6 +33,7 @@ nlohmann::json row_of(const std::string& name, const scenes::RandomTearsTask& ta
             {"operations", found.operations},
             {"sheets", found.sheets},
             {"sheets_torn_up", found.torn_up},
+            {"pieces_taken_out", found.taken_out},
             {"edits", found.edits},
             {"refused", found.refused},
             {"refused_mad", found.mad},

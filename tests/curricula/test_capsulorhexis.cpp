@@ -11,16 +11,16 @@ using rhexis::test::sample_at;
 
 namespace {
 
-/// G2 of an attempt that stays for two seconds with a needle over the lens, the microscope sent there before.
+/// G2 of an attempt that moves a needle to and fro over the lens for two seconds, the microscope sent there before.
 double score_at(const Vec3& from_pupil) {
     Attempt attempt("none", 1, {{"capsule.triangles", "300"}}, "capsulorhexis");
     const DeviceSample foot = sample_at(3, Vec3(0.0, 0.0, attempt.session().eye().anatomy.iris_z) + from_pupil);
-    const DeviceSample cystotome = sample_at(0, Vec3(0.0, -1.0, 2.8));  // over the lens
     for (int i = 0; i < 300; ++i) {
         attempt.step({foot});
     }
     for (int i = 0; i < 200; ++i) {
-        attempt.step({cystotome, foot});
+        const double aside = 0.01 * static_cast<double>(i % 100 < 50 ? i % 50 : 50 - i % 50);
+        attempt.step({sample_at(0, Vec3(aside, -1.0, 2.8)), foot});
     }
     const nlohmann::json result = attempt.result();
     for (const nlohmann::json& item : result.at("osacss").at("items")) {

@@ -49,6 +49,10 @@ public:
             if (!found_.fault.empty()) {
                 return;
             }
+            if (sheet().area_out > 0.0) {
+                ++found_.taken_out;
+                break;
+            }
             if (10 * inner_edges(*sheet().sheet) < inner_edges(*scene_.model().sheet)) {
                 ++found_.torn_up;
                 return;
@@ -135,7 +139,9 @@ private:
             const Vec3 place = from + (to - from) * (static_cast<double>(i) / steps);
             ++found_.steps;
             found_.given_up += scene_.lead(tool, place, 1e6, jaw) ? 0 : 1;
-            if (sheet().sheet != before) {
+            if (sheet().area_out > 0.0) {
+                note(accounts_.taken_out_fault(sheet()));
+            } else if (sheet().sheet != before) {
                 ++found_.torn_by_pull;
                 note(accounts_.look(sheet(), found_));
             } else {

@@ -26,7 +26,8 @@ struct RandomTears {
     long punctures = 0;     ///< by the needle
     long torn_by_pull = 0;  ///< sheets that steps of physics made: tears, cuts and punctures
     long steps = 0;
-    long given_up = 0;  ///< steps that had to be
+    long given_up = 0;   ///< steps that had to be
+    long taken_out = 0;  ///< pieces that jaws took out of the eye; each ends its sheet's run
     long sheets = 0;
     long torn_up = 0;                ///< of these: until a tenth of the edges between triangles was left
     double least_angle = 180.0;      ///< [degrees]

@@ -104,7 +104,8 @@ std::string SheetAccounts::motion_fault(const MembraneState& state) const {
 /// What connects things.
 std::string SheetAccounts::sheet_fault(const MembraneState& state) const {
     const MembraneSheet& sheet = *state.sheet;
-    if (Status status = validate_tri_mesh(sheet.mesh); !status) {
+    const UnusedNodes unused = state.area_out > 0.0 ? UnusedNodes::allowed : UnusedNodes::refused;
+    if (Status status = validate_tri_mesh(sheet.mesh, {}, unused); !status) {
         return status.error().text();
     }
     const std::size_t triangles = sheet.mesh.triangles.size();
@@ -121,6 +122,14 @@ std::string SheetAccounts::sheet_fault(const MembraneState& state) const {
         }
     }
     return motion_fault(state);
+}
+
+std::string SheetAccounts::taken_out_fault(const MembraneState& state) const {
+    if (const std::string fault = sheet_fault(state); !fault.empty()) {
+        return fault;
+    }
+    const double both = mesh_area(state.sheet->mesh) + state.area_out;
+    return off(both, area_) < 1e-12 ? std::string() : "what is left and what was taken out are not all of it";
 }
 
 std::string SheetAccounts::look(const MembraneState& state, RandomTears& found) const {

@@ -21,6 +21,8 @@ public:
     std::string look(const MembraneState& state, RandomTears& found) const;
     /// After a step that tore nothing.
     [[nodiscard]] std::string motion_fault(const MembraneState& state) const;
+    /// After something was taken out: what is left is sound, and both together are all that there was.
+    [[nodiscard]] std::string taken_out_fault(const MembraneState& state) const;
     /// Whether each triangle lies in one of the model's and is made of the same.
     [[nodiscard]] std::string descent_fault(const MembraneState& state) const;
 

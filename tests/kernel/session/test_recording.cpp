@@ -177,7 +177,7 @@ TEST_SUITE("recording") {
         const RecordingHeader header;
         const Result<RecordingWriter> writer = RecordingWriter::create(folder / "nowhere/recording.rhx", header);
         REQUIRE_FALSE(writer.ok());
-        CHECK(writer.error().text().find("No such file") != std::string::npos);
+        CHECK(writer.error().text().find("there is no folder ") != std::string::npos);
     }
 
     TEST_CASE("a full disk is reported and what was written stays readable") {
