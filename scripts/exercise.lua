@@ -132,11 +132,11 @@ function language.declaration(kind, rules, finish)
         end
         fields.check_value({ kind = "line" }, name, words.where(nil, words.line_here()), kind .. ": its name")
         return function(given)
-            local line = words.line_here()
-            local result = fields.read(given, rules, ("%s '%s'"):format(kind, name), line)
+            local line, before = words.line_here(), words.mistaken()
+            local result = words.try(fields.read, given, rules, ("%s '%s'"):format(kind, name), line) or {}
             result.id, result.title = id_of(name), result.title or name
             result.kind, result.name, result.line, result.where = kind, name, line, words.where(nil, line)
-            if finish then finish(result) end
+            if finish and words.mistaken() == before then words.try(finish, result) end
             return result
         end
     end
@@ -181,7 +181,7 @@ function language.check_list(list, kind, field)
             words.fail(words.where(field), ("%s: entry %d is no %s \"name\" { ... }"):format(field, i, kind))
         end
         if seen[entry.id] then
-            words.fail(entry.where, ("%s '%s' is there twice"):format(kind, entry.name))
+            words.mistake(entry.where, ("%s '%s' is there twice"):format(kind, entry.name))
         end
         seen[entry.id] = true
     end
@@ -204,7 +204,8 @@ function language.flatten(settings, prefix, out, line)
         elseif type(value) == "boolean" then
             out[prefix .. key] = value and 1 or 0
         else
-            out[prefix .. key] = fields.check_value({ kind = "number" }, value, words.where(key, line), prefix .. key)
+            out[prefix .. key] = words.try(fields.check_value, { kind = "number" }, value, words.where(key, line),
+                prefix .. key)
         end
     end
     return out
@@ -220,7 +221,8 @@ local function goal_rule(given, name, line)
     end
     local rule = fields.read(rest, goal_rules, "goal " .. name, line)
     if rule.from and rule.to and rule.from > rule.to then
-        words.fail(words.where("from", line), ("goal %s: from = %g is above to = %g"):format(name, rule.from, rule.to))
+        words.mistake(words.where("from", line),
+            ("goal %s: from = %g is above to = %g"):format(name, rule.from, rule.to))
     end
     rule.kind = "number"
     return rule
@@ -234,8 +236,9 @@ local function read_goals(goals)
         local given = goals[name]
         local line = words.line_of(name, words.line_of("goals"))
         rules[name] = goal_rule(type(given) == "table" and given or {}, name, line)
-        values[name] = fields.check_value(rules[name], type(given) == "table" and given[1] or given,
-            words.where(nil, line), "goal " .. name)
+        local value = type(given) == "table" and given[1] or given
+        words.try(fields.check_value, rules[name], value, words.where(nil, line), "goal " .. name)
+        values[name] = tonumber(value) or 0  -- where a mistake is told, conditions still know the goal
     end
     return values, rules
 end
@@ -251,7 +254,7 @@ end
 function language.read_patient(given)
     local patient = fields.read(given, patient_rules, "patient")
     if patient.cataract then
-        patient.nuclear_grade = grade_of(patient.cataract, words.where("cataract"))
+        patient.nuclear_grade = words.try(grade_of, patient.cataract, words.where("cataract"))
         patient.cataract = nil
     end
     return patient
@@ -261,8 +264,8 @@ end
 function language.read_reference(given)
     fields.named(given, words.where("reference"), "reference", "path_mm = 80")
     for _, name in ipairs(words.keys(given)) do
-        fields.check_value({ kind = "number", from = 1e-9 }, given[name], words.where(name, words.line_of("reference")),
-            "reference: " .. name)
+        words.try(fields.check_value, { kind = "number", from = 1e-9 }, given[name],
+            words.where(name, words.line_of("reference")), "reference: " .. name)
     end
     return given
 end
@@ -271,7 +274,7 @@ local function check_steps_of_events(result, known)
     for _, event in ipairs(result.errors) do
         for _, name in ipairs(event.steps or {}) do
             if not known[id_of(name)] then
-                words.fail(words.where("steps", event.line), ("error_event '%s': there is no step '%s'%s"):format(
+                words.mistake(words.where("steps", event.line), ("error_event '%s': there is no step '%s'%s"):format(
                     event.name, name, words.hint(id_of(name), words.keys(known))))
             end
             event.in_steps = event.in_steps or {}
@@ -289,7 +292,7 @@ local function check_items(result)
     for _, event in ipairs(result.errors) do
         for _, item in ipairs(event.items or {}) do
             if not result.scoring.rubric.by_id[item] then
-                words.fail(words.where("items", event.line), ("error_event '%s': unknown item '%s'%s"):format(
+                words.mistake(words.where("items", event.line), ("error_event '%s': unknown item '%s'%s"):format(
                     event.name, item, words.hint(item, known)))
             end
         end
@@ -306,10 +309,10 @@ local function link_steps(result)
             local where = name and words.where(field, step.line)
             local target = name and at[id_of(name)]
             if name and not target then
-                words.fail(where, ("step '%s': %s: there is no step '%s'%s"):format(step.name, field, name,
+                words.mistake(where, ("step '%s': %s: there is no step '%s'%s"):format(step.name, field, name,
                     words.hint(id_of(name), words.keys(at))))
             elseif name and target <= i then
-                words.fail(where, ("step '%s': %s: step '%s' does not come later"):format(step.name, field, name))
+                words.mistake(where, ("step '%s': %s: step '%s' does not come later"):format(step.name, field, name))
             end
             step[field .. "_at"] = target
         end
@@ -321,10 +324,11 @@ local function check_goals(result, given, where_line, owner)
         local where = words.where(name, where_line)
         local rule = result.goal_rules[name]
         if not rule then
-            words.fail(where, ("%s: the exercise has no goal '%s'%s"):format(owner, name,
+            words.mistake(where, ("%s: the exercise has no goal '%s'%s"):format(owner, name,
                 words.hint(name, words.keys(result.goal_rules))))
+        else
+            words.try(fields.check_value, rule, given[name], where, owner .. ": goal " .. name)
         end
-        fields.check_value(rule, given[name], where, owner .. ": goal " .. name)
     end
 end
 
@@ -335,33 +339,48 @@ local function read_levels(result)
         local owner = ("level '%s'"):format(name)
         local line = words.line_of(name, words.line_of("levels"))
         local level = fields.read(result.levels[name], level_rules, owner, line)
-        level.patient = language.read_patient(level.patient)
-        level.settings = language.flatten(level.settings, "", {})
+        level.patient = language.read_patient(level.patient or {})
+        level.settings = language.flatten(level.settings or {}, "", {})
         settings_check.all(level.settings, line, owner .. ": ")
-        check_goals(result, level.goals, line, owner)
+        check_goals(result, level.goals or {}, line, owner)
         levels[name] = level
     end
     result.levels = levels
+end
+
+-- What stands in tables of its own; a field that had a mistake is empty, and what hangs on it is not asked for.
+local function read_parts(result)
+    for field, rule in pairs(exercise_rules) do
+        if result[field] == nil and rule.kind == "table" and rule.default then result[field] = {} end
+    end
+    result.patient = language.read_patient(result.patient)
+    result.settings = language.flatten(result.settings, "", {})
+    settings_check.all(result.settings, words.line_of("settings"), "settings: ")
+    result.goals, result.goal_rules = read_goals(result.goals)
+    result.reference = language.read_reference(result.reference)
+    words.try(texts.check, result.texts)
+end
+
+-- What names something else of the exercise.
+local function check_names(result)
+    if result.steps then
+        local known = language.check_list(result.steps, "step", "steps")
+        if #result.steps == 0 then words.mistake(words.where("steps"), "an exercise needs at least one step") end
+        link_steps(result)
+        language.check_list(result.errors, "error_event", "errors")
+        check_steps_of_events(result, known)
+    end
+    language.check_list(result.requests, "request", "requests")
+    check_items(result)
+    read_levels(result)
 end
 
 --- exercise { ... }: checks everything that can be checked before there is an eye.
 function language.exercise(given)
     local result = fields.read(given, exercise_rules, "exercise")
     result.kind = "exercise"
-    result.patient = language.read_patient(result.patient)
-    result.settings = language.flatten(result.settings, "", {})
-    settings_check.all(result.settings, words.line_of("settings"), "settings: ")
-    result.goals, result.goal_rules = read_goals(result.goals)
-    result.reference = language.read_reference(result.reference)
-    local known = language.check_list(result.steps, "step", "steps")
-    if #result.steps == 0 then words.fail(words.where("steps"), "an exercise needs at least one step") end
-    language.check_list(result.errors, "error_event", "errors")
-    language.check_list(result.requests, "request", "requests")
-    check_steps_of_events(result, known)
-    check_items(result)
-    link_steps(result)
-    read_levels(result)
-    texts.check(result.texts)
+    words.try(read_parts, result)
+    words.try(check_names, result)
     return result
 end
 

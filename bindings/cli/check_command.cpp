@@ -24,10 +24,11 @@ constexpr const char* check_help =
     "  rhexis check curricula/groove\n"
     "  rhexis check my_exercise/ other.lua my_exercise/tests/iris.lua\n"
     "\n"
-    "Each mistake is one line, file:line first: misspelt names with the near ones, settings out of range, steps that "
-    "are\n"
-    "never reached, conditions that never change, recoveries that can never hold. Then what the trainee is to learn, "
-    "the\n"
+    "All mistakes are told, each in one line, file:line first: misspelt names with the near ones, settings out of "
+    "range,\n"
+    "steps that are never reached, conditions that never change, recoveries that can never hold. Then what the "
+    "trainee\n"
+    "is to learn, the "
     "levels, the texts that lack a translation, and notes: what is no mistake of form, but may not do what was meant.\n"
     "A file that is wrong does not hide what is wrong in the files beside it. Of scenario tests it checks form, "
     "exercise, settings and start; rhexis test runs them.";
@@ -103,10 +104,12 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     return found;
 }
 
-/// A mistake once, however many files show it.
+/// Mistakes once, however many files show it.
 void add_fault(Findings& all, const Error& error) {
-    if (std::find(all.faults.begin(), all.faults.end(), error.text()) == all.faults.end()) {
-        all.faults.push_back(error.text());
+    for (const std::string& line : error.lines()) {
+        if (std::find(all.faults.begin(), all.faults.end(), line) == all.faults.end()) {
+            all.faults.push_back(line);
+        }
     }
 }
 
@@ -151,7 +154,10 @@ Result<Findings> check_operation(const Operation& operation, const Context& cont
         options.part = PartPlace{operation.name, static_cast<int>(i) + 1, before};
         const Result<Findings> found = dry_run(options);
         if (!found) {
-            return Error{"part " + part.id + ": " + found.error().text(), part.where, ""};
+            for (const std::string& fault : found.error().lines()) {
+                all.faults.push_back("part " + part.id + ": " + fault);
+            }
+            return all;  // what comes after it continues it
         }
         for (const std::string& fault : found.value().faults) {
             all.faults.push_back("part " + part.id + ": " + fault);
@@ -180,6 +186,26 @@ Status check_plan(const std::string& path, const Context& context) {
     return host ? success() : Status(host.error());
 }
 
+/// The form of the scripts beside an exercise that does not load: what they hold is read after it.
+void check_form(const std::string& path, const Context& context, Findings& all) {
+    const Result<CurriculumFiles> files = find_curriculum(path, context.root);
+    if (!files || std::filesystem::path(files.value().script).filename() != "curriculum.lua") {
+        return;
+    }
+    std::error_code failed;
+    for (std::filesystem::directory_iterator at(files.value().folder, failed), end; !failed && at != end;
+         at.increment(failed)) {
+        const std::string name = at->path().filename();
+        if (name.ends_with(".lua") && name != "curriculum.lua" && name != "starts.lua") {
+            const std::string chunk = files.value().id + "/" + name;
+            const Status good = check_form_of(at->path().string(), chunk);
+            if (!good) {
+                add_fault(all, good.error());
+            }
+        }
+    }
+}
+
 /// Its starts and its scenario tests.
 void check_beside(const std::string& path, bool exercise_loads, const Context& context, Findings& all) {
     const Result<CurriculumFiles> files = find_curriculum(path, context.root);
@@ -206,9 +232,13 @@ Result<Findings> check_levels(const std::string& path, const Context& context) {
     }
     Result<Findings> found = dry_run({path, "none", 1, {}, context.root});
     for (const std::string& level : host.value().levels()) {
-        const Result<Findings> harder = found ? dry_run({path, "none", 1, {{"level", level}}, context.root}) : found;
+        if (!found) {
+            break;
+        }
+        const Result<Findings> harder = dry_run({path, "none", 1, {{"level", level}}, context.root});
         if (!harder) {
-            return found ? Error{"level " + level + ": " + harder.error().text(), "", ""} : found.error();
+            add_fault(found.value(), Error{"level " + level + ": " + harder.error().text(), "", ""});
+            continue;
         }
         for (const std::string& fault : harder.value().faults) {
             const auto& known = found.value().faults;
@@ -231,9 +261,17 @@ Result<Findings> check_exercise(const std::string& path, const Context& context)
     if (!found) {
         add_fault(all, found.error());
     }
-    const Status plan = found ? check_plan(path, context) : success();  // it is read after the exercise
+    const Status plan = found ? check_plan(path, context) : success();
     if (!plan) {
         add_fault(all, plan.error());
+    }
+    if (!found) {
+        const ExerciseOptions options{path, "none", 1, {}, context.root};
+        const Result<nlohmann::json> more = ExerciseHost::mistakes_in_spite(options);
+        for (const nlohmann::json& line : more ? more.value() : nlohmann::json::array()) {
+            add_fault(all, Error{line.get<std::string>(), "", ""});
+        }
+        check_form(path, context, all);
     }
     check_beside(path, static_cast<bool>(found), context, all);
     return all;
@@ -279,9 +317,12 @@ int check_one(const std::string& path, const Context& context) {
         check_scenarios(path, true, context, found);
         return tell(path, found, context);
     }
-    const Result<Findings> found = check_exercise(path, context);
-    return found ? tell(path, found.value(), context)
-                 : complain({placed(path, found.error().text(), context), "", ""}, found_failures);
+    const Result<Findings> checked = check_exercise(path, context);
+    Findings found = checked ? checked.value() : Findings{};
+    if (!checked) {
+        add_fault(found, checked.error());
+    }
+    return tell(path, found, context);
 }
 
 int check(const std::vector<std::string>& paths, const Context& context) {

@@ -109,7 +109,10 @@ int parse_and_run(CLI::App& app, Context& context, int argc, const char* const* 
 }  // namespace
 
 int complain(const Error& error, int status) {
-    std::string line = error.text();
+    std::string line = error.lines().front();
+    if (!error.more.empty()) {
+        line += " (and " + std::to_string(error.more.size()) + " more, which rhexis check tells)";
+    }
     std::replace(line.begin(), line.end(), '\n', ' ');
     std::fprintf(stderr, "rhexis: %s\n", line.c_str());
     return status;

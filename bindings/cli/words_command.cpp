@@ -14,7 +14,7 @@ namespace {
 constexpr const char* words_help =
     "Measures are those of the exercise's own tissues and instruments; settings are all that there are. Words after "
     "the\n"
-    "exercise choose the lines that hold all of them.\n"
+    "exercise choose the lines that hold all of them. Of an exercise with mistakes there is what can be read of it.\n"
     "\n"
     "  rhexis words my_exercise/               everything\n"
     "  rhexis words my_exercise/ iris          what has to do with the iris\n"
@@ -67,11 +67,17 @@ int print_chosen(const nlohmann::json& kinds, const std::vector<std::string>& ch
 }
 
 int words(const WordsArguments& given, const Context& context) {
-    const Result<nlohmann::json> kinds = vocabulary_of(given.exercise, context);
+    const Result<nlohmann::json> whole = vocabulary_of(given.exercise, context);
+    const Result<nlohmann::json> kinds =
+        whole ? whole : ExerciseHost::vocabulary_in_spite({given.exercise, "none", 1, {}, context.root});
     if (!kinds) {
-        return complain(kinds.error());
+        return complain(whole.error());
     }
-    if (print_chosen(kinds.value(), given.chosen) == 0) {
+    const int printed = print_chosen(kinds.value(), given.chosen);
+    if (!whole) {  // last, where it is seen
+        return complain(whole.error());
+    }
+    if (printed == 0) {
         return complain({"no line holds all of these words", "words", "fewer or shorter ones"}, found_failures);
     }
     return done;

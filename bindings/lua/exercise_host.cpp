@@ -9,6 +9,7 @@
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_script.hpp"
 #include "lua/surgeon_script.hpp"
+#include "session/session.hpp"
 #include "session/settings.hpp"
 
 namespace rhexis {
@@ -121,6 +122,35 @@ const std::vector<std::string>& ExerciseHost::objectives() const { return parts_
 const std::vector<std::string>& ExerciseHost::levels() const { return parts_->exercise.levels(); }
 Result<json> ExerciseHost::review() { return parts_->exercise.ask("review"); }
 Result<json> ExerciseHost::vocabulary() { return parts_->exercise.ask("vocabulary"); }
+
+namespace {
+
+/// Asks what can be told of an exercise that cannot be started.
+Result<json> ask_in_spite(const char* function, const ExerciseOptions& options) {
+    const Result<CurriculumFiles> files = find_curriculum(options.curriculum, options.root);
+    if (!files) {
+        return files.error();
+    }
+    Result<ExerciseScript> script = ExerciseScript::load_in_spite(files.value(), options.root);
+    if (!script) {
+        return script.error();
+    }
+    json measures = json::array();
+    const Result<Session> session = Session::create(script.value().scene(), 1);
+    for (const MeasureInfo& info : session ? session.value().schema() : ObservationSchema()) {
+        measures.push_back({{"name", info.name}, {"unit", info.unit}, {"meaning", info.meaning}});
+    }
+    return script.value().ask(function, measures);
+}
+
+}  // namespace
+
+Result<json> ExerciseHost::vocabulary_in_spite(const ExerciseOptions& options) {
+    return ask_in_spite("vocabulary_of", options);
+}
+Result<json> ExerciseHost::mistakes_in_spite(const ExerciseOptions& options) {
+    return ask_in_spite("mistakes_of", options);
+}
 
 Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
     parts_->schema = schema;

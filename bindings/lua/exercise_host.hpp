@@ -64,6 +64,11 @@ public:
     /// Every name that the exercise may use: list of {"title", "lines": [{"name", "text"}]}. After start.
     [[nodiscard]] Result<nlohmann::json> vocabulary();
 
+    /// The vocabulary of an exercise that cannot be started; without measures, where its scene cannot be built.
+    static Result<nlohmann::json> vocabulary_in_spite(const ExerciseOptions& options);
+    /// What is wrong with the conditions of an exercise that cannot be loaded: list of lines.
+    static Result<nlohmann::json> mistakes_in_spite(const ExerciseOptions& options);
+
     /// Once, before the first step.
     Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);
 

@@ -121,6 +121,13 @@ void push_schema(lua_State* L, const ObservationSchema& schema) {
     }
 }
 
+/// The mistakes of two files.
+Error both(Error first, const Error& second) {
+    const std::vector<std::string> more = second.lines();
+    first.more.insert(first.more.end(), more.begin(), more.end());
+    return first;
+}
+
 }  // namespace
 
 void ExerciseScript::push_function(lua_State* L, const char* name) const {
@@ -152,13 +159,13 @@ Result<json> ExerciseScript::run_curriculum(const CurriculumFiles& files, const 
         lua::push(L, std::string_view(files.chunk));
         lua::push(L, std::string_view(text.value()));
         lua_call(L, 2, 0);
-        push_function(L, receiver);
+        push_function(L, "read");
+        lua::push(L, std::string_view(receiver));
         lua::load_text(L, text.value(), files.chunk);
         push_function(L, "environment");
         lua_call(L, 0, 1);
         lua_setupvalue(L, -2, 1);  // the curriculum's globals
-        lua_call(L, 0, 1);
-        lua_call(L, 1, 1);
+        lua_call(L, 2, 1);
         answer = lua::to_json(L, -1);
     });
     return status ? Result<json>(std::move(answer)) : status.error();
@@ -245,12 +252,19 @@ Result<ExerciseScript> ExerciseScript::open(const CurriculumFiles& files, const 
 Result<json> ExerciseScript::listing(const CurriculumFiles& files, const std::string& root,
                                      const std::string& language) {
     Result<ExerciseScript> script = open(files, root, 1);
-    Status status = script ? script.value().read_texts(files) : Status(script.error());
-    if (status && !language.empty()) {
-        const Result<json> spoken = script.value().ask("speak", language);
-        status = spoken ? success() : Status(spoken.error());
+    if (!script) {
+        return script.error();
     }
-    return status ? script.value().run_curriculum(files, "accept_operation") : Result<json>(status.error());
+    const Status texts = script.value().read_texts(files);
+    const Result<json> spoken = language.empty() ? Result<json>(json()) : script.value().ask("speak", language);
+    if (texts && !spoken) {
+        return spoken.error();
+    }
+    Result<json> made = script.value().run_curriculum(files, "accept_operation");
+    if (texts || (made && made.value().is_null())) {
+        return made;  // of an exercise, whoever loads it learns of its texts
+    }
+    return made ? texts.error() : both(made.error(), texts.error());
 }
 
 bool ExerciseScript::is_rubric(const CurriculumFiles& files, const std::string& root) {
@@ -278,9 +292,9 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
         }
     }
     Status status = script.read_texts(files);
-    if (status) {
-        const Result<json> accepted = script.run_curriculum(files, "accept");
-        status = accepted ? success() : Status(accepted.error());
+    const Result<json> accepted = script.run_curriculum(files, "accept");
+    if (!accepted) {
+        status = status ? Status(accepted.error()) : Status(both(accepted.error(), status.error()));
     }
     if (status && joined) {
         status = script.join(*joined);
@@ -303,6 +317,19 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
         return status.error();
     }
     return opened;
+}
+
+Result<ExerciseScript> ExerciseScript::load_in_spite(const CurriculumFiles& files, const std::string& root) {
+    Result<ExerciseScript> script = open(files, root, 1);
+    if (script) {
+        const Result<json> ignored = script.value().run_curriculum(files, "accept");
+        const Result<json> scene = script.value().ask("scene_in_spite");
+        if (!scene) {
+            return scene.error();
+        }
+        script.value().scene_ = scene_from(scene.value());
+    }
+    return script;
 }
 
 Status ExerciseScript::start(const ObservationSchema& schema) {

@@ -32,6 +32,9 @@ public:
                                        const std::map<std::string, std::string>& set,
                                        const std::optional<JoinedPart>& joined,
                                        const std::optional<CurriculumFiles>& rubric);
+    /// What can be read of an exercise with mistakes: its scene() is as far as it goes, and only "vocabulary_of" and
+    /// "mistakes_of" may be asked.
+    static Result<ExerciseScript> load_in_spite(const CurriculumFiles& files, const std::string& root);
     /// Whether a script gives a rubric, which an exercise can be judged by in place of its own.
     static bool is_rubric(const CurriculumFiles& files, const std::string& root);
     /// What an operation is made of: "title", "version", "summary", "objectives", and "parts", each with "id", "title",
@@ -53,18 +56,17 @@ public:
     /// asked: ids of the requests made in the step that led there.
     Result<std::vector<Command>> observe(const Observation& observation, const std::vector<std::string>& asked);
     [[nodiscard]] bool finished() const { return finished_; }
-    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events",
-    /// "declared_requests", "watch", "reached",
-    /// "review".
+    /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "declared_requests",
+    /// "watch", "reached", "review", "vocabulary", "vocabulary_of".
     Result<nlohmann::json> ask(const char* function, const nlohmann::json& argument = nullptr);
 
 private:
     explicit ExerciseScript(LuaState state) : state_(std::move(state)) {}
     static Result<ExerciseScript> open(const CurriculumFiles& files, const std::string& root, std::uint64_t seed);
     Status open_engine();
-    /// Hands what the curriculum returns to a function of the engine, and its answer back.
     /// Files of texts beside the curriculum.
     Status read_texts(const CurriculumFiles& files);
+    /// Hands what the curriculum returns to a function of the engine, and its answer back.
     Result<nlohmann::json> run_curriculum(const CurriculumFiles& files, const char* receiver);
     Status join(const JoinedPart& joined);
     Status apply(const std::map<std::string, std::string>& set);

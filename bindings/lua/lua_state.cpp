@@ -15,6 +15,7 @@ namespace lua {
 namespace {
 
 constexpr std::size_t max_source_bytes = std::size_t{4} << 20;
+constexpr char between_mistakes = '\x1e';  // scripts/engine/words.lua
 
 // Position of the colon after "file:line", or npos.
 std::size_t end_of_place(const std::string& message) {
@@ -76,11 +77,16 @@ Error error_of(Context& c, lua_State* L, int status) {
 }  // namespace
 
 Error error_from_message(const std::string& message) {
-    const std::size_t end = end_of_place(message);
-    if (end == std::string::npos) {
-        return {message, "", ""};
+    std::istringstream all(message);
+    std::string first;
+    std::getline(all, first, between_mistakes);
+    const std::size_t end = end_of_place(first);
+    Error error =
+        end == std::string::npos ? Error{first, "", ""} : Error{first.substr(end + 2), first.substr(0, end), ""};
+    for (std::string other; std::getline(all, other, between_mistakes);) {
+        error.more.push_back(other);
     }
-    return {message.substr(end + 2), message.substr(0, end), ""};
+    return error;
 }
 
 namespace {
@@ -259,6 +265,14 @@ void LuaRef::release() {
         luaL_unref(context->main, LUA_REGISTRYINDEX, index_);
     }
     index_ = LUA_NOREF;
+}
+
+Status check_form_of(const std::string& path, const std::string& chunk) {
+    Result<LuaState> state = LuaState::create({});
+    if (!state) {
+        return state.error();
+    }
+    return state.value().run([&](lua_State* L) { lua::load_file(L, path, chunk); });
 }
 
 }  // namespace rhexis

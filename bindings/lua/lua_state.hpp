@@ -71,8 +71,13 @@ namespace lua {
 void load_file(lua_State* L, const std::string& path, const std::string& chunk);
 void load_text(lua_State* L, const std::string& text, const std::string& chunk);
 
-/// Splits "file:line: message" as Lua writes it into where and what.
+/// Splits "file:line: message" as Lua writes it into where and what, and several of them, as scripts/engine/words.lua
+/// joins them, into the first and the others.
 Error error_from_message(const std::string& message);
 
 }  // namespace lua
+
+/// Whether a script is well formed, without running it.
+Status check_form_of(const std::string& path, const std::string& chunk);
+
 }  // namespace rhexis

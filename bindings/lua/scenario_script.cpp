@@ -62,13 +62,12 @@ Result<ScenarioScript> ScenarioScript::load(const std::string& path, const std::
         lua::push(L, std::string_view(script.chunk_));
         lua::push(L, std::string_view(text.value()));
         lua_call(L, 2, 0);
-        script.push_function(L, "accept");
+        script.push_function(L, "read");
         lua::push(L, std::string_view(kind));
         lua::load_text(L, text.value(), script.chunk_);
         script.push_function(L, "environment");
         lua_call(L, 0, 1);
         lua_setupvalue(L, -2, 1);  // the file's globals
-        lua_call(L, 0, 1);
         lua_call(L, 2, 0);
         script.push_function(L, "listing");
         lua_call(L, 0, 1);

@@ -7,6 +7,14 @@
 namespace rhexis {
 
 std::string Error::text() const {
+    std::string line = lines().front();
+    if (!more.empty()) {
+        line += " (and " + std::to_string(more.size()) + " more)";
+    }
+    return line;
+}
+
+std::vector<std::string> Error::lines() const {
     std::string line;
     if (!where.empty()) {
         line += where + ": ";
@@ -15,7 +23,9 @@ std::string Error::text() const {
     if (!allowed.empty()) {
         line += " (" + allowed + ")";
     }
-    return line;
+    std::vector<std::string> all{line};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
 }
 
 void assertion_failed(const char* expression, const char* file, int line) {

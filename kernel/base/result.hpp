@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "base/assert.hpp"
 
@@ -15,9 +16,12 @@ struct Error {
     std::string what;     ///< what was wrong, with the offending value
     std::string where;    ///< file:line, field name, or empty
     std::string allowed;  ///< what is allowed instead, or empty
+    std::vector<std::string> more{};  ///< what else was wrong there, each a line as of text()
 
-    /// "where: what (allowed)" on a single line.
+    /// "where: what (allowed)" on a single line; how much more there is, is told after it.
     [[nodiscard]] std::string text() const;
+    /// Each of what was wrong on a line of its own.
+    [[nodiscard]] std::vector<std::string> lines() const;
 };
 
 /// A value or an Error. Used where input comes from outside; our own bugs are asserted instead.

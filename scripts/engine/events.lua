@@ -21,13 +21,13 @@ Watch.__index = Watch
 --- in an operation, whose earlier parts made it.
 function events.watch(declared, eye, task)
     local what = "in error event '" .. declared.title .. "'"
-    local function bind(parts) return parts and condition.bind(parts, eye, what) end
+    local function bind(parts) return parts and words.try(condition.bind, parts, eye, what) end
     local self = setmetatable({ declared = declared, eye = eye, state = "watching" }, Watch)
     self.when, self.recovered, self.harm = bind(declared.when), bind(declared.recovered), bind(declared.harm)
     self.there = task and bind(declared.given or declared.when) or nil
     for _, name in ipairs(declared.evidence or {}) do
         if not eye.info[name] then
-            words.fail(declared.where, ("evidence: unknown measure '%s'%s"):format(name,
+            words.mistake(declared.where, ("evidence: unknown measure '%s'%s"):format(name,
                 words.hint(name, eye.names)))
         end
     end

@@ -63,7 +63,8 @@ local function check_choice(rule, value, where, name)
     for _, allowed in ipairs(rule.choices) do
         if allowed == value then return end
     end
-    words.fail(where, ("%s = %s is not allowed%s"):format(name, shown(value), words.hint(value, rule.choices)))
+    words.mistake(where, ("%s = %s is not allowed%s"):format(name, shown(value),
+        words.choice_hint(value, rule.choices)))
 end
 
 --- Checks one value by a rule: { kind, from, to, whole, choices }. Raises with `where` and `name`.
@@ -87,16 +88,17 @@ end
 function fields.named(given, where, owner, example)
     for key, value in pairs(given) do
         if type(key) ~= "string" then
-            words.fail(where, ("%s: %s has no name: write %s"):format(owner, shown(value), example))
+            words.mistake(where, ("%s: %s has no name: write %s"):format(owner, shown(value), example))
+        else
+            local complaint = words.unreadable(key)
+            if complaint then words.mistake(where, ("%s: the name '%s' %s"):format(owner, key, complaint)) end
         end
-        local complaint = words.unreadable(key)
-        if complaint then words.fail(where, ("%s: the name '%s' %s"):format(owner, key, complaint)) end
     end
 end
 
 --- Reads a table of named fields. rules: name -> rule, with `default` or `required`. Returns a new table of checked
 --- values; conditions come back as read by condition.read. owner: "step 'sculpt'", for messages. line: where the
---- declaration begins, or nil.
+--- declaration begins, or nil. While mistakes are collected, fields with a mistake are left out of the result.
 function fields.read(given, rules, owner, line)
     if type(given) ~= "table" then
         words.fail(words.where(nil, line), owner .. " must be followed by a table { ... }")
@@ -104,10 +106,9 @@ function fields.read(given, rules, owner, line)
     local known = words.keys(rules)
     for key in pairs(given) do
         if type(key) ~= "string" then
-            words.fail(words.where(nil, line), owner .. " holds an entry without a name: " .. shown(given[key]))
-        end
-        if not rules[key] then
-            words.fail(words.where(key, line), ("%s has no field '%s'%s"):format(owner, key, words.hint(key, known)))
+            words.mistake(words.where(nil, line), owner .. " holds an entry without a name: " .. shown(given[key]))
+        elseif not rules[key] then
+            words.mistake(words.where(key, line), ("%s has no field '%s'%s"):format(owner, key, words.hint(key, known)))
         end
     end
     local result = {}
@@ -116,10 +117,10 @@ function fields.read(given, rules, owner, line)
         local value = given[name]
         if value == nil then value = rule.default end
         if value == nil and rule.required then
-            words.fail(words.where(nil, line), ("%s lacks '%s'"):format(owner, name))
+            words.mistake(words.where(nil, line), ("%s lacks '%s'"):format(owner, name))
         end
         if value ~= nil then
-            result[name] = fields.check_value(rule, value, words.where(name, line), owner .. ": " .. name)
+            result[name] = words.try(fields.check_value, rule, value, words.where(name, line), owner .. ": " .. name)
         end
     end
     return result

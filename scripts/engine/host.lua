@@ -1,8 +1,10 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What bindings/lua/exercise_host.cpp calls: the whole border between the kernel and the exercise engine.
 
+local Eye = require "engine.eye"
 local Run = require "engine.run"
 local condition = require "engine.condition"
+local globals = require "engine.globals"
 local language = require "exercise"
 local operation = require "operation"
 local osacss = require "osacss"
@@ -23,22 +25,12 @@ local vocabulary_of_files = { exercise = language.exercise, step = language.step
     request = language.request, operation = operation.operation, part = operation.part, osacss = osacss,
     rubric = scoring.rubric }
 
--- Of a word that nobody knows, the near ones; a word that is like none may be the author's own, and is nil as usual.
-local function other_word(_, name)
-    local found = _G[name]
-    if found ~= nil or type(name) ~= "string" then return found end
-    local near = words.near(name, words.keys(vocabulary_of_files))
-    if #near > 0 then
-        error(("there is no word '%s' (did you mean %s?)"):format(name, table.concat(near, " or ")), 2)
-    end
-    return nil
-end
-
 --- The words that a curriculum finds besides the standard ones.
 function host.environment()
     local own = {}
     for name, word in pairs(vocabulary_of_files) do own[name] = word end
-    return setmetatable(own, { __index = other_word })
+    globals.refuse_unknown()
+    return globals.of(own)
 end
 
 --- Before the curriculum runs: its name in messages and its text.
@@ -46,6 +38,9 @@ function host.begin_file(name, text)
     words.begin_file(name, text)
     quotes.refuse_curly(name, text)
 end
+
+--- Runs a file and gives what it returns to host[receiver], whose answer is returned.
+function host.read(receiver, file) return words.read(file, host[receiver]) end
 
 --- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live, tissue, unit,
 --- meaning }.
@@ -163,7 +158,9 @@ function host.declared_requests() return requests.listing(host.exercise.requests
 
 --- schema: list of { name, unit, meaning }. The row that observe reads is returned: the host overwrites it.
 function host.start(schema)
-    host.run = Run.new(host.exercise, schema)
+    words.collect_mistakes()
+    host.run = words.try(Run.new, host.exercise, schema)
+    words.tell_mistakes()
     host.row = {}
     return host.row
 end
@@ -213,6 +210,45 @@ function host.review()
     local found = review.of(host.exercise, host.run.eye)
     table.move(remarks.of(host.exercise, host.run), 1, 64, #found.notes + 1, found.notes)
     return found
+end
+
+--- The scene of an exercise with mistakes, without what is none: the names of a scene can be told all the same.
+function host.scene_in_spite()
+    local exercise = host.exercise or {}
+    local function known(list)
+        local names = {}
+        for _, name in ipairs(list or {}) do
+            if words.has(words.parts, name) then names[#names + 1] = name end
+        end
+        return names
+    end
+    return { patient = words.as_object({}), tissues = known(exercise.tissues), settings = words.as_object({}),
+        instruments = known(exercise.instruments), step_s = 0.01, advance = "automatic" }
+end
+
+--- What is wrong with the conditions of such an exercise, where its scene is as it says: a list.
+function host.mistakes_of(schema)
+    local exercise = host.exercise
+    local scene = host.scene_in_spite()
+    if not exercise or not exercise.steps or not exercise.tissues or not exercise.instruments or #schema == 0 then
+        return {}
+    end
+    if #scene.tissues < #exercise.tissues or #scene.instruments < #exercise.instruments then return {} end
+    words.collect_mistakes()
+    pcall(Run.new, exercise, schema)
+    local list = {}
+    for _, text in ipairs(words.take_mistakes()) do
+        if not text:find("^scripts/") then list[#list + 1] = text end  -- the engine met what a mistake left out
+    end
+    return list
+end
+
+--- The vocabulary of such an exercise. schema: list of { name, unit, meaning }.
+function host.vocabulary_of(schema)
+    local exercise = host.exercise or {}
+    local shown = { goals = {}, goal_rules = {}, requests = {}, scoring = exercise.scoring }
+    if exercise.goal_rules then shown.goals, shown.goal_rules = exercise.goals, exercise.goal_rules end
+    return vocabulary.of(shown, { eye = Eye.new(schema, shown.goals) })
 end
 
 --- Every name that the exercise, which has been started, may use.

@@ -68,11 +68,13 @@ function Run.new(exercise, schema)
     self.watches = {}
     local task = not (exercise.whole and exercise.whole.before.parts)
     for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye, task) end
-    self.over = exercise.over and condition.bind(exercise.over, self.eye, "in 'over'")
+    self.over = exercise.over and words.try(condition.bind, exercise.over, self.eye, "in 'over'")
     if exercise.scoring then
-        self.sheet = scoring.sheet(exercise.scoring, self.eye, exercise.reference, exercise.step_s)
+        self.sheet = words.try(scoring.sheet, exercise.scoring, self.eye, exercise.reference, exercise.step_s)
     end
-    if exercise.whole then self.whole = Whole.new(exercise.whole, exercise.scoring, self.eye, exercise.step_s) end
+    if exercise.whole then
+        self.whole = words.try(Whole.new, exercise.whole, exercise.scoring, self.eye, exercise.step_s)
+    end
     return self
 end
 

@@ -62,7 +62,7 @@ function check.live_complaint(name, value)
 end
 
 local function refuse(name, line, owner, complaint)
-    if complaint then words.fail(where_of(name, line), owner .. complaint) end
+    if complaint then words.mistake(where_of(name, line), owner .. complaint) end
 end
 
 --- That there is such a setting.
@@ -75,7 +75,7 @@ function check.all(settings, line, owner)
     if not table_of then return end
     for _, name in ipairs(words.keys(settings)) do
         check.name(name, line, owner)
-        refuse(name, line, owner, beyond(name, settings[name]))
+        if table_of[name] then refuse(name, line, owner, beyond(name, settings[name])) end
     end
 end
 
@@ -83,14 +83,18 @@ end
 function check.live(settings, line, owner)
     if not table_of then return end
     check.all(settings, line, owner)
-    for _, name in ipairs(words.keys(settings)) do refuse(name, line, owner, fixed(name)) end
+    for _, name in ipairs(words.keys(settings)) do
+        if table_of[name] then refuse(name, line, owner, fixed(name)) end
+    end
 end
 
 --- The same for settings that the exercise changes by itself.
 function check.scripted(settings, line, owner)
     check.live(settings, line, owner)
     if not table_of then return end
-    for _, name in ipairs(words.keys(settings)) do refuse(name, line, owner, of_tissue(name)) end
+    for _, name in ipairs(words.keys(settings)) do
+        if table_of[name] then refuse(name, line, owner, of_tissue(name)) end
+    end
 end
 
 return check

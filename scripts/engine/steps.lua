@@ -6,6 +6,7 @@
 
 local act = require "engine.act"
 local condition = require "engine.condition"
+local words = require "engine.words"
 
 local steps = {}
 
@@ -17,9 +18,9 @@ function steps.prepare(declared, eye, out)
     local self = setmetatable({ declared = declared, eye = eye, act = out, at = 0, records = {}, bound = {} }, Runner)
     for i, step in ipairs(declared) do
         local what = "in step '" .. step.title .. "'"
-        self.bound[i] = { what = what, done = step.done and condition.bind(step.done, eye, what),
-            enter = step.enter_when and condition.bind(step.enter_when, eye, what),
-            picture = step.picture_when and condition.bind(step.picture_when, eye, what) }
+        local function bind(parts) return parts and words.try(condition.bind, parts, eye, what) end
+        self.bound[i] = { what = what, done = bind(step.done), enter = bind(step.enter_when),
+            picture = bind(step.picture_when) }
         self.records[i] = { id = step.id, title = step.title, completed = false }
     end
     return self

@@ -40,6 +40,14 @@ function words.near(word, known)
     return names
 end
 
+--- Of a choice that is none of `known`: the near ones, and then all there are, when they are few enough to read.
+function words.choice_hint(word, known)
+    local near = words.near(word, known)
+    if #known > 24 then return words.hint(word, known) end
+    local all = "one of: " .. table.concat(known, ", ")
+    return #near > 0 and (" (did you mean %s? %s)"):format(table.concat(near, " or "), all) or (" (%s)"):format(all)
+end
+
 --- " (did you mean a or b?)", or " (one of: ...)" when nothing is near and the list is short, or "".
 function words.hint(word, known)
     local near = words.near(word, known)
@@ -165,5 +173,81 @@ end
 
 --- Raises "where: message" without another position before it.
 function words.fail(where, message) error(words.plain(where .. ": " .. message), 0) end
+
+-- Mistakes that do not keep the rest of what is read from being read, until they are told together; nil: the first one
+-- is raised.
+local mistakes
+
+-- Between two mistakes that are told together: bindings/lua/lua_state.cpp, between_mistakes.
+local between = "\30"
+
+--- From here on mistakes are noted, until tell_mistakes.
+function words.collect_mistakes() mistakes = {} end
+
+local function note(text)
+    if not words.has(mistakes, text) then mistakes[#mistakes + 1] = text end
+end
+
+--- Notes a mistake, while they are collected; else raises it as `fail` does.
+function words.mistake(where, message)
+    if not mistakes then words.fail(where, message) end
+    note(words.plain(where .. ": " .. message))
+end
+
+--- Calls f; while mistakes are collected, one that it raises is noted, and the result is nil.
+function words.try(f, ...)
+    if not mistakes then return f(...) end
+    local ok, result = pcall(f, ...)
+    if ok then return result end
+    if type(result) ~= "string" then error(result, 0) end
+    local follows = #mistakes > 0 and result:find("^scripts/")  -- the engine met what a mistake left out
+    if not follows then note((result:gsub(between, " "))) end
+    return nil
+end
+
+--- How many mistakes are noted.
+function words.mistaken() return mistakes and #mistakes or 0 end
+
+--- Runs a file and gives what it returned to `accept`, whose answer is returned; all mistakes are told together.
+function words.read(file, accept)
+    local value, answer
+    words.collect_mistakes()
+    local ran = words.try(function()
+        value = file()
+        return true
+    end)
+    if ran then answer = words.try(accept, value) end
+    words.tell_mistakes()
+    return answer
+end
+
+local function file_and_line(text)
+    local file, line = text:match("^([^:\n]+):(%d+): ")
+    return file or "", tonumber(line) or 0
+end
+
+--- What was noted, by file and line; no more is collected.
+function words.take_mistakes()
+    local noted = mistakes or {}
+    mistakes = nil
+    local place = {}
+    for i, text in ipairs(noted) do
+        local file, line = file_and_line(text)
+        place[text] = { file = file, line = line, i = i }
+    end
+    table.sort(noted, function(a, b)
+        local x, y = place[a], place[b]
+        if x.file ~= y.file then return x.file < y.file end
+        if x.line ~= y.line then return x.line < y.line end
+        return x.i < y.i
+    end)
+    return noted
+end
+
+--- Raises what was noted; nothing, when nothing was.
+function words.tell_mistakes()
+    local noted = words.take_mistakes()
+    if #noted > 0 then error(table.concat(noted, between), 0) end
+end
 
 return words

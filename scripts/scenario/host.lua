@@ -2,6 +2,7 @@
 -- What bindings/lua/scenario_script.cpp calls: the border between the kernel and a file of scenarios or starts.
 
 local Test = require "scenario.test"
+local globals = require "engine.globals"
 local language = require "scenario.language"
 local words = require "engine.words"
 
@@ -9,18 +10,20 @@ local host = {}
 
 --- The words that such a file finds besides the standard ones.
 function host.environment()
-    return setmetatable({ scenarios = language.scenarios, scenario = language.scenario, starts = language.starts },
-        { __index = _G })
+    globals.refuse_unknown()
+    return globals.of({ scenarios = language.scenarios, scenario = language.scenario, starts = language.starts })
 end
 
 host.begin_file = words.begin_file
 
---- After it ran: what it returned. kind: what it must be.
-function host.accept(kind, value)
-    if type(value) ~= "table" or value.kind ~= kind then
-        words.fail(words.where(nil, 1), ("the file must end with: return %s { ... }"):format(kind))
-    end
-    host.declared = value
+--- Runs the file. kind: what it must return.
+function host.read(kind, file)
+    words.read(file, function(value)
+        if type(value) ~= "table" or value.kind ~= kind then
+            words.fail(words.where(nil, 1), ("the file must end with: return %s { ... }"):format(kind))
+        end
+        host.declared = value
+    end)
 end
 
 --- What the file declares, without its functions.

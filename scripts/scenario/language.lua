@@ -79,6 +79,21 @@ end
 -- One name in quotes will do where a list is allowed.
 local function as_list(value) return type(value) == "string" and { value } or value end
 
+local function read_scenario(given, owner, line)
+    local named, play = split(given, owner, line)
+    named.silent_twin_of = as_list(named.silent_twin_of)
+    local result = fields.read(named, scenario_rules, owner, line)
+    if result.near and #(result.silent_twin_of or {}) == 0 then
+        words.mistake(words.where("near", line), owner .. " has near, but names no error event in silent_twin_of")
+    end
+    result.play = play
+    result.set = flatten(result.set or {}, words.where("set", line), "", {})
+    for _, field in ipairs { "recover_within_s", "hold_within_s" } do
+        if result[field] then result.set[field] = tostring(result[field]) end
+    end
+    return result
+end
+
 --- scenario "name" { fields, function(t) ... end }
 function language.scenario(name)
     if type(name) ~= "string" or name == "" then
@@ -86,18 +101,8 @@ function language.scenario(name)
     end
     return function(given)
         local line = words.line_here()
-        local owner = ("scenario '%s'"):format(name)
-        local named, play = split(given, owner, line)
-        named.silent_twin_of = as_list(named.silent_twin_of)
-        local result = fields.read(named, scenario_rules, owner, line)
-        if result.near and #result.silent_twin_of == 0 then
-            words.fail(words.where("near", line), owner .. " has near, but names no error event in silent_twin_of")
-        end
-        result.kind, result.name, result.play, result.line = "scenario", name, play, line
-        result.set = flatten(result.set, words.where("set", line), "", {})
-        for _, field in ipairs { "recover_within_s", "hold_within_s" } do
-            if result[field] then result.set[field] = tostring(result[field]) end
-        end
+        local result = words.try(read_scenario, given, ("scenario '%s'"):format(name), line) or { set = {} }
+        result.kind, result.name, result.line = "scenario", name, line
         return result
     end
 end
@@ -120,7 +125,7 @@ local function collect(given, exercise)
             words.fail(words.where(), ("scenarios: entry %d is no scenario \"name\" { ... }"):format(i))
         end
         if seen[entry.name] then
-            words.fail(words.where(nil, entry.line), ("scenario '%s' is there twice"):format(entry.name))
+            words.mistake(words.where(nil, entry.line), ("scenario '%s' is there twice"):format(entry.name))
         end
         seen[entry.name], list[i] = true, entry
     end
@@ -151,7 +156,9 @@ local function read_start(name, recipe, line)
     local play = type(recipe) == "table" and recipe[1]
     local named = recipe
     if play ~= nil and play ~= false then named, play = split(recipe, owner, line) end
+    local before = words.mistaken()
     local read = fields.read(named, start_rules, owner, line)
+    if words.mistaken() > before then return read end
     if play and (read.surgeon or read.when) then
         words.fail(where, owner .. " has a function: neither surgeon nor when goes with it")
     end

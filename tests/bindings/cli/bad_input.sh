@@ -73,7 +73,7 @@ never_starts "wrong/curriculum.lua:1: is precompiled" '\x1bLua\n'
 never_starts "a curriculum must end with: return exercise" 'return 7\n'
 never_starts "wrong/curriculum.lua:2: “ is a quotation mark of a word processor: write straight ones" 'return exercise {\n title = “x”,\n}\n'
 never_starts "wrong/curriculum.lua:2: there is no word 'stepp' (did you mean step?)" 'return exercise {\n steps = { stepp "a" {} } }\n'
-never_starts "wrong/curriculum.lua:1: exercise: title holds the control character \\27" 'return exercise { title = "a\\27[31m", tissues = {}, instruments = {}, steps = {} }\n'
+never_starts "wrong/curriculum.lua:1: exercise: title holds the control character \\27" 'return exercise { title = "a\\27[31m", tissues = {}, instruments = {},\n steps = { step "a" { done = "time_s > 1" } } }\n'
 never_starts "error with a table instead of a message" 'error({})\n'
 mkdir "$work/nothing"
 expect 2 "nothing: the folder holds no curriculum.lua" "$rhexis" run "$work/nothing" "${quick[@]}"

@@ -17,6 +17,14 @@ good_event='error_event "deep" { when = "phaco.tip_depth_mm > 4", recovered = "p
 # wrong LINE TEXT: of the curriculum as it stands.
 wrong() { expect 1 "rhexis: $work/mine/curriculum.lua:$1: $2" "$rhexis" check "$work/mine"; }
 
+expect_lines() { # expect_lines STATUS TEXT...: each text on a line of its own
+    local status=$1 got=0
+    shift
+    "$rhexis" check "$work/mine" >"$work/stdout" 2>"$work/stderr" || got=$?
+    [ "$got" = "$status" ] || fail "status $got instead of $status ($(head -c 300 "$work/stderr"))"
+    [ "$(wc -l <"$work/stderr")" = $# ] || fail "not $# lines: $(cat "$work/stderr")"
+    for text in "$@"; do grep -qF -- "$text" "$work/stderr" || fail "no '$text': $(cat "$work/stderr")"; done
+}
 curriculum "$good_step" "$good_event" 'objectives = { "See depth" }, levels = { easy = { meaning = "young", patient = { age = 40 } } },'
 expect 0 "" "$rhexis" check "$work/mine"
 says "mine: good"
@@ -38,7 +46,7 @@ sed -i 's/"iris"/"irsi"/' "$work/mine/curriculum.lua"
 wrong 3 "exercise: tissues = \"irsi\" is not allowed (did you mean iris"
 curriculum "$good_step" '' ''
 sed -i 's/"phaco"/"phcao"/' "$work/mine/curriculum.lua"
-wrong 3 "exercise: instruments = \"phcao\" is not allowed (did you mean phaco?)"
+wrong 3 "exercise: instruments = \"phcao\" is not allowed (did you mean phaco? one of: cannula,"
 curriculum 'step "work" { done = "phaco.tip_dpeth_mm > 1" }' '' ''
 wrong 5 "unknown measure 'phaco.tip_dpeth_mm' (did you mean phaco.tip_depth_mm"
 curriculum 'step "work" { done = "hook.tip_x_mm > 1" }' '' ''
@@ -54,6 +62,39 @@ wrong 6 "error_event 'e': consequences: implant.triangles is fixed before the fi
 curriculum "$good_step" '' 'levels = { easy = { pateint = {} } },'
 wrong 7 "level 'easy' has no field 'pateint' (did you mean patient?)"
 
+# Many mistakes at once, of the exercise and of what lies beside it, by file and line.
+cat >"$work/mine/curriculum.lua" <<L
+return exercise {
+    title = "Many", patientt = { age = 40 }, patient = { age = 400, tetrahedra = 500 },
+    tissues = { "lens", "iris" }, instruments = { "phaco" },
+    goals = { deep_mm = { 9, from = 1, to = 5 } },
+    settings = { ["phaco.power_limti"] = 0.5, ["phaco.power_limit"] = 5 },
+    steps = {
+        step "a" { done = "phaco.tip_depth_mm >", nxt = "b" },
+        step "b" { hint = 3, done = "phaco.tip_dpeth_mm > goal.deep_mm", next = "z" } },
+    errors = { error_event "e" { when = "iris.touch" } },
+    levels = { easy = { pateint = {} } },
+}
+L
+mkdir -p "$work/mine/tests"
+echo 'return {' >"$work/mine/surgeon.lua"
+printf 'return scenarios {\n scenario "x" { sed = 1, function(t) end },\n scenario "x" { function(t) end } }\n' >"$work/mine/tests/t.lua"
+expect_lines 1 "curriculum.lua:2: exercise has no field 'patientt'" "curriculum.lua:2: patient: age = 400 is out of range" \
+    "curriculum.lua:4: goal deep_mm = 9 is out of range" "curriculum.lua:5: settings: phaco.power_limit = 5 is out of range" \
+    "curriculum.lua:5: settings: there is no setting 'phaco.power_limti'" "curriculum.lua:7: step 'a' has no field 'nxt'" \
+    "curriculum.lua:7: a number or a measure is missing" "curriculum.lua:8: step 'b': hint must be a text" \
+    "curriculum.lua:8: step 'b': next: there is no step 'z'" "curriculum.lua:9: error_event 'e' lacks 'advice'" \
+    "curriculum.lua:10: level 'easy' has no field 'pateint'" "curriculum.lua:8: unknown measure 'phaco.tip_dpeth_mm'" \
+    "surgeon.lua:2: unexpected symbol near <eof>" "tests/t.lua:2: scenario 'x' has no field 'sed'" "tests/t.lua:3: scenario 'x' is there twice"
+expect 2 "exercise has no field 'patientt' (did you mean patient?) (and 10 more, which rhexis check tells)" "$rhexis" run "$work/mine"
+expect 2 "exercise has no field 'patientt'" "$rhexis" words "$work/mine" iris gap  # all the same
+says "Least gap between an instrument and the iris"
+rm -r "$work/mine/surgeon.lua" "$work/mine/tests"
+curriculum "$good_step" '' 'objectives = { tostrng(3) },'
+wrong 7 "there is no word 'tostrng' (did you mean tostring?)"
+curriculum "$good_step" '' 'objectives = { zzzzzz.x },'
+wrong 7 "there is no word 'zzzzzz'"
+
 # Steps that are never reached.
 curriculum 'step "a" { done = "iris.touch", next = "c" }, step "b" { done = "iris.touch" }, step "c" { done = "iris.touch" }' '' ''
 wrong 5 "step 'b' is never reached: the steps before it lead past it"
@@ -61,14 +102,6 @@ twice='phaco.tip_depth_mm > 2 and phaco.tip_depth_mm < 1'
 curriculum "step \"a\" { done = \"$twice\", time_limit_s = 5 }, step \"b\" { done = \"iris.touch\" }" '' ''
 wrong 5 "step 'a': done: \"$twice\" can never hold"
 curriculum "step \"a\" { enter_when = \"$twice\", done = \"iris.touch\" }, step \"b\" { done = \"iris.touch\" }" '' ''
-expect_lines() { # expect_lines STATUS TEXT...: each text on a line of its own
-    local status=$1 got=0
-    shift
-    "$rhexis" check "$work/mine" >"$work/stdout" 2>"$work/stderr" || got=$?
-    [ "$got" = "$status" ] || fail "status $got instead of $status ($(head -c 300 "$work/stderr"))"
-    [ "$(wc -l <"$work/stderr")" = $# ] || fail "not $# lines: $(cat "$work/stderr")"
-    for text in "$@"; do grep -qF -- "$text" "$work/stderr" || fail "no '$text': $(cat "$work/stderr")"; done
-}
 expect_lines 1 "mine/curriculum.lua:5: step 'a': enter_when: \"$twice\" can never hold" \
     "mine/curriculum.lua:5: step 'b' is never reached: step 'a' before it never ends"
 
@@ -180,7 +213,7 @@ L
     curriculum "$good_step" '' 'scoring = (require "own") { "S" },'
 }
 rubric "iris.touch" "coutn"
-expect 1 "mine/curriculum.lua:7: item S, measure 'S.m': take = \"coutn\" is not allowed (did you mean count?)" "$rhexis" check "$work/mine"
+expect 1 "mine/curriculum.lua:7: item S, measure 'S.m': take = \"coutn\" is not allowed (did you mean count? one of:" "$rhexis" check "$work/mine"
 rubric "iris.tuoch" "count"
 noted "scoring: measure S.m of item S counts for nothing here: unknown measure 'iris.tuoch' (did you mean iris.touch"
 
