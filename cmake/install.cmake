@@ -17,7 +17,7 @@ install(FILES cmake/rhexis-config.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmak
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rhexis-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rhexis-config-version.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rhexis)
 
-install(DIRECTORY scripts curricula rubrics assets DESTINATION ${CMAKE_INSTALL_DATADIR}/rhexis)
+install(DIRECTORY scripts curricula courses rubrics assets DESTINATION ${CMAKE_INSTALL_DATADIR}/rhexis)
 if(TARGET rhexis)
   install(TARGETS rhexis RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -6,6 +6,8 @@
 add_library(rhexis_flags INTERFACE)
 target_compile_options(rhexis_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
   -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<$<NOT:$<CONFIG:Sanitize>>:-Werror>)
+# What is installed may become part of a shared library, and nobody replaces its functions there.
+target_compile_options(rhexis_flags INTERFACE -fPIC -fno-semantic-interposition)
 # In a batch a local name may hide a constant of another source, a class kept to one source looks like one that two
 # could define differently, and g++ 12 warns of its own std::string.
 if(CMAKE_UNITY_BUILD)

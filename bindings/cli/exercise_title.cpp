@@ -39,4 +39,9 @@ std::string title_in(const std::string& language, const NamedExercise& exercise,
     return title.empty() ? exercise.title : title;
 }
 
+std::string title_of(const std::string& exercise, const std::string& language, const std::string& root) {
+    const std::string title = own_title(exercise, language, root);
+    return title.empty() ? exercise : title;
+}
+
 }  // namespace rhexis::cli

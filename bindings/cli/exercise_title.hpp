@@ -16,4 +16,7 @@ struct NamedExercise {
 /// The title in another language where root/curricula has the exercise and it is still called so, else as it is named.
 std::string title_in(const std::string& language, const NamedExercise& exercise, const std::string& root);
 
+/// The title of one in root/curricula, or its name.
+std::string title_of(const std::string& exercise, const std::string& language, const std::string& root);
+
 }  // namespace rhexis::cli

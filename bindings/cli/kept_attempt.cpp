@@ -2,8 +2,10 @@
 #include "cli/kept_attempt.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
+#include "cli/course_file.hpp"
 #include "cli/gates_file.hpp"
 #include "cli/places.hpp"
 #include "cli/run_folder.hpp"
@@ -45,6 +47,41 @@ Attempt attempt_that_begins(const KeepOptions& options, const json& identity, co
     return attempt;
 }
 
+/// Whether the trainee has come to this exercise in the course: one that is closed is told on stderr, or refused. What
+/// is no lesson of the course is nobody's concern here.
+Status check_lesson(const std::string& path, const records::Gates& gates, const KeepOptions& options,
+                    const std::string& exercise) {
+    const std::string named = course_named(options.course);
+    if (named.empty()) {
+        return success();
+    }
+    const Result<records::LessonPlan> plan = read_course(named, options.root);
+    Result<Store> store = plan ? Store::open(path) : Result<Store>(plan.error());
+    if (!store) {
+        return store.error();
+    }
+    records::Wanted wanted;
+    wanted.trainee = options.trainee;
+    wanted.finished = true;
+    wanted.details = true;
+    const Result<std::vector<Attempt>> attempts = store.value().attempts(wanted);
+    if (!attempts) {
+        return attempts.error();
+    }
+    for (const records::LessonState& state : records::states_of(plan.value(), gates, attempts.value())) {
+        if (state.lesson.exercise == exercise && !state.open()) {
+            const Error closed{exercise + " is closed to " + options.trainee + " in the course " + plan.value().name +
+                                   " until " + state.waits_for.front() + " is passed",
+                               "", "rhexis records next " + options.trainee + " tells what is open"};
+            if (plan.value().refuses) {
+                return closed;
+            }
+            std::fprintf(stderr, "rhexis: notice: %s\n", closed.text().c_str());
+        }
+    }
+    return success();
+}
+
 /// Besides, fills in the trainee's cohort and arm where they are known, and what to compare with.
 Status begin_in_store(const std::string& path, const records::Gates& gates, Attempt& attempt, json& comparison) {
     Result<Store> store = Store::open(path);
@@ -79,8 +116,9 @@ struct KeptAttempt::Parts {
 
 Status check_keep_options(const KeepOptions& options) {
     if (options.trainee.empty()) {
-        for (const auto& [option, value] : {std::pair("--cohort", options.cohort), std::pair("--arm", options.arm),
-                                            std::pair("--records", options.store)}) {
+        for (const auto& [option, value] :
+             {std::pair("--cohort", options.cohort), std::pair("--arm", options.arm),
+              std::pair("--course", options.course), std::pair("--records", options.store)}) {
             if (!value.empty()) {
                 return Error{std::string(option) + " is for attempts of a trainee, and none is named", "",
                              "--trainee PSEUDONYM"};
@@ -124,7 +162,11 @@ Result<KeptAttempt> KeptAttempt::begin(const KeepOptions& options, const json& i
     if (!gates) {
         return gates.error();
     }
-    Status status = begin_in_store(parts->store, gates.value(), attempt, parts->comparison);
+    Status status = check_lesson(parts->store, gates.value(), options, attempt.exercise);
+    if (!status) {
+        return status.error();
+    }
+    status = begin_in_store(parts->store, gates.value(), attempt, parts->comparison);
     parts->comparison["attempt"] = attempt.id;  // a report that an earlier run left in the folder has another
     if (!status && !is_locked(status.error())) {
         return status.error();

@@ -15,8 +15,9 @@ struct KeepOptions {
     std::string trainee;  ///< pseudonym; "": nothing is kept
     std::string cohort;
     std::string arm;
-    std::string store;  ///< file; "": the user's own
-    std::string root;   ///< folder with rubrics/
+    std::string store;   ///< file; "": the user's own
+    std::string root;    ///< folder with rubrics/ and courses/
+    std::string course;  ///< whose closed lessons are told, or refused; "": none
 };
 
 class KeptAttempt {

@@ -27,6 +27,8 @@ constexpr const char* records_help =
     "  rhexis records show 3fa8                      one of them, by the beginning of its id\n"
     "  rhexis records curve P07 --exercise groove    how the scores of P07 came along\n"
     "  rhexis records gates P07                      which exercises P07 has passed often enough\n"
+    "  rhexis records next P07                       which lesson of the course comes next\n"
+    "  rhexis records course --html course.html      everybody, trainee by exercise\n"
     "  rhexis records export --out csv/              attempts.csv, items.csv, measures.csv, events.csv, ...\n"
     "  rhexis records delete P07 --yes --runs        P07, all that is stored, and the folders of the runs\n"
     "  rhexis records add runs/groove-P07-20260301-093000    what could not be stored when it ended\n"
@@ -142,6 +144,7 @@ void add_records(CLI::App& app, Context& context) {
     command->add_option("--records", given->store, "File [RHEXIS_RECORDS, or rhexis/records.db in the data folder]");
     add_records_lists(*command, given, context);
     add_records_progress(*command, given, context);
+    add_records_course(*command, given, context);
     add_records_agreement(*command, given, context);
     add_records_keeping(*command, given, context);
 }

@@ -29,6 +29,7 @@ struct RecordsOptions {
     std::string html;
     std::string language;
     std::string gates;
+    std::string course;
     double pass = -1.0;  ///< below 0: as the gates say
     bool json = false;
     bool yes = false;
@@ -59,6 +60,7 @@ int write_records_page(const RecordsOptions& given, const std::string& module, n
 
 // One file for the commands that each of them adds below `records`.
 void add_records_lists(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
+void add_records_course(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
 void add_records_progress(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
 void add_records_agreement(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);
 void add_records_keeping(CLI::App& records, const std::shared_ptr<RecordsOptions>& given, Context& context);

@@ -458,6 +458,8 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--trainee", given->keep.trainee, "Store the attempt under this pseudonym [nothing is stored]");
     command->add_option("--cohort", given->keep.cohort, "Of the trainee [as before]");
     command->add_option("--arm", given->keep.arm, "Of the trainee, in a trial [as before]");
+    command->add_option("--course", given->keep.course,
+                        "Course of the trainee, whose closed lessons are told [RHEXIS_COURSE, or none]");
     command->add_option("--records", given->keep.store,
                         "File to store in [RHEXIS_RECORDS, or rhexis/records.db in the user's data folder]");
     command->add_option("--limit", given->limit_s, "End the run at this simulated time [s]")->capture_default_str();

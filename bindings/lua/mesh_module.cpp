@@ -2,6 +2,7 @@
 // rhexis.mesh: tetrahedral meshes and triangle sheets to build, read, measure and write.
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "eye/anatomy.hpp"
@@ -67,6 +68,10 @@ int mesh_read(lua_State* L) {
     Result<MeshFile> file = read_tet_mesh(check_string(L, 1));
     if (!file) {
         raise(L, "rhexis.mesh.read: " + file.error().text());
+    }
+    if (const int unused = file.value().nodes_of_no_cell; unused > 0) {
+        std::fprintf(stderr, "rhexis: %s: %d %s of no element %s left out\n", check_string(L, 1).c_str(), unused,
+                     unused == 1 ? "node" : "nodes", unused == 1 ? "is" : "are");
     }
     push_mesh(L, std::move(file.value().mesh));
     return 1;

@@ -2,6 +2,7 @@
 // Making a scene and adding bodies, tools and planes to it.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -57,6 +58,29 @@ Advance read_advance(Options& options) {
     return word == "explicit" ? Advance::explicit_ : word == "implicit" ? Advance::implicit : Advance::automatic;
 }
 
+/// How its elements are made and how they go on in time; not every pair of the two exists.
+void read_way(Options& options, SolidModel& model) {
+    model.advance = read_advance(options);
+    const std::string word =
+        options.choice("formulation", "automatic", {"automatic", "linear", "nodal_pressure", "edge_smoothed"});
+    const bool is_explicit = model.advance == Advance::explicit_;
+    if (word == "nodal_pressure" && model.advance == Advance::implicit) {
+        options.fail("formulation",
+                     "nodal_pressure goes with advance \"explicit\"; with \"implicit\": edge_smoothed or linear");
+    }
+    if (word == "edge_smoothed" && is_explicit) {
+        options.fail("formulation",
+                     "edge_smoothed goes with advance \"implicit\"; with \"explicit\": nodal_pressure or linear");
+    }
+    if (word == "linear") {
+        return;
+    }
+    // Elements that one way alone can step decide on the way.
+    const bool nodal = word == "nodal_pressure" || (word == "automatic" && is_explicit);
+    model.formulation = nodal ? Formulation::nodal_pressure : Formulation::edge_smoothed;
+    model.advance = nodal ? Advance::explicit_ : Advance::implicit;
+}
+
 TetMesh read_mesh_option(lua_State* L, Options& options) {
     if (options.push_field("mesh") == LUA_TNIL) {
         options.fail("mesh", "allowed: a mesh from rhexis.mesh");
@@ -68,6 +92,17 @@ TetMesh read_mesh_option(lua_State* L, Options& options) {
         node += origin;
     }
     return mesh;
+}
+
+/// Once per scene, when there are two that could meet: nothing makes them.
+void tell_passing(const BareScene& scene, const char* function, const std::string& name) {
+    const WorldModel& model = scene.model();
+    if (model.solids.size() + model.membranes.size() == 1) {
+        const std::string& other = model.solids.empty() ? model.membranes[0].name : model.solids[0].name;
+        std::fprintf(
+            stderr, "rhexis: %s: '%s' and '%s' pass through each other: bodies and sheets meet tools and planes only\n",
+            function, name.c_str(), other.c_str());
+    }
 }
 
 int add_solid(lua_State* L) {
@@ -85,14 +120,15 @@ int add_solid(lua_State* L) {
     model.damping_mass = options.number("damping_mass", 0.0, {0.0, 1e4, "1/s"});
     model.damping_stiffness = options.number("damping_stiffness", 0.0, {0.0, 10.0, "s"});
     model.buoyancy_density = options.number("buoyancy_density", 0.0, {0.0, 0.1, "g/mm^3"});
-    model.advance = read_advance(options);
+    read_way(options, model);
     const Vec3 velocity = options.vec3("velocity", Vec3::Zero());
     if (options.boolean("fine", true)) {
         model.fine = subdivide(model.coarse);
     }
     options.push_field("fixed");
-    model.fixed_nodes = read_selection(L, -1, model.coarse.nodes, "add_solid: fixed");
+    model.fixed_nodes = read_some(L, -1, model.coarse.nodes, "add_solid: fixed");
     options.finish();
+    tell_passing(check_bare(L, "add_solid"), "add_solid", model.name);
     const int index = check_bare(L, "add_solid").add_solid(std::move(model), velocity);
     push_part(L, solid_class, 1, index);
     return 1;
@@ -147,16 +183,18 @@ int add_membrane(lua_State* L) {
     const double turn = options.number("sharpest_turn", 90.0, {0.0, 180.0, "degrees"});
     model.turn_cosine = turn == 90.0 ? 0.0 : std::cos(turn * M_PI / 180.0);
     model.density = options.number("density", model.density, {1e-7, 1.0, "g/mm^3"});
+    model.buoyancy_density = options.number("buoyancy_density", 0.0, {0.0, 1.0, "g/mm^3"});
     model.damping_mass = options.number("damping_mass", 0.0, {0.0, 1e6, "1/s"});
     model.damping_stiffness = options.number("damping_stiffness", 0.0, {0.0, 10.0, "s"});
     TearRules rules;
     rules.existing_edges = options.boolean("existing_edges", false);
     options.push_field("fixed");
-    model.fixed_nodes = read_selection(L, -1, nodes, "add_membrane: fixed");
+    model.fixed_nodes = read_some(L, -1, nodes, "add_membrane: fixed");
     options.finish();
     if (Status status = check_membrane(model); !status) {
         raise(L, "add_membrane: " + status.error().text());
     }
+    tell_passing(check_bare(L, "add_membrane"), "add_membrane", model.name);
     const int index = check_bare(L, "add_membrane").add_membrane(std::move(model), rules);
     push_part(L, membrane_class, 1, index);
     return 1;

@@ -79,14 +79,31 @@ const char* partner_name(ContactPartner partner) {
             return "tool";
         case ContactPartner::bag:
             return "bag";
-        default:
+        case ContactPartner::plane:
             return "plane";
+        case ContactPartner::dome:
+            return "dome";
+        case ContactPartner::support:
+            return "support";
+        case ContactPartner::tube:
+            return "tube";
+        case ContactPartner::layer:
+            return "layer";
+        case ContactPartner::sheet:
+            return "sheet";
+        case ContactPartner::jaws:
+            return "jaws";
     }
+    return "";
 }
 
 void push_contact(lua_State* L, const Contact& contact) {
     lua_newtable(L);
-    set_field(L, "solid", contact.solid + 1);
+    if (contact.membrane >= 0) {
+        set_field(L, "membrane", contact.membrane + 1);
+    } else {
+        set_field(L, "solid", contact.solid + 1);
+    }
     set_field(L, "partner", partner_name(contact.partner));
     set_field(L, "partner_index", contact.partner_index + 1);
     set_field(L, "point", contact.point);

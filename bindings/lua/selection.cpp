@@ -81,6 +81,15 @@ std::vector<int> read_selection(lua_State* L, int index, const std::vector<Vec3>
     return is_list || is_empty ? select_by_list(L, index, points.size(), what) : select_by_box(L, index, points, what);
 }
 
+std::vector<int> read_some(lua_State* L, int index, const std::vector<Vec3>& points, const std::string& what) {
+    const bool given = !lua_isnoneornil(L, index);
+    std::vector<int> chosen = read_selection(L, index, points, what);
+    if (given && chosen.empty()) {
+        raise(L, what + ": no node was selected");
+    }
+    return chosen;
+}
+
 void push_numbers(lua_State* L, const std::vector<int>& indices) {
     lua_createtable(L, static_cast<int>(indices.size()), 0);
     for (std::size_t k = 0; k < indices.size(); ++k) {

@@ -17,6 +17,9 @@ namespace rhexis::lua {
 /// Indices from 0, ascending, each once. `what` names the argument in errors.
 std::vector<int> read_selection(lua_State* L, int index, const std::vector<Vec3>& points, const std::string& what);
 
+/// The same, but what is given must mean at least one.
+std::vector<int> read_some(lua_State* L, int index, const std::vector<Vec3>& points, const std::string& what);
+
 /// Pushes indices as a list of numbers from 1.
 void push_numbers(lua_State* L, const std::vector<int>& indices);
 

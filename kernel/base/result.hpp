@@ -13,9 +13,9 @@ namespace rhexis {
 
 /// One clear line for the person who can fix it.
 struct Error {
-    std::string what;     ///< what was wrong, with the offending value
-    std::string where;    ///< file:line, field name, or empty
-    std::string allowed;  ///< what is allowed instead, or empty
+    std::string what;                 ///< what was wrong, with the offending value
+    std::string where;                ///< file:line, field name, or empty
+    std::string allowed;              ///< what is allowed instead, or empty
     std::vector<std::string> more{};  ///< what else was wrong there, each a line as of text()
 
     /// "where: what (allowed)" on a single line; how much more there is, is told after it.

@@ -116,6 +116,7 @@ MembraneModel make_anterior_capsule(const HalfEllipsoids& lens, const BagModel& 
                                     const AnteriorCapsuleSettings& settings) {
     const double modulus = capsule_modulus(age);
     MembraneModel model;
+    model.buoyancy_density = model.density;  // it floats
     model.name = anterior_capsule_name;
     model.sheet = std::make_shared<const MembraneSheet>(sheet_of(lens, age, settings));
     model.material = settings.circles ? Orthotropic{modulus, capsule_across_share * modulus, capsule_poisson_ratio, 0.0}

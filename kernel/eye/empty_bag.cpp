@@ -276,6 +276,7 @@ Status check_empty_bag(const EmptyBagSettings& settings) {
 MembraneModel make_empty_bag(const HalfEllipsoids& lens, const BagModel& bag, double age,
                              const EmptyBagSettings& settings) {
     MembraneModel model;
+    model.buoyancy_density = model.density;  // it floats
     model.name = empty_bag_name;
     model.sheet = std::make_shared<const MembraneSheet>(sheet_of(lens, age, settings));
     model.material = isotropic(capsule_modulus(age), capsule_poisson_ratio);

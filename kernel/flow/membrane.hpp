@@ -69,6 +69,7 @@ struct MembraneModel {
     double turn_cosine = 0.0;        ///< of the sharpest turn of a tear from the way it came
     double piercing = 1.0e12;        ///< force of a needle's end per thickness at which it goes through [uN/mm]
     double density = 1.05e-3;        ///< [g/mm^3]
+    double buoyancy_density = 0.0;   ///< of the fluid around it [g/mm^3]; gravity acts on the difference
     double damping_mass = 0.0;       ///< Rayleigh damping, share of the mass [1/s]
     double damping_stiffness = 0.0;  ///< Rayleigh damping, share of the stiffness [s]
     double slack_share = 1e-3;       ///< of its stiffness that is left in compression

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files: legacy VTK and Gmsh, in text form, and OBJ surfaces.
+// Mesh files: legacy VTK and Gmsh, as text or bytes, and OBJ surfaces.
 #pragma once
 
 #include <string>
@@ -15,13 +15,17 @@ namespace rhexis {
 struct MeshFile {
     TetMesh mesh;                  ///< valid in the sense of validate_mesh
     std::vector<int> region_tags;  ///< region r had this tag in the file
+    int nodes_of_no_cell = 0;      ///< of the file, that are left out
 };
 
 /// Reads a tetrahedral mesh by the ending of its name. Lengths are taken as mm.
-///   .vtk: legacy text, unstructured grid, versions 2 to 5; integer cell scalars "region", if any, 0 to 999.
-///   .msh: Gmsh text, versions 2.2 and 4.1; physical volume tags, ascending, become regions 0, 1, ...
-/// Lower-dimensional cells are left out, with nodes that only they use. Other solid cells, binary files, truncated
-/// files and meshes that validate_mesh refuses are errors with path, line and element number (tetrahedra, from 0).
+///   .vtk: legacy form, ASCII or BINARY, unstructured grid, versions 2 to 5. Cell scalars "region" of whole numbers, if
+///         any, are the regions where they are 0 to 999; other numbers, ascending, become regions 0, 1, ... Other
+///         attributes are skipped.
+///   .msh: Gmsh, versions 1 ($NOD), 2, 4.0 and 4.1, text or binary; physical volume tags, ascending, become regions
+///         0, 1, ...
+/// Lower-dimensional cells are left out, and so are nodes that no tetrahedron uses. Other solid cells, truncated files
+/// and meshes that validate_mesh refuses are errors with path, line (or byte) and the file's number of node or element.
 /// Memory stays within a small multiple of the file's size, whatever counts the file announces.
 Result<MeshFile> read_tet_mesh(const std::string& path);
 

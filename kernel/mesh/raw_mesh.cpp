@@ -15,12 +15,9 @@ bool indices_exist(const RawMesh& raw) {
     });
 }
 
-/// Leaves out nodes that lower cells use and tetrahedra do not. Nodes of no cell at all stay, and are reported.
-void drop_lower_nodes(RawMesh& raw) {
+/// Leaves out the nodes that no tetrahedron uses. Returns how many of them belong to no cell at all.
+int drop_unused_nodes(RawMesh& raw) {
     std::vector<std::uint8_t> keep(raw.nodes.size(), 0);
-    for (std::size_t n = 0; n < keep.size(); ++n) {
-        keep[n] = raw.in_lower_cell[n] == 0 ? 1 : 0;
-    }
     for (const std::array<int, 4>& tet : raw.tets) {
         for (int node : tet) {
             keep[static_cast<std::size_t>(node)] = 1;
@@ -28,21 +25,26 @@ void drop_lower_nodes(RawMesh& raw) {
     }
     std::vector<int> new_index(raw.nodes.size(), -1);
     std::size_t kept = 0;
+    int of_no_cell = 0;
     for (std::size_t n = 0; n < keep.size(); ++n) {
+        of_no_cell += keep[n] == 0 && raw.in_lower_cell[n] == 0 ? 1 : 0;
         if (keep[n] != 0) {
             new_index[n] = static_cast<int>(kept);
             raw.nodes[kept] = raw.nodes[n];
             raw.node_line[kept] = raw.node_line[n];
+            raw.node_number[kept] = raw.node_number[n];
             ++kept;
         }
     }
     raw.nodes.resize(kept);
     raw.node_line.resize(kept);
+    raw.node_number.resize(kept);
     for (std::array<int, 4>& tet : raw.tets) {
         for (int& node : tet) {
             node = new_index[static_cast<std::size_t>(node)];
         }
     }
+    return of_no_cell;
 }
 
 std::vector<int> distinct(std::vector<int> values) {
@@ -51,10 +53,12 @@ std::vector<int> distinct(std::vector<int> values) {
     return values;
 }
 
+constexpr int most_region = 999;
+
 /// Regions from tags, and the tag of each region.
 std::vector<int> make_regions(const std::vector<int>& tags, bool rank_tags, std::vector<int>& region) {
     std::vector<int> used = distinct(tags);
-    if (rank_tags) {
+    if (rank_tags || (!used.empty() && (used.front() < 0 || used.back() > most_region))) {
         for (int tag : tags) {
             region.push_back(static_cast<int>(std::lower_bound(used.begin(), used.end(), tag) - used.begin()));
         }
@@ -70,27 +74,30 @@ std::vector<int> make_regions(const std::vector<int>& tags, bool rank_tags, std:
 
 }  // namespace
 
-bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> nodes, int line, RawMesh& raw,
+bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> nodes, CellPlace place, RawMesh& raw,
               TokenReader& reader) {
     if (kind == nullptr || kind->dimension == 3) {
         if (kind == nullptr || kind->nodes != 4 || nodes.size() != 4) {
-            reader.fail(
-                "a cell is of type " + std::to_string(code) + " with " + std::to_string(nodes.size()) + " nodes",
-                "tetrahedra of 4 nodes, and points, lines and surfaces, which are left out");
+            reader.fail("cell " + std::to_string(place.number) + " is of type " + std::to_string(code) + " with " +
+                            std::to_string(nodes.size()) + " nodes",
+                        "tetrahedra of 4 nodes, and points, lines and surfaces, which are left out");
             return false;
         }
         raw.tets.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
-        raw.tet_line.push_back(line);
+        raw.tet_line.push_back(place.line);
+        raw.tet_number.push_back(place.number);
         return true;
     }
     if (kind->nodes > 0 && nodes.size() != static_cast<std::size_t>(kind->nodes)) {
-        reader.fail("a cell of type " + std::to_string(code) + " has " + std::to_string(nodes.size()) + " nodes",
+        reader.fail("cell " + std::to_string(place.number) + " of type " + std::to_string(code) + " has " +
+                        std::to_string(nodes.size()) + " nodes",
                     std::to_string(kind->nodes));
         return false;
     }
     for (int node : nodes) {
         if (node < 0 || static_cast<std::size_t>(node) >= raw.nodes.size()) {
-            reader.fail("a cell uses node " + std::to_string(node), "0 to " + std::to_string(raw.nodes.size()));
+            reader.fail("cell " + std::to_string(place.number) + " uses node " + std::to_string(node),
+                        "0 to " + std::to_string(raw.nodes.size() - 1));
             return false;
         }
         raw.in_lower_cell[static_cast<std::size_t>(node)] = 1;
@@ -102,15 +109,16 @@ bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> node
 }
 
 Result<MeshFile> finish_mesh(RawMesh raw, bool rank_tags, const std::string& path) {
-    if (indices_exist(raw)) {
-        drop_lower_nodes(raw);
-    }
     MeshFile file;
+    if (indices_exist(raw)) {
+        file.nodes_of_no_cell = drop_unused_nodes(raw);
+    }
     raw.tag.resize(raw.tets.size(), 0);
     file.region_tags = make_regions(raw.tag, rank_tags, file.mesh.region);
     file.mesh.nodes = std::move(raw.nodes);
     file.mesh.tets = std::move(raw.tets);
-    const MeshSource source{path, std::move(raw.node_line), std::move(raw.tet_line)};
+    const MeshSource source{path, std::move(raw.node_line), std::move(raw.tet_line), std::move(raw.node_number),
+                            std::move(raw.tet_number)};
     if (const Status status = validate_mesh(file.mesh, &source); !status.ok()) {
         return status.error();
     }

@@ -15,9 +15,11 @@ namespace rhexis {
 struct RawMesh {
     std::vector<Vec3> nodes;
     std::vector<int> node_line;
+    std::vector<std::int64_t> node_number;    ///< as the file counts
     std::vector<std::uint8_t> in_lower_cell;  ///< per node: 1 if a point, line or surface cell uses it
     std::vector<std::array<int, 4>> tets;
     std::vector<int> tet_line;
+    std::vector<std::int64_t> tet_number;
     std::vector<int> tag;  ///< one per tetrahedron, or empty
     std::vector<std::array<int, 3>> triangles;
 };
@@ -29,13 +31,19 @@ struct CellKind {
     int nodes;
 };
 
+/// A cell of the file: its line and its number there.
+struct CellPlace {
+    int line;
+    std::int64_t number;
+};
+
 /// Adds one cell to a raw mesh, or fails in the reader: only tetrahedra of 4 nodes are solids we take. kind: null if
 /// the file's code is unknown. nodes: indices from 0. True if the cell was a tetrahedron.
-bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> nodes, int line, RawMesh& raw,
+bool add_cell(const CellKind* kind, std::int64_t code, std::span<const int> nodes, CellPlace place, RawMesh& raw,
               TokenReader& reader);
 
-/// Drops nodes that only lower cells use, makes regions of tags and validates. rank_tags: regions are the ranks of the
-/// tags that occur; otherwise they are the tags.
+/// Drops nodes that no tetrahedron uses, makes regions of tags and validates. rank_tags: regions are the ranks of the
+/// tags that occur; otherwise they are the tags, where these are 0 to 999.
 Result<MeshFile> finish_mesh(RawMesh raw, bool rank_tags, const std::string& path);
 
 /// The triangles of the file and the nodes that they use.

@@ -2,6 +2,7 @@
 #include "mesh/token_reader.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,11 @@ namespace rhexis {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
+
+/// Lines end with \n, \r\n, or \r alone.
+bool ends_line(std::string_view text, std::size_t at) {
+    return text[at] == '\n' || (text[at] == '\r' && (at + 1 == text.size() || text[at + 1] != '\n'));
+}
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -36,7 +42,7 @@ bool same_word(std::string_view a, std::string_view b) {
 
 std::string_view TokenReader::word() {
     while (at_ < text_.size() && is_space(text_[at_])) {
-        line_ += text_[at_] == '\n' ? 1 : 0;
+        line_ += ends_line(text_, at_) ? 1 : 0;
         ++at_;
     }
     word_line_ = line_;
@@ -58,7 +64,7 @@ std::string_view TokenReader::needed_word(std::string_view expected) {
 std::string_view TokenReader::rest_of_line() {
     const std::size_t begin = at_;
     word_line_ = line_;
-    while (at_ < text_.size() && text_[at_] != '\n') {
+    while (at_ < text_.size() && !ends_line(text_, at_)) {
         ++at_;
     }
     std::string_view rest = text_.substr(begin, at_ - begin);
@@ -72,13 +78,83 @@ std::string_view TokenReader::rest_of_line() {
     return rest;
 }
 
-void TokenReader::skip_to_empty_line() {
-    rest_of_line();
-    while (at_ < text_.size() && !rest_of_line().empty()) {
+std::string_view TokenReader::needed_line(std::string_view expected) {
+    if (at_end()) {
+        fail("the file ends early", std::string(expected) + " should follow");
     }
+    return rest_of_line();
 }
 
-double TokenReader::number(std::string_view expected) {
+bool TokenReader::next_is(std::string_view wanted) const {
+    std::size_t begin = at_;
+    while (begin < text_.size() && is_space(text_[begin])) {
+        ++begin;
+    }
+    std::size_t end = begin;
+    while (end < text_.size() && end - begin <= wanted.size() && !is_space(text_[end])) {
+        ++end;
+    }
+    return same_word(text_.substr(begin, end - begin), wanted);
+}
+
+bool TokenReader::next_is_on_this_line() const {
+    std::size_t at = at_;
+    while (at < text_.size() && !ends_line(text_, at) && is_space(text_[at])) {
+        ++at;
+    }
+    return at < text_.size() && !is_space(text_[at]);
+}
+
+void TokenReader::begin_bytes(bool big_end_first) {
+    rest_of_line();
+    bytes_ = true;
+    big_end_first_ = big_end_first;
+}
+
+void TokenReader::skip_bytes(std::size_t count) {
+    if (count > text_.size() - at_) {
+        fail("the file ends early", std::to_string(count) + " bytes should follow");
+        return;
+    }
+    at_ += count;
+}
+
+void TokenReader::skip_behind(std::string_view text) {
+    const std::size_t found = text_.find(text, at_);
+    if (found == std::string_view::npos) {
+        fail("the file ends early", std::string(text) + " should follow");
+        return;
+    }
+    line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(at_),
+                                         text_.begin() + static_cast<std::ptrdiff_t>(found), '\n'));
+    at_ = found + text.size();
+}
+
+std::uint64_t TokenReader::raw(std::string_view expected, int bytes) {
+    const std::size_t count = static_cast<std::size_t>(bytes);
+    if (failed_ || count > text_.size() - at_) {
+        fail("the file ends early", std::string(expected) + " should follow");
+        return 0;
+    }
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t from_low = big_end_first_ ? count - 1 - i : i;
+        value |= std::uint64_t{static_cast<unsigned char>(text_[at_ + i])} << (8 * from_low);
+    }
+    at_ += count;
+    return value;
+}
+
+double TokenReader::number(std::string_view expected, NumberForm form) {
+    if (bytes_) {
+        if (form.kind == NumberForm::real) {
+            const std::uint64_t bits = raw(expected, form.bytes);
+            return form.bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
+                                   : std::bit_cast<double>(bits);
+        }
+        constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+        return static_cast<double>(integer(expected, -most, most, form));
+    }
     const std::string_view next = needed_word(expected);
     if (failed_) {
         return 0.0;
@@ -98,7 +174,19 @@ double TokenReader::number(std::string_view expected) {
     return value;
 }
 
-std::int64_t TokenReader::integer(std::string_view expected, std::int64_t low, std::int64_t high) {
+std::int64_t TokenReader::integer(std::string_view expected, std::int64_t low, std::int64_t high, NumberForm form) {
+    if (bytes_) {
+        const std::uint64_t bits = raw(expected, form.bytes);
+        const int unused = 64 - 8 * form.bytes;
+        const std::int64_t value = form.kind == NumberForm::whole ? static_cast<std::int64_t>(bits << unused) >> unused
+                                                                  : static_cast<std::int64_t>(bits);
+        const bool too_large = form.kind == NumberForm::natural && value < 0;
+        if (!failed_ && (too_large || value < low || value > high)) {
+            fail(std::string(expected) + " is " + (too_large ? std::to_string(bits) : std::to_string(value)),
+                 std::to_string(low) + " to " + std::to_string(high));
+        }
+        return failed_ ? low : value;
+    }
     const std::string_view next = needed_word(expected);
     if (failed_) {
         return low;
@@ -117,9 +205,9 @@ std::int64_t TokenReader::integer(std::string_view expected, std::int64_t low, s
     return value;
 }
 
-std::size_t TokenReader::count(std::string_view of_what, std::size_t bytes_each) {
+std::size_t TokenReader::count(std::string_view of_what, std::size_t bytes_each, NumberForm form) {
     const std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    const std::int64_t announced = integer("number of " + std::string(of_what), 0, most);
+    const std::int64_t announced = integer("number of " + std::string(of_what), 0, most, form);
     const std::size_t room = (text_.size() - at_ + 1) / bytes_each;
     if (!failed_ && static_cast<std::uint64_t>(announced) > room) {
         fail("announces " + std::to_string(announced) + " " + std::string(of_what) + ", but the file ends early",
@@ -139,7 +227,8 @@ void TokenReader::expect(std::string_view wanted) {
 void TokenReader::fail(const std::string& what, const std::string& allowed) {
     if (!failed_) {
         failed_ = true;
-        error_ = {what, path_ + ":" + std::to_string(word_line_), allowed};
+        const std::string place = bytes_ ? ", byte " + std::to_string(at_) : ":" + std::to_string(word_line_);
+        error_ = {what, path_ + place, allowed};
     }
 }
 

@@ -37,14 +37,23 @@ private:
         return {what, where, allowed};
     }
 
+    /// The number that a file gives a node or a tetrahedron, or its index.
+    [[nodiscard]] std::string node(std::size_t n) const {
+        const bool known = source_ != nullptr && n < source_->node_number.size();
+        return known ? std::to_string(source_->node_number[n]) : std::to_string(n);
+    }
+    [[nodiscard]] std::string tet(std::size_t t) const {
+        const bool known = source_ != nullptr && t < source_->tet_number.size();
+        return known ? std::to_string(source_->tet_number[t]) : std::to_string(t);
+    }
+
     Error node_fault(std::size_t n, const std::string& what, const std::string& allowed) const {
-        return fault("node " + std::to_string(n) + " " + what, allowed,
-                     source_ != nullptr ? &source_->node_line : nullptr, n);
+        return fault("node " + node(n) + " " + what, allowed, source_ != nullptr ? &source_->node_line : nullptr, n);
     }
 
     Error tet_fault(std::size_t t, const std::string& what, const std::string& allowed) const {
-        return fault("tetrahedron " + std::to_string(t) + " " + what, allowed,
-                     source_ != nullptr ? &source_->tet_line : nullptr, t);
+        return fault("tetrahedron " + tet(t) + " " + what, allowed, source_ != nullptr ? &source_->tet_line : nullptr,
+                     t);
     }
 
     Status sizes() {
@@ -138,8 +147,7 @@ private:
         const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
         const auto twice = std::adjacent_find(sorted.cbegin(), sorted.cend(), same);
         if (twice != sorted.cend()) {
-            return tet_fault((twice + 1)->second, "repeats tetrahedron " + std::to_string(twice->second),
-                             "each listed once");
+            return tet_fault((twice + 1)->second, "repeats tetrahedron " + tet(twice->second), "each listed once");
         }
         return success();
     }

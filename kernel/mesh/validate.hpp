@@ -2,6 +2,7 @@
 // Is a tetrahedral mesh fit for mechanics?
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,13 @@ struct MeshSource {
     std::string path;
     std::vector<int> node_line;
     std::vector<int> tet_line;
+    std::vector<std::int64_t> node_number;  ///< as the file counts them; empty: from 0
+    std::vector<std::int64_t> tet_number;
 };
 
 /// Every node finite and used; every tetrahedron with four different nodes that exist, positive volume, not flat, not
 /// listed twice, region >= 0; no face shared by more than two tetrahedra. Otherwise the first fault, with the number of
-/// the node or element (from 0) and its line where a source is given.
+/// the node or element (from 0; the file's where a source gives it) and its line where a source is given.
 Status validate_mesh(const TetMesh& mesh, const MeshSource* source = nullptr);
 
 }  // namespace rhexis

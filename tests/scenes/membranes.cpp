@@ -26,6 +26,7 @@ MembraneModel membrane(const std::string& name, TriMesh mesh, const Orthotropic&
     MembraneModel model;
     model.name = name;
     model.sheet = std::make_shared<const MembraneSheet>(uniform_sheet(std::move(mesh), fibre, 0.01));
+    model.buoyancy_density = model.density;  // weight is no part of these
     model.material = material;
     return model;
 }

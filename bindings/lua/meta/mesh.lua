@@ -48,8 +48,9 @@ function mesh.ball(options) end
 ---@return rhexis.Mesh
 function mesh.lens(options) end
 
----Reads a tetrahedral mesh by the ending of its name: `.vtk` (legacy text, unstructured grid) or `.msh` (Gmsh text, 2.2
----or 4.1). Lengths are taken as mm. A broken file or an inverted element is an error with its line or number.
+---Reads a tetrahedral mesh by the ending of its name: `.vtk` (legacy form, ASCII or BINARY, unstructured grid) or
+---`.msh` (Gmsh 1, 2, 4.0 and 4.1, text or binary). Lengths are taken as mm. Nodes of no element are left out, which a
+---line on stderr tells. A broken file or an inverted element is an error with its line and its number in the file.
 ---```lua
 ---local path = os.tmpname() .. ".vtk"
 ---rhexis.mesh.bar():write(path)

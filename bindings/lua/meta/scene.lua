@@ -32,8 +32,9 @@ local Scene = {}
 ---@field young_modulus? number # Young's modulus [Pa]; above 0 up to 1e9; default 1000
 ---@field poisson_ratio? number # Poisson's ratio; 0 to 0.499; default 0.45
 ---@field density? number # [g/mm^3]; above 0 up to 0.1; default 0.00105
----@field fixed? rhexis.Selection # nodes that never move; default none
+---@field fixed? rhexis.Selection # nodes that never move, at least one; default none
 ---@field advance? "automatic"|"explicit"|"implicit" # way to advance it in time; default "automatic"
+---@field formulation? "automatic"|"linear"|"nodal_pressure"|"edge_smoothed" # of its elements; default "automatic"
 ---@field damping_mass? number # Rayleigh damping by mass [1/s]; 0 to 10000; default 0
 ---@field damping_stiffness? number # Rayleigh damping by stiffness [s]; 0 to 10; default 0
 ---@field buoyancy_density? number # density of the fluid around it [g/mm^3]; 0 to 0.1; default 0
@@ -42,7 +43,9 @@ local Scene = {}
 ---@field velocity? rhexis.Vec3 # of every free node at the start [mm/s]; default {0, 0, 0}
 ---@field fine? boolean # split every element into 8 for contact, sculpting and picture; default true
 
----Adds a deformable body.
+---Adds a deformable body. It meets tools and planes. Two bodies, or a body and a sheet, pass through each other, which
+---a line on stderr tells. How its elements are made and how it goes on in time: `formulation` and `advance`; where both
+---are automatic, edge-smoothed elements and implicit steps, which bend and keep their volume as thin bars do.
 ---```lua
 ---local scene = rhexis.scene.create()
 ---local bar = scene:add_solid { mesh = rhexis.mesh.bar(), young_modulus = 3000, fixed = { high = { 0, 2, 2 } } }
@@ -69,11 +72,13 @@ function Scene:add_solid(options) end
 ---@field sharpest_turn? number # of a tear from the way it came [degrees]; 0 to 180; default 90
 ---@field existing_edges? boolean # tear along edges of the mesh only; default false
 ---@field density? number # [g/mm^3]; above 0 up to 1; default 0.00105
+---@field buoyancy_density? number # density of the fluid around it [g/mm^3]; 0 to 1; default 0
 ---@field damping_mass? number # Rayleigh damping by mass [1/s]; 0 to 1e6; default 0
 ---@field damping_stiffness? number # Rayleigh damping by stiffness [s]; 0 to 10; default 0
----@field fixed? rhexis.Selection # nodes that only Membrane:move moves; default none
+---@field fixed? rhexis.Selection # nodes that only Membrane:move moves, at least one; default none
 
----Adds a thin sheet that stretches, wrinkles and, once it is punctured, tears where there is the energy for it.
+---Adds a thin sheet that has weight, stretches, wrinkles and, once it is punctured, tears where there is the energy for
+---it. It meets tools and planes; bodies and other sheets pass through it, which a line on stderr tells.
 ---```lua
 ---local scene = rhexis.scene.create()
 ---local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet { size = 2, triangles = 100 }, across = 3e5,
@@ -225,13 +230,14 @@ function Scene:step_count() end
 function Scene:state_hash() end
 
 ---@class rhexis.Contact
----@field solid integer # number of the body
----@field partner "tool"|"bag"|"plane" # what it touches
+---@field solid? integer # number of the body that touches; nil: a sheet does
+---@field membrane? integer # number of the sheet that touches; nil: a body does
+---@field partner "tool"|"bag"|"plane"|"dome"|"support"|"tube"|"layer"|"sheet"|"jaws" # what it touches
 ---@field partner_index integer # which one, from 1
 ---@field point rhexis.Vec3 # [mm]
 ---@field normal rhexis.Vec3 # unit, from the partner into the body
 ---@field gap number # [mm]; negative: penetration
----@field force rhexis.Vec3 # on the body, mean over the step [uN]
+---@field force rhexis.Vec3 # on the body or sheet, mean over the step [uN]
 ---@field sliding boolean # friction is at its limit
 
 ---Who touches what, as of the last step.

@@ -271,7 +271,11 @@ void MembraneBody::weigh() {
             mass_.inertia[at(row_of_[at(node)])] += model_->density * volume_[t] / 3.0;
         }
     }
-    mass_.weight.assign(node_of_.size(), 0.0);  // a capsule floats
+    const double share = 1.0 - model_->buoyancy_density / model_->density;
+    mass_.weight = mass_.inertia;
+    for (double& weight : mass_.weight) {
+        weight *= share;
+    }
 }
 
 double MembraneBody::springs_on_support(const std::vector<Vec3>& position) const {

@@ -113,8 +113,8 @@ ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const
                                      MembraneState& next) {
     follow(state);
     body_->follow_support(state.support.lift);
-    const ImplicitReport report = step_->step(state.position, state.velocity, Vec3::Zero(), external, dt, settings,
-                                              coupling, no_bodies_, motion_);
+    const ImplicitReport report =
+        step_->step(state.position, state.velocity, gravity_, external, dt, settings, coupling, no_bodies_, motion_);
     solves_ += report.newton_iterations;
     next = state;
     next.position = motion_.position;
@@ -122,7 +122,8 @@ ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const
     return report;
 }
 
-void MembraneStepper::load(const MembraneState& state) {
+void MembraneStepper::load(const WorldModel& world, const MembraneState& state) {
+    gravity_ = world.gravity;
     external_.clear();
     if (!state.loads.empty()) {
         external_.assign(state.position.size(), Vec3::Zero());
@@ -194,7 +195,7 @@ bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, 
 
 bool MembraneStepper::advance(const Task& task, MembraneState& next, MembraneStepReport& report, ContactSet& contacts,
                               int& rollbacks) {
-    load(task.state);
+    load(task.world, task.state);
     const std::size_t before = contacts.size();
     const int least = substeps_for(task);
     for (const int finer : {1, 4, 16}) {

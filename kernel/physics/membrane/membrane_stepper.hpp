@@ -50,7 +50,7 @@ private:
     MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel, const MembraneSolve& solve)
         : model_(&model), kernel_(&kernel), solve_(solve) {}
     void follow(const MembraneState& state);
-    void load(const MembraneState& state);
+    void load(const WorldModel& world, const MembraneState& state);
     bool run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report, ContactSet& contacts);
     ImplicitReport substep(const Task& task, int i, int divisions, const MembraneState& from, MembraneState& next,
                            ContactSet& contacts);
@@ -65,6 +65,7 @@ private:
     // scratch
     MembraneState between_;
     std::vector<Vec3> external_;
+    Vec3 gravity_ = Vec3::Zero();
     SheetContacts touching_;
     SheetGrips held_;
     SheetLayers layers_;

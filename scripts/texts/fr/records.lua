@@ -15,6 +15,14 @@ return {
     ["an error of the exercise's script ended it"] = "interrompu par une erreur du script de l'exercice",
     ["%s: %s %%, %s"] = "%s : %s %%, %s",
     [", passed"] = ", réussi",
+    ["%d of %d passes in a row"] = "réussites de suite : %d sur %d",
+    ["closed until these are passed: %s"] = "fermé jusqu'à la réussite de : %s",
+    ["✓ passed, ○ open, – closed; under it, attempts and the best score. The framed lesson comes next."] =
+        "✓ réussi, ○ ouvert, – fermé ; au-dessous, le nombre d'essais et la meilleure note. La leçon encadrée vient "
+            .. "ensuite.",
+    ["Nothing is stored yet."] = "Rien n'est enregistré pour l'instant.",
+    ["Cataract surgery, from the first touch to the whole operation"] =
+        "Chirurgie de la cataracte, du premier geste à l'opération entière",
     ["attempt"] = "essai",
     ["First %s %%, best %s %%."] = "Premier essai %s %%, meilleur %s %%.",
     ["First %s %%, none completed yet."] = "Premier essai %s %%, aucun terminé pour l'instant.",

@@ -352,6 +352,38 @@ says "1 rating by R1"
 expect 2 "another recording" "$rhexis" rate "$work/o1/parts/01_one" --answers "$work/o1-R1.json" --rater R1 \
     --records "$work/whole.db"
 
+# Courses: what is open, what is next, and what is closed.
+course() { # course CLOSED: two lessons
+    printf '{ "title": "Two", "closed": "%s", "lessons": [ { "exercise": "viscoelastic_removal" }, { "exercise": "groove" } ] }\n' "$1" >"$work/two.json"
+}
+course notice
+some=(--records "$work/cohort.db" --course "$work/two.json" --pass 0.05)
+expect 0 "" "$rhexis" records next P07 "${some[@]}"
+says "1  viscoelastic_removal      passed  since attempt 2"
+says "2  groove                    open    not tried"
+says "next: rhexis run groove --trainee P07 --course two"
+expect 0 "" "$rhexis" records next P08 "${some[@]}"
+says "viscoelastic_removal      open    1 attempt, 1 of 2 passes in a row"
+says "groove                    closed  until viscoelastic_removal is passed"
+expect 0 "" "$rhexis" records next NEW "${some[@]}"
+says "next: rhexis run viscoelastic_removal --trainee NEW"
+expect 0 "" "$rhexis" records course "$work/two.json" --records "$work/cohort.db" --html "$work/course.html" --language fr
+says "P07"
+grep -q "Retrait\|visco" "$work/course.html" || fail "the page does not name the lessons"
+! grep -q "passes in a row\|in a row" "$work/course.html" || fail "English on a French page"
+closed=("${attempt[@]}" --trainee P08 --records "$work/cohort.db" --course "$work/two.json")
+expect 0 "" "${closed[@]}" --out "$work/c1"
+grep -q "notice: groove is closed to P08 in the course two until viscoelastic_removal is passed" "$work/stderr" || fail "no notice"
+course refuse
+expect 2 "groove is closed to P08" "${closed[@]}" --out "$work/c2"
+[ ! -e "$work/c2" ] || fail "a closed lesson was begun"
+expect 2 "there is no course 'cataratc' (did you mean cataract?)" "$rhexis" records next P07 --records "$work/cohort.db" --course cataratc
+echo '{ "lessons": [ { "exercise": "groove", "after": ["navigation"] } ] }' >"$work/two.json"
+expect 2 "lesson 1: after: there is no lesson 'navigation' before it" "$rhexis" records next P07 "${some[@]}"
+echo '{ "lessons": [ { "exercise": "groov" } ] }' >"$work/two.json"
+expect 2 "there is no exercise 'groov' (did you mean groove?)" "$rhexis" records next P07 "${some[@]}"
+expect 0 "" "$rhexis" records next P07 --records "$work/cohort.db"  # the course that comes along
+
 # Deleting takes a yes, and takes all.
 expect 2 "nothing was deleted" "$rhexis" records delete P07
 expect 0 "" "$rhexis" records delete P07 --yes --runs

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+#include "records/lessons.hpp"
+
+namespace rhexis::cli {
+
+/// name: a file, or the name of one in root/courses. Fails also where a lesson's exercise is not there.
+Result<records::LessonPlan> read_course(const std::string& name, const std::string& root);
+
+/// The course that is named, or that RHEXIS_COURSE names; "": none.
+std::string course_named(const std::string& given);
+
+}  // namespace rhexis::cli

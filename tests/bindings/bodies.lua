@@ -1,0 +1,106 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Bodies and sheets of a scene of one's own, against closed forms.
+
+-- Gravity acts on a sheet as on a block; a held one pulls at its edge with its weight.
+do
+    local scene = rhexis.scene.create { step = 0.01 }
+    local sheet = scene:add_membrane { sheet = rhexis.mesh.sheet { size = 10, triangles = 200 } }
+    assert(scene:step(50))
+    local fallen, expected = -sheet:position(1)[3], 0.5 * 9810 * 0.5 ^ 2
+    assert(math.abs(fallen / expected - 1) < 0.03, ("a free sheet fell %g mm of %g"):format(fallen, expected))
+
+    local held = rhexis.scene.create { step = 0.01 }
+    local function edge(x) return x < 1e-9 or x > 10 - 1e-9 end
+    local cloth = held:add_membrane { sheet = rhexis.mesh.sheet { size = 10, triangles = 400 }, along = 1e4,
+        thickness = 0.1, density = 0.1, damping_mass = 20, fixed = edge }
+    assert(held:step(300))
+    local weight, carried = 10 * 10 * 0.1 * 0.1 * 9810, -cloth:force(edge)[3]
+    local own = carried / weight  -- what hangs on the free nodes; the held ones carry themselves
+    assert(own > 0.9 and own < 1.02, ("the edge carries %g of %g uN"):format(carried, weight))
+
+    local floating = rhexis.scene.create { step = 0.01 }
+    local light = floating:add_membrane { sheet = rhexis.mesh.sheet { size = 2, triangles = 50 },
+        buoyancy_density = 0.00105 }
+    assert(floating:step(20))
+    assert(math.abs(light:position(1)[3]) < 1e-9, "what floats falls")
+end
+
+-- A cantilever under a load at its tip, after Timoshenko: shear counts.
+local function cantilever(poisson_ratio, across, options)
+    local length, height, young_modulus, force = 16, 2, 3000, 0.4
+    local scene = rhexis.scene.create { gravity = { 0, 0, 0 }, step = 0.02, tolerance = 1e-9 }
+    options.mesh = rhexis.mesh.bar { cells = { length / height * across, across, across }, cell = height / across }
+    options.young_modulus, options.poisson_ratio, options.damping_mass = young_modulus, poisson_ratio, 5
+    options.fixed, options.fine = { high = { 1e-6, height, height } }, false
+    local bar = scene:add_solid(options)
+    local tip = bar:select { low = { length - 1e-6, -1, -1 } }
+    local start = bar:center(tip)
+    bar:load(tip, { 0, 0, -force })
+    assert(scene:step(400))
+    local second, area = height ^ 4 / 12, height * height
+    local shear = young_modulus / (2 * (1 + poisson_ratio))
+    local expected = force * length ^ 3 / (3 * young_modulus * second) + force * length / (5 / 6 * shear * area)
+    return (start[3] - bar:center(tip)[3]) / expected
+end
+for _, poisson_ratio in ipairs { 0.3, 0.45, 0.49 } do
+    for _, across in ipairs { 2, 4 } do
+        local ratio = cantilever(poisson_ratio, across, {})
+        assert(math.abs(ratio - 1) < 0.1, ("nu %g, %d across: %g of Timoshenko"):format(poisson_ratio, across, ratio))
+    end
+end
+
+-- Each pair of formulation and advance works, or is refused in one line.
+local refused = { ["nodal_pressure implicit"] = true, ["edge_smoothed explicit"] = true }
+for _, formulation in ipairs { "automatic", "linear", "nodal_pressure", "edge_smoothed" } do
+    for _, advance in ipairs { "automatic", "explicit", "implicit" } do
+        local scene = rhexis.scene.create()
+        local ok, message = pcall(scene.add_solid, scene, { mesh = rhexis.mesh.bar(), young_modulus = 3000,
+            formulation = formulation, advance = advance, fixed = { high = { 0, 2, 2 } } })
+        local pair = formulation .. " " .. advance
+        assert(ok == not refused[pair], pair .. ": " .. tostring(message))
+        if ok then assert(scene:step(3), pair) else assert(message:find("formulation.*goes with advance"), message) end
+    end
+end
+
+-- A selection that is given means something.
+do
+    local scene = rhexis.scene.create()
+    local nowhere = { high = { -5, -5, -5 } }
+    for _, add in ipairs { { scene.add_solid, { mesh = rhexis.mesh.bar(), fixed = nowhere } },
+        { scene.add_membrane, { sheet = rhexis.mesh.sheet(), fixed = nowhere } } } do
+        local ok, message = pcall(add[1], scene, add[2])
+        assert(not ok and message:find("fixed: no node was selected"), tostring(message))
+    end
+end
+
+-- Contacts say what they are of, and forces at rest do not depend on the step.
+local function pushed(step)
+    local scene = rhexis.scene.create { gravity = { 0, 0, 0 }, step = step, tolerance = 1e-8 }
+    scene:add_solid { mesh = rhexis.mesh.bar { cells = { 6, 6, 3 }, cell = 1 }, young_modulus = 3000,
+        damping_mass = 20, fixed = { high = { 6, 6, 0.01 } } }
+    local ball = scene:add_ball { radius = 1, position = { 3, 3, 4.1 }, friction = 0 }
+    local steps = math.floor(0.5 / step + 0.5)
+    for i = 1, steps do
+        ball:move_to { 3, 3, 4.1 - 0.6 * i / steps }
+        assert(scene:step())
+    end
+    assert(scene:step(2 * steps))
+    for _, contact in ipairs(scene:contacts()) do
+        assert(contact.solid == 1 and contact.membrane == nil and contact.partner == "tool")
+    end
+    return ball:force()[3]
+end
+local coarse, middle, fine = pushed(0.02), pushed(0.01), pushed(0.004)
+assert(math.abs(coarse / fine - 1) < 0.03 and math.abs(middle / fine - 1) < 0.03,
+    ("the force at rest depends on the step: %g, %g, %g uN"):format(coarse, middle, fine))
+do
+    local scene = rhexis.scene.create()
+    scene:add_plane { point = { 0, 0, -0.5 } }
+    scene:add_membrane { sheet = rhexis.mesh.sheet { size = 4, triangles = 100 }, density = 0.01 }
+    local found
+    for _ = 1, 60 do
+        assert(scene:step())
+        found = found or scene:contacts()[1]
+    end
+    assert(found == nil or (found.membrane == 1 and found.solid == nil and found.partner == "plane"))
+end
