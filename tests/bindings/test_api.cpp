@@ -48,6 +48,10 @@ TEST_SUITE("bindings") {
 
     TEST_CASE("every example of the stubs runs") { expect_success(run("tests/bindings/stub_examples.lua")); }
 
+    TEST_CASE("bodies and sheets of a scene of one's own do what closed forms say") {
+        expect_success(run("tests/bindings/bodies.lua"));
+    }
+
     TEST_CASE("docs/api.md is what the stubs say") {
         // docs/api.md is made by: rhexis lua scripts/dev/api/reference.lua > docs/api.md
         expect_success(run("tests/bindings/reference_is_fresh.lua"));

@@ -114,7 +114,8 @@ TEST_CASE("a curriculum with a mistake is one line with file and line") {
     const Folder d("return 3");
     CHECK(holds(complaint(options_for(d.path())), "must end with: return exercise"));
     const Folder e(
-        "return exercise { title = 'x', tissues = { 'lens' }, instruments = { 'phaco' }, steps = {},\n"
+        "return exercise { title = 'x', tissues = { 'lens' }, instruments = { 'phaco' }, steps = { step 'a' { done = "
+        "'time_s > 1' } },\n"
         " patient = { age = 0/0 } }");
     CHECK(holds(complaint(options_for(e.path())), "demo/curriculum.lua:2: patient: age must be a number"));
     for (const Folder* folder : {&a, &b, &c, &d, &e}) {

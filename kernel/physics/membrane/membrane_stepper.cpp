@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,7 @@ ImplicitSettings scene_settings(const MembraneSolve& solve, bool predict) {
             .most_travel = 0.2};
 }
 
+constexpr double share_of_weight = 0.1;  // residual force that leaves a sheet at rest, at most
 constexpr double farthest = 0.1;            // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.5;  // and that of the radius of its thinnest end
 constexpr int most_substeps = 20;
@@ -135,6 +137,15 @@ void MembraneStepper::load(const WorldModel& world, const MembraneState& state) 
     }
 }
 
+/// The weight of a light sheet that hangs free is not taken for nothing. What has no weight does not ask.
+double MembraneStepper::finest_force() const {
+    double squares = 0.0;
+    for (const double weight : body_->mass().weight) {
+        squares += weight * weight;
+    }
+    return squares > 0.0 ? share_of_weight * gravity_.norm() * std::sqrt(squares) : std::numeric_limits<double>::max();
+}
+
 /// Substep i of a step: the instruments go on along their way.
 ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, const MembraneState& from,
                                         MembraneState& next, ContactSet& contacts) {
@@ -158,8 +169,11 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
             layers_.terms(position, terms);
         };
     }
-    const ImplicitReport report =
-        step(from, external_, dt, scene_settings(solve_, model_->damping_stiffness == 0.0), coupling, next);
+    follow(from);
+    ImplicitSettings settings = scene_settings(solve_, model_->damping_stiffness == 0.0);
+    settings.force_tolerance = std::min(settings.force_tolerance, finest_force());
+    settings.rest_tolerance = std::min(settings.rest_tolerance, finest_force());
+    const ImplicitReport report = step(from, external_, dt, settings, coupling, next);
     touching_.settle(next.position, poses_, dt);
     touching_.report(task.dt, contacts);
     next.touches = touching_.touches();

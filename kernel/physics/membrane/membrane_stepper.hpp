@@ -52,6 +52,7 @@ private:
     void follow(const MembraneState& state);
     void load(const WorldModel& world, const MembraneState& state);
     bool run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report, ContactSet& contacts);
+    [[nodiscard]] double finest_force() const;
     ImplicitReport substep(const Task& task, int i, int divisions, const MembraneState& from, MembraneState& next,
                            ContactSet& contacts);
 

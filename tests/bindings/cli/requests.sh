@@ -51,7 +51,7 @@ expect 1 "surgeon.lua:7: the exercise has no request 'Botle down' (did you mean 
     "$rhexis" run "$work/other" --surgeon d --seed 3 --no-pictures --json --out "$work/wrong"
 sed -i 's/requested.bottle/requested.botle/' "$work/other/curriculum.lua"
 expect 1 "unknown measure 'requested.botle_down' (did you mean requested.bottle_down?)" "$rhexis" check "$work/other"
-sed -i 's/bottle_cm/botle_cm/' "$work/other/curriculum.lua"
+sed -i 's/requested.botle/requested.bottle/; s/bottle_cm/botle_cm/' "$work/other/curriculum.lua"
 expect 1 "there is no setting 'machine.botle_cm' (did you mean machine.bottle_cm?)" "$rhexis" check "$work/other"
 sed -i 's/machine.botle_cm.] = 45/wound.leak_ml_min"] = 4/' "$work/other/curriculum.lua"
 expect 1 "wound.leak_ml_min is fixed before the first step" "$rhexis" check "$work/other"
