@@ -18,4 +18,4 @@ found() { # found ARGUMENTS...: what a program that asks quietly learns
 }
 [ "$(found)" = 1 ]
 [ "$(found -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)" = 0 ]
-[ "$(PKG_CONFIG_LIBDIR=/nonexistent found)" = FALSE ]
+[ "$(PKG_CONFIG_LIBDIR=/nonexistent found)" = 0 ]

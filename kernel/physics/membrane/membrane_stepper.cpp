@@ -28,7 +28,7 @@ ImplicitSettings scene_settings(const MembraneSolve& solve, bool predict) {
             .most_travel = 0.2};
 }
 
-constexpr double share_of_weight = 0.1;  // residual force that leaves a sheet at rest, at most
+constexpr double share_of_weight = 0.1;     // residual force that leaves a sheet at rest, at most
 constexpr double farthest = 0.1;            // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.5;  // and that of the radius of its thinnest end
 constexpr int most_substeps = 20;
