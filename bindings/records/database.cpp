@@ -110,7 +110,11 @@ void Writing::commit() {
 
 Status open_database(soci::session& sql, const std::string& path, Opening how) {
     std::error_code failed;
-    if (path.find('"') != std::string::npos || path.empty()) {
+    if (path.empty()) {  // as default_store says it
+        return Error{"there is no place for a record store: neither HOME nor XDG_DATA_HOME is set", "",
+                     "--records FILE, or RHEXIS_RECORDS"};
+    }
+    if (path.find('"') != std::string::npos) {
         return Error{"no name for a record store", path, "a path without quotation marks"};
     }
     if (fs::is_directory(path, failed)) {
