@@ -23,6 +23,7 @@ count() { sql "SELECT count(*) FROM $1"; }
 expect 0 "" "${attempt[@]}" --out "$work/plain"
 [ ! -e "$work/store" ] && [ ! -e "$work/plain/attempt.json" ] || fail "an attempt of nobody was stored"
 expect 2 "there is no record store" "$rhexis" records list
+expect 2 "neither HOME nor XDG_DATA_HOME is set" env -u HOME -u XDG_DATA_HOME -u RHEXIS_RECORDS "$rhexis" records list
 expect 2 "e-mail" "${attempt[@]}" --out "$work/a" --trainee jo@clinic.org
 expect 2 "is no pseudonym" "${attempt[@]}" --out "$work/a" --trainee "Jo Smith"
 expect 2 "--trainee PSEUDONYM" "${attempt[@]}" --out "$work/a" --cohort 2026
