@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "base/hash.hpp"
+#include "base/near_names.hpp"
 #include "base/output_file.hpp"
 
 namespace rhexis::cli {
@@ -83,6 +84,32 @@ Result<std::string> read_whole_file(const std::string& path) {
         return Error{std::string("cannot read: ") + std::strerror(errno), path, ""};
     }
     return std::move(content).str();
+}
+
+namespace {
+
+std::vector<std::string> json_files_in(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+        if (at->path().extension() == ".json") {
+            names.push_back(at->path().stem().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+Result<std::string> find_json_file(const std::string& kind, const std::string& name, const std::string& folder) {
+    std::error_code ignored;
+    for (const std::string& path : {name, folder + "/" + name + ".json"}) {
+        if (fs::is_regular_file(path, ignored)) {
+            return path;
+        }
+    }
+    return Error{"there is no " + kind + " '" + name + "'", "", suggestion(name, json_files_in(folder))};
 }
 
 Result<nlohmann::json> read_json_file(const std::string& path) {

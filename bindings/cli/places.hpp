@@ -22,6 +22,9 @@ Status prepare_folder(const std::string& folder);
 
 Result<std::string> read_whole_file(const std::string& path);
 
+/// A file that is named by its path, or as NAME of folder/NAME.json. kind: what it is, for the message: "study".
+Result<std::string> find_json_file(const std::string& kind, const std::string& name, const std::string& folder);
+
 /// The JSON object in a file that rhexis run wrote.
 Result<nlohmann::json> read_json_file(const std::string& path);
 

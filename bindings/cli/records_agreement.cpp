@@ -69,10 +69,7 @@ Result<json> agreement_of(const RecordsOptions& given) {
     if (!store) {
         return store.error();
     }
-    records::Wanted wanted = wanted_by(given);
-    wanted.finished = true;
-    wanted.details = true;
-    const Result<std::vector<records::Attempt>> attempts = store.value().attempts(wanted);
+    const Result<std::vector<records::Attempt>> attempts = finished_attempts(store.value(), given);
     const Result<std::vector<records::Rating>> ratings = store.value().ratings();
     if (!attempts || !ratings) {
         return attempts ? ratings.error() : attempts.error();

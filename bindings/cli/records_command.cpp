@@ -72,6 +72,13 @@ records::Wanted wanted_by(const RecordsOptions& given) {
     return wanted;
 }
 
+Result<std::vector<Attempt>> finished_attempts(Store& store, const RecordsOptions& given) {
+    records::Wanted wanted = wanted_by(given);
+    wanted.finished = true;
+    wanted.details = true;
+    return store.attempts(wanted);
+}
+
 Status check_wanted(Store& store, const RecordsOptions& given, const std::vector<Attempt>& found) {
     if (!found.empty()) {
         return success();

@@ -40,6 +40,9 @@ struct RecordsOptions {
 /// could store it are stored now.
 Result<records::Store> open_records(const RecordsOptions& given);
 
+/// The finished attempts that the filter lets through, with their events and items, oldest first.
+Result<std::vector<records::Attempt>> finished_attempts(records::Store& store, const RecordsOptions& given);
+
 records::Wanted wanted_by(const RecordsOptions& given);
 
 /// Fails where nothing was found because a name of the filter is nowhere in the store.

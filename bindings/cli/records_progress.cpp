@@ -37,10 +37,7 @@ Result<std::vector<NamedCourse>> courses_of(const RecordsOptions& given, const C
     if (!store) {
         return store.error();
     }
-    records::Wanted wanted = wanted_by(given);
-    wanted.finished = true;
-    wanted.details = true;
-    const Result<std::vector<Attempt>> attempts = store.value().attempts(wanted);
+    const Result<std::vector<Attempt>> attempts = finished_attempts(store.value(), given);
     if (!attempts) {
         return attempts.error();
     }

@@ -19,28 +19,6 @@ using nlohmann::json;
 
 constexpr std::uint64_t most_seeds = 1000;
 
-std::vector<std::string> studies_in(const std::string& root) {
-    std::vector<std::string> names;
-    std::error_code failed;
-    for (fs::directory_iterator at(root + "/studies", failed), end; !failed && at != end; at.increment(failed)) {
-        if (at->path().extension() == ".json") {
-            names.push_back(at->path().stem().string());
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-Result<std::string> path_of(const std::string& name, const std::string& root) {
-    std::error_code ignored;
-    for (const std::string& path : {name, root + "/studies/" + name + ".json"}) {
-        if (fs::is_regular_file(path, ignored)) {
-            return path;
-        }
-    }
-    return Error{"there is no study '" + name + "'", "", suggestion(name, studies_in(root))};
-}
-
 /// Reads fields one after the other; the first mistake stays.
 class Fields {
 public:
@@ -131,7 +109,7 @@ Result<StudyExercise> exercise_from(const json& given, const std::string& where)
 }  // namespace
 
 Result<StudyPlan> read_study(const std::string& name, const std::string& root) {
-    const Result<std::string> path = path_of(name, root);
+    const Result<std::string> path = find_json_file("study", name, root + "/studies");
     if (!path) {
         return path.error();
     }

@@ -5,6 +5,7 @@
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "records/known_keys.hpp"
 
 namespace rhexis::records {
 namespace {
@@ -47,17 +48,6 @@ Status take_gate(const json& given, const std::string& where, Gate& gate) {
     return success();
 }
 
-/// What stands beside the gates themselves.
-Status check_keys(const json& given, const std::string& where) {
-    const std::vector<std::string> known = {"note", "usual", "exercises"};
-    for (const auto& [key, value] : given.items()) {
-        if (std::find(known.begin(), known.end(), key) == known.end()) {
-            return Error{"what is " + key + "?", where, suggestion(key, known)};
-        }
-    }
-    return success();
-}
-
 bool left_a_critical_error(const Attempt& attempt) {
     return std::any_of(attempt.events.begin(), attempt.events.end(),
                        [](const EventRow& event) { return event.severity == "critical" && !event.recovered; });
@@ -75,7 +65,7 @@ Result<Gates> gates_from(const json& given, const std::string& where) {
     if (!given.is_object()) {
         return Error{"gates are an object", where, R"({"usual": {...}, "exercises": {...}})"};
     }
-    Status status = check_keys(given, where);
+    Status status = check_keys(given, {"note", "usual", "exercises"}, where);
     if (status) {
         status = take_gate(given.value("usual", json::object()), where + ": usual", gates.usual);
     }

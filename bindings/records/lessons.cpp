@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/near_names.hpp"
+#include "records/known_keys.hpp"
 
 namespace rhexis::records {
 namespace {
@@ -12,15 +13,6 @@ using nlohmann::json;
 
 constexpr const char* form =
     R"({"title": "...", "closed": "notice", "lessons": [{"exercise": "groove", "after": ["navigation"]}]})";
-
-Status check_keys(const json& given, const std::vector<std::string>& known, const std::string& where) {
-    for (const auto& [key, value] : given.items()) {
-        if (std::find(known.begin(), known.end(), key) == known.end()) {
-            return Error{"what is " + key + "?", where, suggestion(key, known)};
-        }
-    }
-    return success();
-}
 
 Status take_after(const json& given, const std::vector<std::string>& before, const std::string& where, Lesson& lesson) {
     if (!given.is_array()) {
