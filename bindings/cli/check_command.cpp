@@ -28,8 +28,9 @@ constexpr const char* check_help =
     "range,\n"
     "steps that are never reached, conditions that never change, recoveries that can never hold. Then what the "
     "trainee\n"
-    "is to learn, the "
-    "levels, the texts that lack a translation, and notes: what is no mistake of form, but may not do what was meant.\n"
+    "is to learn, the levels, the texts that lack a translation, and notes: what is no mistake of form, but may not "
+    "do\n"
+    "what was meant.\n"
     "A file that is wrong does not hide what is wrong in the files beside it. Of scenario tests it checks form, "
     "exercise, settings and start; rhexis test runs them.";
 
@@ -237,7 +238,9 @@ Result<Findings> check_levels(const std::string& path, const Context& context) {
         }
         const Result<Findings> harder = dry_run({path, "none", 1, {{"level", level}}, context.root});
         if (!harder) {
-            add_fault(found.value(), Error{"level " + level + ": " + harder.error().text(), "", ""});
+            for (const std::string& fault : harder.error().lines()) {
+                add_fault(found.value(), Error{"level " + level + ": " + fault, "", ""});
+            }
             continue;
         }
         for (const std::string& fault : harder.value().faults) {

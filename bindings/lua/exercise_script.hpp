@@ -57,7 +57,7 @@ public:
     Result<std::vector<Command>> observe(const Observation& observation, const std::vector<std::string>& asked);
     [[nodiscard]] bool finished() const { return finished_; }
     /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "declared_requests",
-    /// "watch", "reached", "review", "vocabulary", "vocabulary_of".
+    /// "watch", "reached", "review", "vocabulary", "vocabulary_of", "mistakes_of".
     Result<nlohmann::json> ask(const char* function, const nlohmann::json& argument = nullptr);
 
 private:

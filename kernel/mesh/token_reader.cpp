@@ -125,9 +125,10 @@ void TokenReader::skip_behind(std::string_view text) {
         fail("the file ends early", std::string(text) + " should follow");
         return;
     }
-    line_ += static_cast<int>(std::count(text_.begin() + static_cast<std::ptrdiff_t>(at_),
-                                         text_.begin() + static_cast<std::ptrdiff_t>(found), '\n'));
-    at_ = found + text.size();
+    for (; at_ < found; ++at_) {
+        line_ += ends_line(text_, at_) ? 1 : 0;
+    }
+    at_ += text.size();
 }
 
 std::uint64_t TokenReader::raw(std::string_view expected, int bytes) {

@@ -201,7 +201,7 @@ function words.try(f, ...)
     if ok then return result end
     if type(result) ~= "string" then error(result, 0) end
     local follows = #mistakes > 0 and result:find("^scripts/")  -- the engine met what a mistake left out
-    if not follows then note((result:gsub(between, " "))) end
+    if not follows then note(words.plain((result:gsub("[\n" .. between .. "]", " ")))) end
     return nil
 end
 

@@ -1,12 +1,15 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What bindings/lua/surgeon_script.cpp calls: chooses a person and a plan, and hands samples of instruments back.
 
+local globals = require "engine.globals"
 local groups = require "surgeons.groups"
 local operator = require "surgeons.operator"
 local random = require "surgeons.random"
 local words = require "engine.words"
 
 local surgeon = {}
+
+globals.refuse_unknown()
 
 local function known_names()
     local names = { "none", "random" }

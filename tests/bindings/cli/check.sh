@@ -94,6 +94,12 @@ curriculum "$good_step" '' 'objectives = { tostrng(3) },'
 wrong 7 "there is no word 'tostrng' (did you mean tostring?)"
 curriculum "$good_step" '' 'objectives = { zzzzzz.x },'
 wrong 7 "there is no word 'zzzzzz'"
+curriculum "$good_step" '' ''
+echo 'return speed_of_hand(1)' >"$work/mine/surgeon.lua"
+expect 1 "mine/surgeon.lua:1: there is no word 'speed_of_hand'" "$rhexis" check "$work/mine"
+rm "$work/mine/surgeon.lua"
+printf 'error("first\\nsecond \\27[31m")\n' >"$work/mine/curriculum.lua"
+wrong 1 'first second \27[31m'
 
 # Steps that are never reached.
 curriculum 'step "a" { done = "iris.touch", next = "c" }, step "b" { done = "iris.touch" }, step "c" { done = "iris.touch" }' '' ''
