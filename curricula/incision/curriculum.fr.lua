@@ -21,7 +21,7 @@ return {
     ["Main incision"] = "Incision principale",
     ["Keratome at the limbus: first within the cornea along its slope, then level, until the shoulders of the "
         .. "blade are through. Straight back, without moving sideways."] =
-        "Le couteau au limbe : d'abord dans la cornée le long de sa pente, puis à plat, jusqu'à ce que les épaules "
+        "Le kératome au limbe : d'abord dans la cornée le long de sa pente, puis à plat, jusqu'à ce que les épaules "
             .. "de la lame soient passées. Tout droit en arrière, sans mouvement de côté.",
     ["Is it tight?"] = "Est-ce étanche ?",
     ["Everything out. Is there fluid at the lip? Then hydrate or suture it."] =

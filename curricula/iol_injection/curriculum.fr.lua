@@ -22,13 +22,13 @@ return {
         "Si la chambre est étroite, remplissez-la à la canule.",
     ["Bring the tip before the opening"] = "Amener la buse devant l'ouverture",
     ["Injector through the main incision, its mouth through the opening, under the rim."] =
-        "L'injecteur par l'incision principale, sa bouche à travers l'ouverture, sous le bord.",
+        "L'injecteur par l'incision principale, sa buse à travers l'ouverture, sous le bord.",
     ["Push the leading haptic into the bag"] = "Pousser la première haptique dans le sac",
     ["Slowly: the leading haptic comes first. Point it down, under the far rim."] =
         "Lentement : la première haptique sort d'abord. Dirigez-la vers le bas, sous le bord opposé.",
     ["Release the optic"] = "Libérer l'optique",
     ["Push on evenly. When the optic is half out, draw the mouth back to the near edge, still under the rim."] =
-        "Poussez régulièrement. L'optique à demi sortie, reculez la bouche vers le bord proche, toujours sous "
+        "Poussez régulièrement. L'optique à demi sortie, reculez la buse vers le bord proche, toujours sous "
             .. "le bord.",
     ["Turn the trailing haptic in"] = "Faire entrer l'haptique arrière",
     ["If a haptic lies before the rim: lens forceps. Draw its arm in by its middle, then by its elbow "

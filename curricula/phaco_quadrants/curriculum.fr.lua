@@ -22,7 +22,7 @@ return {
     ["Take out the quarters"] = "Enlever les quadrants",
     ["Bury the tip with a touch of ultrasound, go back to pedal 2 and wait for the vacuum. Draw the piece to the "
         .. "middle and up, then pulse. When it clears, be at pedal 1 before the capsule comes."] =
-        "Enfoncez la pointe avec un peu d'ultrasons, revenez à la pédale 2 et attendez le vide. Amenez le fragment "
+        "Enfoncez la pointe avec un peu d'ultrasons, revenez en pédale 2 et attendez le vide. Amenez le fragment "
             .. "au centre et en haut, puis pulsez. Quand il passe, soyez en pédale 1 avant que la capsule n'arrive.",
     ["Leave the eye"] = "Sortir de l'œil",
     ["Pedal 1, tip over the lens, and out through the wound with irrigation on."] =

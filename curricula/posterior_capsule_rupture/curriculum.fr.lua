@@ -11,7 +11,7 @@ return {
         "Le cristallin est enlevé, et un bord rond et net apparaît dans la lueur : un trou de la capsule postérieure. "
             .. "Tout ce qui fait maintenant chuter la pression agrandit le trou et laisse venir le vitré. Maintenez la "
             .. "chambre, déposez du viscoélastique sur le trou, et ne sortez qu'ensuite. Ce qui est venu en avant "
-            .. "malgré tout est blanchi, puis coupé.",
+            .. "malgré tout est marqué à la triamcinolone, puis coupé.",
     ["Leave the tip in when the capsule tears, and aspirate nothing"] =
         "Laisser la pointe dans l'œil quand la capsule se déchire, et ne rien aspirer",
     ["Cover the hole with viscoelastic through the side port before the tip leaves"] =

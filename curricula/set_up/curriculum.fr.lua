@@ -30,7 +30,7 @@ return {
     ["Not ready yet: lashes carry germs into the wound. Lead the drape over them once more."] =
         "Pas encore prêt : les cils portent des germes dans l'incision. Repassez le champ sur eux.",
     ["Pedal not tested"] = "Pédale non essayée",
-    ["Nobody has seen the infusion run."] = "Personne n'a vu couler l'infusion.",
+    ["Nobody has seen the infusion run."] = "Personne n'a vu couler l'irrigation.",
     ["Tip in the air, pedal to 1, 2 and 3: infusion runs, the pump draws, ultrasound sounds."] =
-        "La pointe en l'air, pédale en 1, 2 et 3 : l'infusion coule, la pompe aspire, les ultrasons s'entendent.",
+        "La pointe en l'air, pédale en 1, 2 et 3 : l'irrigation coule, la pompe aspire, les ultrasons s'entendent.",
 }

@@ -12,12 +12,12 @@ return {
     ["Aspirate in front of the implant and round the angle"] = "Aspirer devant l'implant et tout autour de l'angle",
     ["Aspirate behind the optic, or rock it, until it lies still"] =
         "Aspirer derrière l'optique, ou la faire basculer, jusqu'à ce qu'elle repose immobile",
-    ["Keep the posterior capsule out of the mouth"] = "Garder la capsule postérieure hors de la bouche",
+    ["Keep the posterior capsule out of the mouth"] = "Garder la capsule postérieure hors de l'orifice",
     ["In front of the implant"] = "Devant l'implant",
-    ["Tip over the optic, mouth up, pedal 2."] = "La pointe au-dessus de l'optique, bouche en haut, pédale en 2.",
+    ["Tip over the optic, mouth up, pedal 2."] = "La pointe au-dessus de l'optique, orifice en haut, pédale en 2.",
     ["Behind the implant"] = "Derrière l'implant",
     ["Past the edge of the optic, the mouth up, and aspirate there; or press its edge to rock it."] =
-        "Au-delà du bord de l'optique, bouche en haut, et aspirez là ; ou appuyez sur son bord pour la faire "
+        "Au-delà du bord de l'optique, orifice en haut, et aspirez là ; ou appuyez sur son bord pour la faire "
             .. "basculer.",
     ["Come out"] = "Sortir",
     ["Straight out through the incision, irrigation on."] = "Tout droit par l'incision, irrigation ouverte.",

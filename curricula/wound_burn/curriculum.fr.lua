@@ -15,7 +15,7 @@ return {
         "Reconnaître une pointe bouchée à l'écran et au nuage laiteux, et arrêter aussitôt les ultrasons",
     ["Have the tip cleared outside of the eye, and see that it flows before going on"] =
         "Faire déboucher la pointe hors de l'œil, et vérifier que le liquide coule avant de continuer",
-    ["the line of the infusion is kinked instead"] = "c'est la tubulure d'infusion qui est coudée",
+    ["the line of the infusion is kinked instead"] = "c'est la tubulure d'irrigation qui est coudée",
     ["Enter the eye and come to the lens"] = "Entrer dans l'œil et approcher le cristallin",
     ["In through the main incision with irrigation on (pedal 1). Then pedal 2: look whether the panel shows flow."] =
         "Entrez par l'incision principale, irrigation ouverte (pédale en 1). Puis pédale en 2 : voyez si l'écran "

@@ -24,7 +24,7 @@ return {
     ["goes in after some attempts, wound distorted"] = "entre après quelques essais, incision déformée",
     ["both go in at once, nothing touched"] = "les deux entrent du premier coup, rien n'est touché",
     ["tips wander; wrong pedal; ultrasound in the wrong place"] =
-        "pointes errantes ; pédale fausse ; ultrasons au mauvais endroit",
+        "pointes errantes ; mauvaise position de pédale ; ultrasons au mauvais endroit",
     ["mostly steady; tips now and then lost"] = "assez stable ; pointes parfois perdues de vue",
     ["tips steady and seen, pedal in command throughout"] = "pointes stables et vues, pédale toujours maîtrisée",
     ["groove too shallow or through; nucleus pushed about"] = "sillon trop peu profond ou traversant ; noyau bousculé",
@@ -41,7 +41,7 @@ return {
     ["much cortex left; capsule caught"] = "beaucoup de cortex laissé ; capsule aspirée",
     ["most cortex removed, slowly or with help"] = "cortex retiré en grande partie, lentement ou avec aide",
     ["all cortex removed, port up, capsule never caught"] =
-        "tout le cortex retiré, bouche en haut, capsule jamais aspirée",
+        "tout le cortex retiré, orifice en haut, capsule jamais aspirée",
     ["implant not in the bag, or upside down"] = "implant hors du sac, ou à l'envers",
     ["in the bag after several manoeuvres"] = "dans le sac après plusieurs manœuvres",
     ["led into the bag at once, centred"] = "mené dans le sac du premier coup, centré",

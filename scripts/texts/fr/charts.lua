@@ -120,7 +120,7 @@ return {
     ["hydration cannula"] = "canule d'hydratation",
     ["irrigation and aspiration tip"] = "canule d'irrigation-aspiration",
     ["injector"] = "injecteur",
-    ["keratome"] = "couteau à tunnel",
+    ["keratome"] = "kératome",
     ["lens forceps"] = "pince à implant",
     ["needle holder"] = "porte-aiguille",
     ["phaco"] = "sonde de phaco",

@@ -33,7 +33,7 @@ return {
     ["Not scored: "] = "Non noté : ",
     ["Begun (1: yes)"] = "Commencé (1 : oui)",
     ["What this item judges was not begun"] = "Ce que cet item juge n'a pas été commencé",
-    ["Go on to it: what is not done earns the least."] = "Allez jusque-là : ce qui n'est pas fait rapporte le moins.",
+    ["Go on to it: what is not done earns the least."] = "Allez jusque-là : ce qui n'est pas fait rapporte le minimum.",
     ["the least level of the rubric: not achieved"] = "le niveau le plus bas de la grille : non atteint",
     ["nothing that this attempt showed tells of it."] = "rien dans cet essai ne permet d'en juger.",
     ["needs teaching"] = "à former",

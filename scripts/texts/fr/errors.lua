@@ -29,7 +29,7 @@ return {
     ["Posterior capsule drawn in"] = "Capsule postérieure aspirée",
     ["Folds run like a star to the tip."] = "Des plis convergent en étoile vers la pointe.",
     ["Pedal up at once, and do not pull away. Turn the mouth up, so that you see it, before you aspirate again."] =
-        "Lâchez aussitôt la pédale, sans tirer. Tournez la bouche vers le haut, pour la voir, avant d'aspirer de "
+        "Lâchez aussitôt la pédale, sans tirer. Tournez l'orifice vers le haut, pour le voir, avant d'aspirer de "
             .. "nouveau.",
     ["Cortex left"] = "Cortex laissé",
     ["White tags hang in the fornix when the tip has left."] =
@@ -101,19 +101,19 @@ return {
     ["Capsule in the tip"] = "Capsule dans l'embout",
     ["The capsule is in the tip: let go of the pedal, and do not pull away while it is held."] =
         "La capsule est dans l'embout : lâchez la pédale, et ne tirez pas tant qu'elle est retenue.",
-    ["Infusion off"] = "Infusion arrêtée",
+    ["Infusion off"] = "Irrigation arrêtée",
     ["Nothing flows through the bottle's drip chamber, and the chamber does not deepen."] =
-        "Rien ne coule dans le compte-gouttes du flacon, et la chambre ne s'approfondit pas.",
+        "Rien ne coule dans la chambre compte-gouttes du flacon, et la chambre ne s'approfondit pas.",
     ["Ultrasound without flow heats the wound: let go of ultrasound at once, open the infusion, and see that it "
         .. "flows before you go on."] =
-        "Les ultrasons sans flux chauffent l'incision : arrêtez-les aussitôt, ouvrez l'infusion, et vérifiez "
+        "Les ultrasons sans flux chauffent l'incision : arrêtez-les aussitôt, ouvrez l'irrigation, et vérifiez "
             .. "qu'elle coule avant de continuer.",
     ["Wound burn"] = "Brûlure de l'incision",
     ["The edge of the wound turns white, milky fluid stands at the tip."] =
         "Le bord de l'incision blanchit, un liquide laiteux stagne à la pointe.",
     ["The wound burns: ultrasound off at once, and let cool fluid through: infusion open, tip free. Look why "
         .. "nothing flowed before you go on, and close the wound with a suture in the end."] =
-        "L'incision brûle : arrêtez aussitôt les ultrasons et laissez passer du liquide frais, infusion ouverte, "
+        "L'incision brûle : arrêtez aussitôt les ultrasons et laissez passer du liquide frais, irrigation ouverte, "
             .. "pointe libre. Cherchez pourquoi rien ne coulait avant de continuer, et fermez l'incision d'un "
             .. "point à la fin.",
     ["Capsule torn"] = "Capsule déchirée",

@@ -18,7 +18,7 @@ return {
         "Joshi 2019 : 0,71 ml d'un seul point, 1,7 ml de plusieurs",
     ["Riviere 1997: 49 um holding still, 133 um while actuating"] =
         "Riviere 1997 : 49 µm au repos, 133 µm pendant l'action",
-    ["teaching rule of 80 to 90 %; teachers differ"] = "règle d'enseignement de 80 à 90 % ; les maîtres divergent",
+    ["teaching rule of 80 to 90 %; teachers differ"] = "règle d'enseignement de 80 à 90 % ; les enseignants divergent",
     ["proposal; five points from 70 % on, the deeper one from 80 %"] =
         "proposition ; cinq points dès 70 %, le plus profond dès 80 %",
     ["90 degrees for five points is a proposal; 80 leaves room for the tolerance"] =

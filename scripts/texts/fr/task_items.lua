@@ -143,7 +143,7 @@ return {
     ["Time that the lens shut the mouth of the tip while it sculpted, in stretches of a second and more"] =
         "Temps d'occlusion de l'embout par le cristallin pendant la sculpture, par périodes d'une seconde et plus",
     ["Shave with half of the mouth free: a shut mouth holds the nucleus and pulls it."] =
-        "Rabotez la bouche à demi libre : obstruée, elle retient le noyau et le tire.",
+        "Rabotez l'orifice à demi libre : obstrué, il retient le noyau et le tire.",
 
     -- T10
     ["Nucleus: rotation and manipulation"] = "Noyau : rotation et manipulation",
@@ -190,7 +190,7 @@ return {
         "Amenez le fragment dans le plan de l'iris avant de l'émulsifier.",
     ["Times that the capsule was in the tip"] = "Aspirations de la capsule dans l'embout",
     ["Keep the mouth turned away from the capsule while vacuum is high."] =
-        "Gardez la bouche détournée de la capsule tant que le vide est fort.",
+        "Gardez l'orifice détourné de la capsule tant que le vide est fort.",
     ["Growth of a hole in the posterior capsule, share of its first area"] =
         "Agrandissement d'un trou de la capsule postérieure, en part de sa surface initiale",
     ["Nothing may let the pressure fall: cover the hole before the tip leaves."] =
@@ -198,7 +198,7 @@ return {
     ["Vitreous left in chamber and wound in the end"] = "Vitré laissé dans la chambre et l'incision à la fin",
     ["Cut until triamcinolone shows none, also in the wound."] =
         "Coupez jusqu'à ce qu'il ne reste plus de vitré marqué à la triamcinolone, dans l'incision non plus.",
-    ["Time with vitreous in a mouth that did not cut"] = "Temps avec du vitré dans une bouche qui ne coupait pas",
+    ["Time with vitreous in a mouth that did not cut"] = "Temps avec du vitré dans un orifice qui ne coupait pas",
     ["Cut before you aspirate."] = "Coupez avant d'aspirer.",
     ["Time with the instrument in the eye"] = "Temps avec l'instrument dans l'œil",
     ["Hold, draw and emulsify without letting go in between."] =
@@ -212,11 +212,11 @@ return {
     ["Go round the whole fornix, the part under the incision last."] =
         "Faites tout le tour du cul-de-sac, la partie sous l'incision en dernier.",
     ["Times that the posterior capsule was drawn in"] = "Aspirations de la capsule postérieure",
-    ["Keep the mouth up and in sight."] = "Gardez la bouche en haut et visible.",
+    ["Keep the mouth up and in sight."] = "Gardez l'orifice en haut et visible.",
     ["The posterior capsule is open in the end (1: yes)"] = "Capsule postérieure ouverte à la fin (1 : oui)",
     ["Pedal up as soon as folds run to the tip."] = "Lâchez la pédale dès que des plis convergent vers la pointe.",
-    ["Time with the mouth down and more than 50 mmHg"] = "Temps la bouche en bas avec plus de 50 mmHg",
-    ["Turn the mouth up before you press the pedal."] = "Tournez la bouche vers le haut avant d'appuyer sur la pédale.",
+    ["Time with the mouth down and more than 50 mmHg"] = "Temps l'orifice en bas avec plus de 50 mmHg",
+    ["Turn the mouth up before you press the pedal."] = "Tournez l'orifice vers le haut avant d'appuyer sur la pédale.",
     ["Strip along the capsule, not away from it."] = "Détachez le cortex le long de la capsule, sans tirer sur elle.",
     ["Time with the tip in the eye"] = "Temps avec la pointe dans l'œil",
     ["Hold, strip and aspirate in one movement, sector after sector."] =
@@ -278,7 +278,7 @@ return {
         "Menez le lambeau plus en dedans : le bord doit recouvrir celui de l'implant.",
     ["Roundness of the opening (1: a circle)"] = "Rondeur de l'ouverture (1 : un cercle)",
     ["Turn the direction of the pull with the tear, a little at a time."] =
-        "Faites tourner la traction avec la déchirure, peu à la fois.",
+        "Faites tourner la traction avec la déchirure, petit à petit.",
     ["Distance of the opening's middle from the axis"] = "Distance du centre de l'ouverture à l'axe",
     ["Compare the tear with the edge of the pupil all the way round."] =
         "Comparez la déchirure au bord de la pupille sur tout le tour.",
