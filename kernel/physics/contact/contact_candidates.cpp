@@ -14,21 +14,22 @@ namespace rhexis {
 namespace {
 
 // Stiffness of a contact in units of what the tissue at the vertex offers. A shorter step makes everything stiffer, so
-// the contact may be, up to `stiffest`, where it passes for rigid; at longer steps the solver's work decides.
+// the contact may be, up to `stiffest`, where it passes for rigid; at longer steps the solver's work decides. What that
+// leaves out, the contact carries over from step to step: at rest all are as stiff as the stiffest.
 constexpr double tool_factor = 10.0;  ///< at reference_step
 constexpr double wall_factor = 5.0;   ///< bags and planes: wide contacts at low pressure
 constexpr double stiffest = 100.0;
 constexpr double reference_step = 0.01;  ///< [s]
 
+// Of what a contact bears, what it may carry over. A body that is light against its contacts follows them within the
+// step; one that swings on them is thrown higher at every bounce by more than two thirds.
+constexpr double most_swinging = 0.6;
+constexpr double least_following = 4.0;  ///< stiffness of all contacts times dt^2 over the body's mass
+
 constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this needs no anchor [mm]
 constexpr double sunk = 0.1;       ///< [mm]
 constexpr double resolved = 0.38;  ///< radius of the thinnest part that cannot slip between vertices, in their size
 constexpr double candidate_reach = 0.2;  ///< candidates are sought this far beyond what can move in a step [mm]
-
-double spring_stiffness(const SurfaceVertex& vertex, ContactPartner partner, double dt) {
-    const double factor = (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt;
-    return std::min(factor, stiffest) * vertex.stiffness;
-}
 
 /// A partner with what the search needs to know of it.
 struct Partner {
@@ -86,6 +87,10 @@ std::vector<Partner> partners_of(const WorldModel& model, const WorldState& stat
             {ContactPartner::dome, static_cast<int>(i), model.domes[i].friction, Pose{}, {}, candidate_reach + pushed});
     }
     return partners;
+}
+
+double stiffness_factor(ContactPartner partner, double dt) {
+    return std::min(stiffest, (partner == ContactPartner::tool ? tool_factor : wall_factor) * reference_step / dt);
 }
 
 std::tuple<int, int, ContactPartner, int> key(const ContactMemory& memory) {
@@ -258,6 +263,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
                 continue;
             }
             candidate.start_gap = start.distance;
+            candidate.normal = start.normal;
             candidate.anchor = candidate.start;
             recall(state.memory, solid, vertex.vertex, candidate);
             candidates.push_back(candidate);
@@ -275,9 +281,18 @@ void break_adhesion(const ContactCandidates& candidates, const ContactSurface& s
     }
 }
 
-void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates) {
+void set_springs(const ContactSurface& surface, double dt, double mass, ContactCandidates& candidates) {
+    double all = 0.0;
     for (ContactCandidate& candidate : candidates) {
-        candidate.spring.stiffness = spring_stiffness(surface.vertices()[candidate.vertex], candidate.partner, dt);
+        const double factor = stiffness_factor(candidate.partner, dt);
+        candidate.spring.stiffness = factor * surface.vertices()[candidate.vertex].stiffness;
+        candidate.carry = 1.0 - factor / stiffest;
+        all += candidate.touching ? candidate.spring.stiffness : 0.0;
+    }
+    if (!(all * dt * dt > least_following * mass)) {
+        for (ContactCandidate& candidate : candidates) {
+            candidate.carry = std::min(candidate.carry, most_swinging);
+        }
     }
 }
 

@@ -32,6 +32,7 @@ struct ContactCandidate {
     ContactPartner partner = ContactPartner::tool;
     int index = 0;
     ContactSpring spring;       ///< its stiffness only after set_springs
+    double carry = 0.0;         ///< share of its last force that the spring bears at a gap of 0, likewise
     double least_radius = 0.0;  ///< of a tool's part, as the vertex meets it [mm]
     double hold = 0.0;          ///< pull that it bears before it parts: suction, adhesion [uN]
     double grip = 0.0;          ///< what that adds to the largest friction [uN]
@@ -63,8 +64,8 @@ bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec
 void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
                      double dt, const ContactSurface& surface, ContactCandidates& candidates);
 
-/// Stiffness of the springs that stand for contact in implicit steps of dt [s], substeps included.
-void set_springs(const ContactSurface& surface, double dt, ContactCandidates& candidates);
+/// The springs that stand for contact in an implicit step of dt [s] of a body of that mass [g].
+void set_springs(const ContactSurface& surface, double dt, double mass, ContactCandidates& candidates);
 
 /// Cortex that slid on the capsule has come off it for good.
 void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/contact/friction.hpp"
 
+#include <algorithm>
+
 namespace rhexis {
 
 namespace {
@@ -12,10 +14,10 @@ constexpr double edge = 1e-6;  ///< width of the edge of the disc, of its radius
 SpringResponse spring_contact(const ContactSpring& spring, double gap, const Vec3& normal, const Vec3& offset,
                               bool edge_slides) {
     SpringResponse response;
-    if (gap >= 0.0) {
+    response.normal_force = std::max(0.0, spring.normal_force(gap));
+    if (response.normal_force == 0.0) {
         return response;
     }
-    response.normal_force = -gap * spring.stiffness;
     const double limit = spring.friction * response.normal_force;
     const double sticking = spring.stick * spring.stiffness;
     const Mat3 along = normal * normal.transpose();

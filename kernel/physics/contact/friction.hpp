@@ -14,6 +14,9 @@ struct ContactSpring {
     double stiffness = 0.0;  ///< normal [uN/mm]
     double friction = 0.0;   ///< Coulomb coefficient
     double stick = 1.0;      ///< tangential stiffness over that: what sticks gives way by its force over both
+    double carried = 0.0;    ///< normal force at a gap of 0 [uN]
+
+    [[nodiscard]] double normal_force(double gap) const { return carried - gap * stiffness; }
 };
 
 struct SpringResponse {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/contact/implicit_contact.hpp"
 
+#include <algorithm>
+
 namespace rhexis {
 
 namespace {
@@ -14,11 +16,11 @@ struct Touch {
 Touch touch(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose, const Vec3& point,
             bool edge_slides) {
     Touch found;
-    if (surely_apart(candidate, pose, point)) {
+    if (candidate.spring.carried == 0.0 && surely_apart(candidate, pose, point)) {
         return found;
     }
     found.gap = measure_gap(model, candidate, pose, point);
-    if (found.gap.distance < 0.0) {
+    if (candidate.spring.normal_force(found.gap.distance) > 0.0) {
         found.response = spring_contact(candidate.spring, found.gap.distance, found.gap.normal,
                                         point - pose.to_world(candidate.anchor), edge_slides);
     }
@@ -38,6 +40,13 @@ void move_anchor(const Touch& now, const Pose& pose, const Vec3& point, ContactC
 
 }  // namespace
 
+void carry_over(ContactCandidates& candidates) {
+    for (ContactCandidate& candidate : candidates) {
+        candidate.spring.carried =
+            candidate.touching ? candidate.carry * std::max(0.0, candidate.force.dot(candidate.normal)) : 0.0;
+    }
+}
+
 void contact_terms(const WorldModel& model, const ContactSurface& surface, const ContactCandidates& candidates,
                    const std::vector<Vec3>& positions, const PartnerPoses& poses, bool edge_slides,
                    std::vector<ContactTerm>& terms) {
@@ -46,7 +55,7 @@ void contact_terms(const WorldModel& model, const ContactSurface& surface, const
         const Vec3 point = point_of(vertex, positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
         const Touch now = touch(model, candidate, pose, point, edge_slides);
-        if (!(now.gap.distance < 0.0)) {
+        if (now.response.normal_force == 0.0) {
             continue;
         }
         ContactTerm term;
@@ -68,7 +77,7 @@ void settle_contacts(const WorldModel& model, const ContactSurface& surface, con
         const Vec3 point = point_of(surface.vertices()[candidate.vertex], positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
         const Touch now = touch(model, candidate, pose, point, true);
-        candidate.touching = now.gap.distance < 0.0;
+        candidate.touching = now.response.normal_force > 0.0;
         candidate.force = now.response.force;
         move_anchor(now, pose, point, candidate);
         if (candidate.touching) {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside physics: contact as stiff springs inside the Newton iterations of an implicit step.
+// Inside physics: contact as stiff springs inside the Newton iterations of an implicit step. What a spring bore at the
+// end of a step, less a small share, it bears in the next one without giving way (the update of an augmented Lagrangian
+// [Simo1992], once per step): springs soft enough for Newton's iterations are at rest as good as stiff ones.
 #pragma once
 
 #include "physics/contact/contact_candidates.hpp"
 #include "physics/solve/contact_term.hpp"
 
 namespace rhexis {
+
+/// Begins a substep: what each contact bears without giving way, of what it bore in the last.
+void carry_over(ContactCandidates& candidates);
 
 /// Forces and stiffness of all contacts at an iterate, appended to `terms`. positions: coarse nodes; poses: at the end
 /// of the substep.

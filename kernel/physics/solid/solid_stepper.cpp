@@ -265,7 +265,7 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
 void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& result) {
     const int count = divisions * substeps_for_tools(task, result.candidates);
     const double dt = task.dt / count;
-    set_springs(surface_, dt, result.candidates);
+    set_springs(surface_, dt, remaining_mass(*solid_model_, result.solid), result.candidates);
     const std::vector<Vec3> loads = node_forces(task, solid_);
     ImplicitSettings settings;
     settings.tolerance = settings_.max_newton > 1 ? linear_tolerance : settings_.tolerance;
@@ -286,6 +286,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
     };
     for (int i = 1; i <= count && result.failure == StepFailure::none; ++i) {
         place_tools(task.tools, static_cast<double>(i) / count, poses);
+        carry_over(result.candidates);
         std::swap(from, result.solid);
         std::vector<RigidUnknown> bodies = as_unknowns(result.bags);
         const ImplicitReport report =
