@@ -6,12 +6,13 @@
 
 namespace rhexis::cli {
 
-Status film_recording(const Recording& recording, PictureBook& book, bool stills, bool quiet) {
+Status film_recording(const Recording& recording, PictureBook& book, bool stills, bool quiet,
+                      const std::string& label) {
     Result<Session> session = session_of(recording);
     if (!session) {
         return session.error();
     }
-    Progress progress("film", quiet);
+    Progress progress(label, quiet);
     Status status = stills ? book.keep(session.value().frame(), "start", "Before the first step.") : success();
     for (const RecordedStep& step : recording.steps) {
         session.value().step(step.samples, step.commands);

@@ -8,7 +8,8 @@
 
 namespace rhexis::cli {
 
-/// stills: also pictures of the start and the end. The book is finished then.
-Status film_recording(const Recording& recording, PictureBook& book, bool stills, bool quiet);
+/// label: of the progress shown. stills: also pictures of the start and the end. The book is finished then.
+Status film_recording(const Recording& recording, PictureBook& book, bool stills, bool quiet,
+                      const std::string& label = "film");
 
 }  // namespace rhexis::cli

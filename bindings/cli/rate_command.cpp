@@ -79,12 +79,12 @@ Result<std::vector<Case>> cases_of(const RateOptions& given) {
     return cases;
 }
 
-Status film(const Recording& recording, const std::string& folder) {
+Status film(const Recording& recording, const std::string& folder, const std::string& label) {
     Result<PictureBook> book = PictureBook::create(folder, true);
     if (!book) {
         return Error{book.error().text(), "", "--no-video makes the form without a replay"};
     }
-    Status filmed = film_recording(recording, book.value(), false, false);
+    Status filmed = film_recording(recording, book.value(), false, false, label);
     std::error_code ignored;
     fs::remove(folder + "/frames", ignored);  // it is empty
     return filmed;
@@ -92,7 +92,8 @@ Status film(const Recording& recording, const std::string& folder) {
 
 /// A video in the folder; of an operation, one for each part, in a folder of its own. Adds their places to `videos`.
 /// Without videos the recordings are only looked at, whether they are any.
-Status film_case(const Case& one, bool no_video, const std::string& folder, nlohmann::json& videos) {
+Status film_case(const Case& one, bool no_video, const std::string& folder, const std::string& label,
+                 nlohmann::json& videos) {
     for (std::size_t i = 0; i < one.recordings.size(); ++i) {
         const Result<Recording> recording = read_recording(one.recordings[i]);
         if (!recording) {
@@ -104,7 +105,7 @@ Status film_case(const Case& one, bool no_video, const std::string& folder, nloh
         const std::string own = one.recordings.size() > 1 ? "part_" + std::to_string(i + 1) + "/" : "";
         Status status = prepare_folder(folder + "/" + own);
         if (status) {
-            status = film(recording.value(), folder + "/" + own);
+            status = film(recording.value(), folder + "/" + own, label);
         }
         if (!status) {
             return status;
@@ -126,14 +127,19 @@ Status make_case(const RateOptions& given, const Case& one, std::size_t number, 
                  {"language", given.language}});
     nlohmann::json videos = nlohmann::json::array();
     if (status) {
-        status = film_case(one, given.no_video, folder, videos);
+        status = film_case(one, given.no_video, folder, std::to_string(number) + " of " + std::to_string(of), videos);
     }
     data["videos"] = std::move(videos);
     if (!status) {
         return status;
     }
     const Result<std::string> html = page_html(context.root, "records.form", data);
-    return html ? write_file(folder + "/form.html", html.value()) : Status(html.error());
+    status = html ? write_file(folder + "/form.html", html.value()) : Status(html.error());
+    if (status) {
+        std::printf("%zu of %zu  %s/form.html\n", number, of, folder.c_str());
+        std::fflush(stdout);
+    }
+    return status;
 }
 
 int make_package(RateOptions given, const Context& context) {
@@ -160,7 +166,8 @@ int make_package(RateOptions given, const Context& context) {
             return complain(made.error());
         }
     }
-    std::printf("%zu to rate, in %s/case_01/form.html and on\n", cases.value().size(), given.out.c_str());
+    std::printf("%s to rate: hand the folder %s to the rater\n", counted(cases.value().size(), "case").c_str(),
+                given.out.c_str());
     return done;
 }
 

@@ -2,9 +2,12 @@
 // rhexis records agreement: simulator against raters, and raters among themselves.
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "cli/counted.hpp"
+#include "cli/exercise_title.hpp"
 #include "cli/places.hpp"
 #include "cli/records_command.hpp"
 #include "lua/report_script.hpp"
@@ -48,7 +51,7 @@ void print(const json& data) {
     }
     std::printf("       raters among themselves    simulator and mean of raters\n");
     std::printf("%-5s  %-8s  %-8s  %-4s   %-8s  %-26s  %-4s\n", "item", "ICC(2,1)", "ICC(2,k)", "n", "ICC(2,1)",
-                "bias (95 % limits)", "n");
+                "bias, points (95 % limits)", "n");
     for (const json& row : data["rows"]) {
         const json& raters = row["raters"]["icc"];
         const json& own = row["simulator"];
@@ -64,7 +67,42 @@ void print(const json& data) {
     }
 }
 
-Result<json> agreement_of(const RecordsOptions& given) {
+/// The total, for each exercise on its own.
+void print_exercises(const json& exercises) {
+    if (exercises.size() < 2) {
+        return;
+    }
+    std::printf("\n%-24s  %-8s  %-8s  %-9s  %s\n", "total, by exercise", "attempts", "raters", "simulator",
+                "bias, points of 20 to 100 (95 % limits)");
+    for (const json& one : exercises) {
+        const json& total = one["total"];
+        std::printf("%-24s  %-8d  %-8s  %-9s  %-26s  %s\n", one["exercise"].get<std::string>().c_str(),
+                    one["attempts"].get<int>(), correlation(total["raters"]["icc"], "single").c_str(),
+                    correlation(total["simulator"]["icc"], "single").c_str(),
+                    limits(total["simulator"]["limits"]).c_str(), reason(total).c_str());
+    }
+}
+
+json by_exercise(const std::vector<records::Attempt>& attempts, const std::vector<records::Rating>& ratings,
+                 const std::string& language, const std::string& root) {
+    std::map<std::string, std::vector<records::Attempt>> groups;
+    for (const records::Attempt& attempt : attempts) {
+        groups[attempt.exercise].push_back(attempt);
+    }
+    json exercises = json::array();
+    for (const auto& [exercise, own] : groups) {
+        const json data = records::compare_judges(own, ratings);
+        if (data["attempts"] != 0) {
+            exercises.push_back({{"exercise", exercise},
+                                 {"title", title_of(exercise, language, root)},
+                                 {"attempts", data["attempts"]},
+                                 {"total", data["rows"].back()}});
+        }
+    }
+    return exercises;
+}
+
+Result<json> agreement_of(const RecordsOptions& given, const Context& context) {
     Result<records::Store> store = open_records(given);
     if (!store) {
         return store.error();
@@ -80,6 +118,11 @@ Result<json> agreement_of(const RecordsOptions& given) {
             "nobody has rated anything yet", store.value().path(),
             "rhexis rate RECORDING... makes forms, rhexis rate RECORDING --answers FILE --rater NAME stores them"};
     }
+    const Result<std::string> language = language_of_page(given.language, context.root);
+    if (!language) {
+        return language.error();
+    }
+    data["exercises"] = by_exercise(attempts.value(), ratings.value(), language.value(), context.root);
     return data;
 }
 
@@ -87,7 +130,7 @@ int agreement(const RecordsOptions& given, const Context& context) {
     if (const Status status = check_page_language(given, context); !status) {
         return complain(status.error());
     }
-    const Result<json> data = agreement_of(given);
+    const Result<json> data = agreement_of(given, context);
     if (!data) {
         return complain(data.error());
     }
@@ -95,6 +138,7 @@ int agreement(const RecordsOptions& given, const Context& context) {
         std::cout << data.value().dump(2) << '\n';
     } else {
         print(data.value());
+        print_exercises(data.value()["exercises"]);
     }
     if (given.html.empty()) {
         return done;
@@ -110,7 +154,8 @@ void add_records_agreement(CLI::App& records, const std::shared_ptr<RecordsOptio
         "ICC(2,1): one judge of many; ICC(2,k): the mean of these. Two-way random effects, absolute agreement\n"
         "(Shrout and Fleiss 1979), over the attempts that all raters scored on the item. Bias: simulator minus mean "
         "of\n"
-        "the raters (Bland and Altman 1986). Total: mean points per item x 20, over the items that everybody scored.");
+        "the raters (Bland and Altman 1986), in points: 1 to 5 of an item, 20 to 100 of the total, the mean of the items that\n"
+        "everybody scored x 20. Of several exercises, each has a line of its own.");
     command->add_option("--exercise", given->exercise, "Of attempts at this one only");
     command->add_option("--cohort", given->cohort, "Of attempts of this cohort only");
     CLI::Option* html = command->add_option("--html", given->html, "Write a page with the table and a chart per item");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis study: groups of virtual surgeons attempt exercises, and how far apart their scores are.
 #include <atomic>
+#include <cinttypes>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -40,6 +41,8 @@ constexpr const char* study_help =
     "  rhexis study cohort                      what the report compares attempts with: cohorts.json\n"
     "  rhexis study gates                       whether experts pass the gates and beginners do not: "
     "gates_accepted.json\n"
+    "  rhexis study gates --seeds 9304-9305 --with rubrics/gates_accepted.json      some of the seeds, and what earlier "
+    "ones gave\n"
     "  rhexis study gates --check               whether what was accepted is still true of exercises and gates\n"
     "\n"
     "DIR receives study.json, study.md and a folder per attempt with report and recording. The numbers that the "
@@ -54,6 +57,8 @@ struct StudyOptions {
     bool judge_again = false;
     bool json = false;
     bool check = false;
+    std::string seeds;
+    std::string with;
 };
 
 struct StudyJob {
@@ -263,8 +268,9 @@ Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyO
 }
 
 /// What a study leaves besides its own tables: a reference, or gates that were tried. Prints where.
-Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, const std::string& out, bool quiet,
-                  const Context& context) {
+Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, const std::string& out,
+                  const StudyOptions& given, const Context& context) {
+    const bool quiet = given.json;
     if (plan.reference) {
         const std::string file = out + "/cohorts.json";
         if (Status status = write_file(file, cohorts_of(plan, runs, context.root).dump(1) + "\n"); !status) {
@@ -274,9 +280,15 @@ Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, cons
     }
 #ifdef RHEXIS_WITH_RECORDS
     if (plan.gates) {
-        const Result<nlohmann::json> tried = gates_tried(plan, runs, context.root);
+        Result<nlohmann::json> tried = gates_tried(plan, runs, context.root);
         const std::string file = out + "/gates_accepted.json";
-        const Status status = tried ? write_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
+        Status status = tried ? success() : Status(tried.error());
+        if (status && !given.with.empty()) {
+            status = add_earlier(given.with, tried.value());
+        }
+        if (status) {
+            status = write_file(file, tried.value().dump(1) + "\n");
+        }
         if (!status) {
             return status;
         }
@@ -293,7 +305,7 @@ int check_gates(const StudyPlan& plan, const Context& context) {
         return complain({"--check is for a study of gates, and " + plan.name + " is none", "", "rhexis study gates"});
     }
 #ifdef RHEXIS_WITH_RECORDS
-    const Result<std::vector<std::string>> lines = gates_differences(context.root);
+    const Result<std::vector<std::string>> lines = gates_differences(plan, context.root);
     if (!lines) {
         return complain(lines.error());
     }
@@ -309,8 +321,32 @@ int check_gates(const StudyPlan& plan, const Context& context) {
 #endif
 }
 
+/// "9300-9304" of the seeds of a plan.
+Status take_seeds(const std::string& text, StudyPlan& plan) {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+    char more = 0;
+    if (std::sscanf(text.c_str(), "%" SCNu64 "-%" SCNu64 "%c", &first, &last, &more) != 2 || first > last ||
+        first < plan.first_seed || last > plan.last_seed) {
+        return Error{"these are no seeds of the study", "--seeds " + text,
+                     "FIRST-LAST within " + std::to_string(plan.first_seed) + "-" + std::to_string(plan.last_seed)};
+    }
+    plan.first_seed = first;
+    plan.last_seed = last;
+    return success();
+}
+
+Result<StudyPlan> plan_of(const StudyOptions& given, const Context& context) {
+    Result<StudyPlan> plan = read_study(given.study, context.root);
+    if (plan && !given.with.empty() && !plan.value().gates) {
+        return Error{"--with is for a study of gates, and " + plan.value().name + " is none", "", "rhexis study gates"};
+    }
+    const Status taken = plan && !given.seeds.empty() ? take_seeds(given.seeds, plan.value()) : success();
+    return taken ? std::move(plan) : Result<StudyPlan>(taken.error());
+}
+
 int study(const StudyOptions& given, const Context& context) {
-    const Result<StudyPlan> plan = read_study(given.study, context.root);
+    const Result<StudyPlan> plan = plan_of(given, context);
     if (!plan) {
         return complain(plan.error());
     }
@@ -355,7 +391,7 @@ int study(const StudyOptions& given, const Context& context) {
         std::printf("%s\n  tables     %s.md\n  numbers    %s.json\n", study_text(result).c_str(), tables.c_str(),
                     tables.c_str());
     }
-    status = write_more(plan.value(), runs, out, given.json, context);
+    status = write_more(plan.value(), runs, out, given, context);
     return status ? done : complain(status.error());
 }
 
@@ -373,6 +409,8 @@ void add_study(CLI::App& app, Context& context) {
     command->add_flag("--judge-again", given->judge_again, "Simulate nothing: judge the attempts of the folder anew")
         ->excludes(resume);
     command->add_flag("--check", given->check, "Of a study of gates: simulate nothing, compare with what was accepted");
+    command->add_option("--seeds", given->seeds, "FIRST-LAST: these of its seeds only");
+    command->add_option("--with", given->with, "Of a study of gates: a table of earlier seeds, which is added to");
     command->add_flag("--json", given->json, "Print study.json on stdout instead of tables");
     command->callback([given, &context] { context.status = study(*given, context); });
 }

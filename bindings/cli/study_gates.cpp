@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "cli/gates_file.hpp"
 #include "cli/places.hpp"
@@ -41,6 +42,23 @@ Status count(const StudyRun& run, const records::Gates& gates, const std::string
     return success();
 }
 
+/// Adds what was counted on other seeds, of the same exercise with the same gate.
+Status add(const json& earlier, const std::string& exercise, json& entry) {
+    for (const char* key : {"decides", "pass", "tells_apart"}) {
+        if (earlier.value(key, json()) != entry.at(key)) {
+            return Error{"earlier seeds were tried with another exercise or gate", exercise,
+                         "the same \"" + std::string(key) + "\""};
+        }
+    }
+    for (auto& [name, group] : entry.at("groups").items()) {
+        const json before = earlier.value("groups", json::object()).value(name, json::object());
+        for (const char* key : {"passed", "of"}) {
+            group[key] = group.at(key).get<int>() + before.value(key, 0);
+        }
+    }
+    return success();
+}
+
 double share_passed(const json& entry, const char* group) {
     const json found = entry.value("groups", json::object()).value(group, json());
     return found.is_object() ? found.at("passed").get<double>() / std::max(1.0, found.at("of").get<double>()) : -1.0;
@@ -60,10 +78,23 @@ std::vector<std::string> exercises_in(const std::string& root) {
     return names;
 }
 
-std::string difference(const std::string& exercise, const json& entry, const records::Gate& gate,
+/// Attempts of the group that was tried least.
+int times_tried(const StudyPlan& plan, const json& entry) {
+    int least = std::numeric_limits<int>::max();
+    for (const std::string& group : plan.groups) {
+        least = std::min(least, entry.at("groups").value(group, json::object()).value("of", 0));
+    }
+    return least;
+}
+
+std::string difference(const StudyPlan& plan, const std::string& exercise, const json& entry, const records::Gate& gate,
                        const std::string& root) {
     if (!entry.is_object() || !entry.contains("groups")) {
         return "has not been tried";
+    }
+    const int seeds = static_cast<int>(plan.last_seed - plan.first_seed) + 1;
+    if (const int tried = times_tried(plan, entry); tried < seeds) {
+        return "has been tried on " + std::to_string(tried) + " of " + std::to_string(seeds) + " seeds";
     }
     if (entry.value("decides", "") != hash_of_what_decides(exercise, root)) {
         return "is another exercise than the one that was tried";
@@ -95,14 +126,39 @@ Result<json> gates_tried(const StudyPlan& plan, const std::vector<StudyRun>& run
          "Attempts of virtual surgeons that pass the gates of rubrics/gates.json, on seeds that were run once, "
          "for this: `rhexis study " +
              plan.name + "`."},
-        {"seeds", {plan.first_seed, plan.last_seed}},
+        {"seeds", json::array()},
         {"exercises", json::object()}};
+    for (std::uint64_t seed = plan.first_seed; seed <= plan.last_seed; ++seed) {
+        tried["seeds"].push_back(seed);
+    }
     for (const StudyRun& run : runs) {
         if (Status counted = count(run, gates.value(), root, tried["exercises"]); !counted) {
             return counted.error();
         }
     }
     return tried;
+}
+
+Status add_earlier(const std::string& file, json& tried) {
+    const Result<json> earlier = read_json_file(file);
+    if (!earlier) {
+        return earlier.error();
+    }
+    const json seeds = earlier.value().value("seeds", json::array());
+    const json exercises = earlier.value().value("exercises", json::object());
+    for (const json& seed : seeds) {
+        if (std::find(tried["seeds"].begin(), tried["seeds"].end(), seed) != tried["seeds"].end()) {
+            return Error{"seed " + seed.dump() + " is in this table already", file, "--seeds, of others"};
+        }
+    }
+    for (auto& [exercise, entry] : tried["exercises"].items()) {
+        if (Status added = add(exercises.value(exercise, json::object()), exercise, entry); !added) {
+            return added;
+        }
+    }
+    tried["seeds"].insert(tried["seeds"].end(), seeds.begin(), seeds.end());
+    std::sort(tried["seeds"].begin(), tried["seeds"].end());
+    return success();
 }
 
 std::string gates_text(const json& tried) {
@@ -120,7 +176,7 @@ std::string gates_text(const json& tried) {
     return text;
 }
 
-Result<std::vector<std::string>> gates_differences(const std::string& root) {
+Result<std::vector<std::string>> gates_differences(const StudyPlan& plan, const std::string& root) {
     const Result<records::Gates> gates = read_gates("", root);
     const Result<json> kept = read_json_file(root + kept_file);
     if (!gates || !kept) {
@@ -132,7 +188,7 @@ Result<std::vector<std::string>> gates_differences(const std::string& root) {
     const std::vector<std::string> exercises = exercises_in(root);
     for (const std::string& exercise : exercises) {
         const records::Gate& gate = gates.value().of(exercise);
-        const std::string what = difference(exercise, tried.value(exercise, json()), gate, root);
+        const std::string what = difference(plan, exercise, tried.value(exercise, json()), gate, root);
         if (!what.empty()) {
             lines.push_back(exercise + ": " + what);
         }

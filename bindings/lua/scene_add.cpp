@@ -61,7 +61,9 @@ Advance read_advance(Options& options) {
 /// How its elements are made and how they go on in time; not every pair of the two exists.
 void read_way(Options& options, SolidModel& model) {
     model.advance = read_advance(options);
-    const std::string word = options.choice("formulation", "linear", {"linear", "nodal_pressure", "edge_smoothed"});
+    // What locks least of what the way can step.
+    const char* usual = model.advance == Advance::explicit_ ? "nodal_pressure" : "edge_smoothed";
+    const std::string word = options.choice("formulation", usual, {"linear", "nodal_pressure", "edge_smoothed"});
     if (word == "nodal_pressure" && model.advance == Advance::implicit) {
         options.fail("formulation",
                      "nodal_pressure goes with advance \"explicit\"; with \"implicit\": edge_smoothed or linear");

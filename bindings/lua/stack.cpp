@@ -146,6 +146,17 @@ Options::Options(lua_State* L, int index, std::string function)
     }
 }
 
+template <typename T>
+void Options::tell(const char* name, const T& otherwise, const std::string& allowed) {
+    if (lua_getfield(L_, LUA_REGISTRYINDEX, "rhexis.options") == LUA_TTABLE) {
+        lua_createtable(L_, 0, 2);
+        set_field(L_, "default", otherwise);
+        set_field(L_, "allowed", allowed);
+        lua_setfield(L_, -2, name);
+    }
+    lua_pop(L_, 1);
+}
+
 void Options::allow(const char* name) { known_.emplace_back(name); }
 
 int Options::push_field(const char* name) {
@@ -168,6 +179,7 @@ void Options::fail(const char* name, const std::string& problem) {
 }
 
 double Options::number(const char* name, double otherwise, const Range& range) {
+    tell(name, otherwise, allowed(range));
     const int type = push_field(name);
     if (type == LUA_TNIL) {
         lua_pop(L_, 1);
@@ -192,6 +204,7 @@ long long Options::integer(const char* name, long long otherwise, long long low,
 }
 
 bool Options::boolean(const char* name, bool otherwise) {
+    tell(name, otherwise, "");
     const int type = push_field(name);
     if (type != LUA_TNIL && type != LUA_TBOOLEAN) {
         fail(name, "allowed: true or false");
@@ -202,6 +215,7 @@ bool Options::boolean(const char* name, bool otherwise) {
 }
 
 std::string Options::string(const char* name, const std::string& otherwise) {
+    tell(name, otherwise, "");
     const int type = push_field(name);
     if (type != LUA_TNIL && type != LUA_TSTRING) {
         fail(name, "allowed: a text");
@@ -212,12 +226,13 @@ std::string Options::string(const char* name, const std::string& otherwise) {
 }
 
 std::string Options::choice(const char* name, const std::string& otherwise, const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) {
+        list += (list.empty() ? "" : ", ") + word;
+    }
     std::string value = string(name, otherwise);
+    tell(name, otherwise, list);
     if (std::find(words.begin(), words.end(), value) == words.end()) {
-        std::string list;
-        for (const std::string& word : words) {
-            list += (list.empty() ? "" : ", ") + word;
-        }
         push(L_, value);
         fail(name, "allowed: " + list);
     }
@@ -226,6 +241,7 @@ std::string Options::choice(const char* name, const std::string& otherwise, cons
 
 Vec3 Options::vec3(const char* name, const Vec3& otherwise) {
     Vec3 value = otherwise;
+    tell(name, otherwise, "");
     if (push_field(name) != LUA_TNIL && !read_vec3(L_, -1, value)) {
         fail(name, "allowed: three finite numbers {x, y, z}");
     }
@@ -235,6 +251,7 @@ Vec3 Options::vec3(const char* name, const Vec3& otherwise) {
 
 std::vector<std::string> Options::strings(const char* name, const std::vector<std::string>& otherwise) {
     std::vector<std::string> values;
+    tell(name, otherwise, "");
     const int type = push_field(name);
     if (type == LUA_TNIL) {
         lua_pop(L_, 1);

@@ -55,7 +55,9 @@ struct Range {
 };
 
 /// Reads named fields of the table at `index` (nil counts as an empty table). Every field has a default; a value out of
-/// its range, of another type, or a field that is not known raises one line with field, value, what is allowed.
+/// its range, of another type, or a field that is not known raises one line with field, value, what is allowed. Where
+/// the registry holds a table "rhexis.options", it receives of each field {default =, allowed =}: what the stubs say is
+/// compared with that.
 ///
 ///   Options options(L, 2, "scene.plane");
 ///   plane.friction = options.number("friction", 0.3, {0.0, 2.0});
@@ -83,6 +85,9 @@ public:
     [[noreturn]] void fail(const char* name, const std::string& problem);
 
 private:
+    template <typename T>
+    void tell(const char* name, const T& otherwise, const std::string& allowed);
+
     lua_State* L_;
     int index_;
     std::string function_;

@@ -7,9 +7,12 @@
 
 #include "base/assert.hpp"
 #include "base/index.hpp"
+#include "mesh/tet_patches.hpp"
 
 namespace rhexis {
 namespace {
+
+constexpr int tets_of_patch = 4;
 
 constexpr std::array<std::array<int, 2>, 6> tet_edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
@@ -31,15 +34,17 @@ void rest_shape(const TetMesh& mesh, ElementDomains& domains) {
     }
 }
 
-/// The tetrahedra of each element, by element.
-std::vector<std::vector<int>> members(const TetMesh& mesh, Formulation formulation) {
-    std::vector<std::vector<int>> result;
-    if (formulation != Formulation::edge_smoothed) {
-        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-            result.push_back({static_cast<int>(t)});
-        }
-        return result;
+using Members = std::vector<std::vector<int>>;  ///< the tetrahedra of each element
+
+Members each_alone(const TetMesh& mesh) {
+    Members result;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        result.push_back({static_cast<int>(t)});
     }
+    return result;
+}
+
+Members around_edges(const TetMesh& mesh) {
     std::map<std::array<int, 2>, std::vector<int>> around;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
         for (const std::array<int, 2>& edge : tet_edges) {
@@ -48,6 +53,7 @@ std::vector<std::vector<int>> members(const TetMesh& mesh, Formulation formulati
             around[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(t));
         }
     }
+    Members result;
     for (std::pair<const std::array<int, 2>, std::vector<int>>& entry : around) {
         result.push_back(std::move(entry.second));
     }
@@ -65,9 +71,22 @@ std::vector<int> element_nodes(const TetMesh& mesh, const ElementDomains& domain
     return nodes;
 }
 
+/// Of lambda, what a tetrahedron gives to its elements of all energy, and to that of its patch.
+double lambda_of(const TetStiffness& tet, Formulation formulation, bool patch) {
+    if (formulation == Formulation::nodal_pressure) {
+        return -2.0 / 3.0 * tet.mu;
+    }
+    if (formulation == Formulation::edge_smoothed) {
+        const double own = std::min(tet.lambda, tet.mu);
+        return patch ? tet.lambda - own : own;
+    }
+    return tet.lambda;
+}
+
 void fill_element(const TetMesh& mesh, const ElementDomains& domains, const std::vector<TetStiffness>& stiffness, int e,
                   GradientElements& elements) {
-    const double part = domains.formulation == Formulation::edge_smoothed ? 1.0 / 6.0 : 1.0;
+    const bool patch = e >= domains.first_patch;
+    const double part = domains.formulation == Formulation::edge_smoothed && !patch ? 1.0 / 6.0 : 1.0;
     const int begin = elements.first[at(e)];
     const int end = elements.first[at(e) + 1];
     for (int k = begin; k < end; ++k) {
@@ -81,8 +100,8 @@ void fill_element(const TetMesh& mesh, const ElementDomains& domains, const std:
         const TetStiffness& own = stiffness[at(t)];
         const double weight = part * own.share * domains.rest_volume[at(t)];
         volume += weight;
-        lambda += weight * (domains.formulation == Formulation::nodal_pressure ? -2.0 / 3.0 * own.mu : own.lambda);
-        mu += weight * own.mu;
+        lambda += weight * lambda_of(own, domains.formulation, patch);
+        mu += patch ? 0.0 : weight * own.mu;
         for (int corner = 0; corner < 4; ++corner) {
             const int node = mesh.tets[at(t)][at(corner)];
             const auto slot = std::lower_bound(elements.node.begin() + begin, elements.node.begin() + end, node);
@@ -105,9 +124,16 @@ ElementDomains element_domains(const TetMesh& mesh, Formulation formulation) {
     ElementDomains domains;
     domains.formulation = formulation;
     rest_shape(mesh, domains);
-    std::vector<std::vector<int>> of_tet(mesh.tets.size());
+    const bool smoothed = formulation == Formulation::edge_smoothed;
+    Members elements = smoothed ? around_edges(mesh) : each_alone(mesh);
+    domains.first_patch = static_cast<int>(elements.size());
+    if (smoothed) {
+        const Members patches = tet_patches(mesh.tets, tets_of_patch);
+        elements.insert(elements.end(), patches.begin(), patches.end());
+    }
+    Members of_tet(mesh.tets.size());
     domains.first.push_back(0);
-    for (const std::vector<int>& tets : members(mesh, formulation)) {
+    for (const std::vector<int>& tets : elements) {
         const int element = static_cast<int>(domains.first.size()) - 1;
         for (const int t : tets) {
             domains.tets.push_back(t);

@@ -67,7 +67,7 @@ local function chart(w, row)
     dashed(w, y_of(limits.low), "#b3261e", e(t("−1.96 SD %s", number(limits.low, 2))), "6 4")
     dots(w, row.simulator.points, x_of, y_of)
     w(('<text class="soft" x="%d" y="%d">%s</text></svg>'):format(left, tall - 4,
-        e(t("mean of simulator and raters"))))
+        e(t("mean of simulator and raters [points]"))))
 end
 
 local function correlation(icc, which)
@@ -107,7 +107,7 @@ local function pairs_section(w, row)
     if #row.raters.pairs == 0 then return end
     w("<section><h2>", e(t("Raters among themselves, total")), "</h2>")
     page.wide_table(w, 24, function()
-        head(w, { t("Raters"), t("Bias"), t("95 % limits"), "n" })
+        head(w, { t("Raters"), t("Bias, points"), t("95 % limits, points"), "n" })
         for _, pair in ipairs(row.raters.pairs) do
             local limits = pair.limits
             w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", limits.bias and number(limits.bias, 2) or "",
@@ -122,9 +122,30 @@ end
 local function items_section(w, rows)
     w("<section><h2>", e(t("By item")), "</h2>")
     page.wide_table(w, 44, function()
-        head(w, { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"), t("Bias"),
-            t("95 % limits"), "n" })
+        head(w, { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"), t("Bias, points"),
+            t("95 % limits, points"), "n" })
         for _, row in ipairs(rows) do table_row(w, row) end
+        w("</tbody>")
+    end)
+    w("</section>")
+end
+
+-- The total, for each exercise on its own: raters may agree on one and not on another.
+local function exercises_section(w, exercises)
+    if #exercises < 2 then return end
+    w("<section><h2>", e(t("By exercise")), "</h2>")
+    page.wide_table(w, 36, function()
+        head(w, { t("Exercise"), t("Attempts"), t("Raters: ICC(2,1)"), t("Simulator and raters: ICC(2,1)"),
+            t("Bias, points"), t("95 % limits, points") })
+        for _, one in ipairs(exercises) do
+            local limits = one.total.simulator.limits
+            w("<tr><td>", e(one.title), "</td><td>", one.attempts, "</td><td>",
+                correlation(one.total.raters.icc, "single"), "</td><td>",
+                correlation(one.total.simulator.icc, "single"), "</td><td>",
+                limits.why and "" or number(limits.bias, 2), '</td><td class="limits">',
+                limits.why and '<span class="soft small">' .. e(t(limits.why)) .. "</span>" or range(limits),
+                "</td></tr>")
+        end
         w("</tbody>")
     end)
     w("</section>")
@@ -148,7 +169,9 @@ function agreement.html(data)
             '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
             .. "effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with "
             .. "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the "
-            .. "simulator are not clinically validated.")), "</p></header>")
+            .. "simulator are not clinically validated.")), " ", e(t("Points: 1 to 5 of an item, 20 to 100 of the total.")),
+            "</p></header>")
+        exercises_section(w, data.exercises or {})
         items_section(w, data.rows)
         pairs_section(w, data.rows[#data.rows])
         w("<section><h2>", e(t("Simulator minus raters")), '</h2><div class="charts">')

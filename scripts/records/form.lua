@@ -33,6 +33,7 @@ button { font:inherit; font-weight:600; padding:.5rem 1.2rem; border:0; border-r
   color:#fff; cursor:pointer; } button.quiet { background:#e4e9ee; color:var(--ink); }
 video { max-width:48rem; }
 h3 { margin-top:.8rem; }
+summary { cursor:pointer; padding:.7rem 0; border-top:1px solid var(--line); }
 .bar-below { position:sticky; bottom:0; display:flex; flex-wrap:wrap; gap:.5rem 1rem; align-items:center; }
 @media (max-width:40rem) { .item,.choices { grid-template-columns:1fr; } }
 ]]
@@ -77,7 +78,6 @@ end
 local function item_rows(w, item, judged)
     local own = anchors[item.id] or {}
     w('<div class="item" id="', item.id, '"><b>', item.id, "</b><div><b>", e(t(item.name)), "</b>")
-    if not judged then w(' <span class="soft small">', e(t("not judged in this exercise")), "</span>") end
     w('<div class="choices">')
     for points = 1, 5 do choice(w, item.id, points, points, own[points] and t(own[points])) end
     choice(w, item.id, "na", e(t("N/A")), nil, not judged)
@@ -94,19 +94,34 @@ local function judged_by(data)
     return function(id) return next(known) == nil or known[id] == true end
 end
 
--- What there is to watch, and what to do then.
-local function instructions(w, data, all_judged)
-    local whole = (data.parts or 1) > 1
+-- What there is to watch, if it is here, and what to do then.
+local function instructions(w, data)
     if data.title then w("<p><b>", e(data.title), "</b></p>") end
-    w("<p>", e(whole and t("Watch all parts of the operation, one after the other.") or
-        t("Watch the replay of this exercise to its end.")), " ",
-        e(t("Then give each item of OSACSS 1 to 5 points. 2 and 4 lie between the descriptions. N/A: it was not to be "
-            .. "seen, or is no part of what you watched.")), " ")
-    if not all_judged then
-        w(e(t("Items that the exercise does not judge are set to N/A; change it where you have something to say.")),
-            " ")
+    w("<p>")
+    if #(data.videos or {}) > 0 then
+        w(e((data.parts or 1) > 1 and t("Watch all parts of the operation, one after the other.") or
+            t("Watch the replay of this exercise to its end.")), " ")
     end
-    w(e(t("Save, and send the file to who gave you this form.")), "</p>")
+    w(e(t("Give each item of OSACSS 1 to 5 points. 2 and 4 lie between the descriptions. N/A: it was not to be seen, "
+        .. "or is no part of what you watched.")), " ", e(t("Save, and send the file to who gave you this form.")),
+        "</p>")
+end
+
+-- What is judged lies open; the rest is folded away, set to N/A.
+local function all_items(w, data)
+    local judged, folded = judged_by(data), {}
+    w("<section>")
+    for _, item in ipairs(osacss.items) do
+        if judged(item.id) then item_rows(w, item, true) else folded[#folded + 1] = item end
+    end
+    if #folded > 0 then
+        w("<details><summary>", e(t("Items that this exercise does not judge (%d, set to N/A): open them where you "
+            .. "have something to say.", #folded)), "</summary>")
+        for _, item in ipairs(folded) do item_rows(w, item, false) end
+        w("</details>")
+    end
+    w('<div class="item"><span></span><textarea name="comment" rows="3" placeholder="', e(t("On the whole")),
+        '" aria-label="', e(t("Comment on the whole")), '"></textarea></div></section>')
 end
 
 local function videos(w, data)
@@ -122,18 +137,14 @@ end
 function form.html(data)
     report_words.use(data.language)
     local title = t("Rating %d of %d", data.number, data.of)
-    local judged, all_judged = judged_by(data), true
-    for _, item in ipairs(osacss.items) do all_judged = all_judged and judged(item.id) end
     return page.html(title, function(w)
         w("<header><h1>", e(title), "</h1>")
-        instructions(w, data, all_judged)
+        instructions(w, data)
         videos(w, data)
         w('</header><form data-case="', e(data.case), '" data-left="', e(t("%d items left")), '" data-one="',
-            e(t("1 item left")), '" data-answered="', e(t("All items answered")), '"><section>')
-        for _, item in ipairs(osacss.items) do item_rows(w, item, judged(item.id)) end
-        w('<div class="item"><span></span><textarea name="comment" rows="3" placeholder="', e(t("On the whole")),
-            '" aria-label="', e(t("Comment on the whole")), '"></textarea></div></section>',
-            '<section class="bar-below"><button type="button" id="save">', e(t("Save answers")), "</button>",
+            e(t("1 item left")), '" data-answered="', e(t("All items answered")), '">')
+        all_items(w, data)
+        w('<section class="bar-below"><button type="button" id="save">', e(t("Save answers")), "</button>",
             '<button type="button" class="quiet" id="rest">', e(t("All that is open: N/A")),
             '</button><span id="left"></span></section></form><script>', script, "</script>")
     end, style)

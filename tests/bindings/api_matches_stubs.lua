@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Walks the live API and the stubs and fails on any name that is missing on either side.
+-- Walks the live API and the stubs and fails on any name that is missing on either side, and on defaults and ranges that
+-- are not those of the binding.
 package.path = "scripts/dev/api/?.lua;" .. package.path
 local stubs = require "stubs"
 local classes, by_name = stubs.read("bindings/lua/meta")
@@ -93,8 +94,63 @@ local takes = {
     ["rhexis.VideoOptions"] = function(t) rhexis.render.video("unused.mp4", t) end,
     ["rhexis.EyeOptions"] = rhexis.eye.create,
 }
+
+-- What a stub says of a default, as a value; nil where it is told in words ("as it is", "from age").
+local function said_default(text)
+    local said = text:match("default (.*)$")
+    local literal = said and load("return " .. said, "default", "t", {})
+    local done, value = pcall(literal or error)
+    return done and value or nil, said
+end
+
+local function same(a, b)
+    if type(a) ~= "table" or type(b) ~= "table" then
+        return a == b
+    end
+    for k = 1, math.max(#a, #b) do
+        if a[k] ~= b[k] then return false end
+    end
+    return true
+end
+
+-- "0.001 to 1000 mm" and "[mm]; 0.001 to 1000; default 1": the same two numbers?
+local function same_range(allowed, text)
+    local low, high = allowed:match("^above (%S+) up to (%S+)")
+    local said_low, said_high = text:match("above (%S+) up to ([^%s;,]+)")
+    if not low then
+        low, high = allowed:match("^(%S+) to (%S+)")
+        for a, b in text:gmatch("(%-?[%d.e+-]+)[^;:]- to (%-?[%d.e+-]+)") do
+            said_low, said_high = a, b
+        end
+    end
+    return not low or (tonumber(low) == tonumber(said_low) and tonumber(high) == tonumber(said_high))
+end
+
+local function compare_options(name, told)
+    for _, field in ipairs(by_name[name].fields) do
+        local live = told[field.name]
+        local value, said = said_default(field.text)
+        if live and said and value ~= nil and not same(live.default, value) then
+            fault("%s: %s: the stub says default %s, the binding takes %s", name, field.name, said,
+                type(live.default) == "table" and table.concat(live.default, ", ") or tostring(live.default))
+        end
+        if live and not same_range(live.allowed, field.text) then
+            fault("%s: %s: the stub says \"%s\", the binding allows %s", name, field.name, field.text, live.allowed)
+        end
+        for word in (live and field.type:find('"', 1, true) and live.allowed or ""):gmatch("[%w_-]+") do
+            if not field.type:find('"' .. word .. '"', 1, true) then
+                fault("%s: %s: the stub lacks the word %s", name, field.name, word)
+            end
+        end
+    end
+end
+
 for name, take in pairs(takes) do
+    local told = {}
+    registry["rhexis.options"] = told
     local done, message = pcall(take, { qqqqqqqqqqqq = 1 })
+    registry["rhexis.options"] = nil
+    compare_options(name, told)
     local list = not done and message:match("unknown field 'qqqqqqqqqqqq' %(one of (.*)%)")
     if not list then
         fault("%s: an unknown field gives: %s", name, tostring(message))

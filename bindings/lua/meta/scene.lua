@@ -10,7 +10,7 @@ local scene = {}
 ---@field gravity? rhexis.Vec3 # [mm/s^2]; default {0, 0, -9810}
 ---@field threads? integer # that work on a step; the result does not depend on it; 1 to 64; default 1
 ---@field instruction_set? "best"|"baseline"|"avx2"|"avx512" # same bits, other speed; default "best"
----@field tolerance? number # relative residual of implicit steps; 1e-14 to 0.01; default 1e-6
+---@field tolerance? number # force left over in an implicit step, as a share of all; 1e-14 to 0.01; default 0.0001
 
 ---An empty scene.
 ---```lua
@@ -34,7 +34,7 @@ local Scene = {}
 ---@field density? number # [g/mm^3]; above 0 up to 0.1; default 0.00105
 ---@field fixed? rhexis.Selection # nodes that never move, at least one; default none
 ---@field advance? "automatic"|"explicit"|"implicit" # way to advance it in time; default "automatic"
----@field formulation? "linear"|"nodal_pressure"|"edge_smoothed" # of its elements; default "linear"
+---@field formulation? "linear"|"nodal_pressure"|"edge_smoothed" # see below; default "edge_smoothed"
 ---@field damping_mass? number # Rayleigh damping by mass [1/s]; 0 to 10000; default 0
 ---@field damping_stiffness? number # Rayleigh damping by stiffness [s]; 0 to 10; default 0
 ---@field buoyancy_density? number # density of the fluid around it [g/mm^3]; 0 to 0.1; default 0
@@ -44,10 +44,10 @@ local Scene = {}
 ---@field fine? boolean # split every element into 8 for contact, sculpting and picture; default true
 
 ---Adds a deformable body. It meets tools and planes. Two bodies, or a body and a sheet, pass through each other, which
----a line on stderr tells. How its elements are made is `formulation`: linear ones lock where they bend (a bar with 2
----cells across is up to 42 % too stiff at a Poisson's ratio of 0.49). Edge-smoothed ones, which step implicitly, are
----within 10 % of Timoshenko's beam with 4 cells across, and 19 % too stiff with 2. Those with their pressure at the
----nodes step explicitly.
+---a line on stderr tells. How its elements are made is `formulation`: edge-smoothed ones, which step implicitly, are
+---within 10 % of Timoshenko's beam with 2 cells across. Linear ones, which step either way, lock where they bend (up to
+---42 % too stiff at a Poisson's ratio of 0.49); those with their pressure at the nodes, which step explicitly
+---and are the default with advance "explicit", less.
 ---```lua
 ---local scene = rhexis.scene.create()
 ---local bar = scene:add_solid { mesh = rhexis.mesh.bar(), young_modulus = 3000, fixed = { high = { 0, 2, 2 } } }

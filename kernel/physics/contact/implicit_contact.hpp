@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside physics: contact as stiff springs inside the Newton iterations of an implicit step. What a spring bore at the
 // end of a step, less a small share, it bears in the next one without giving way (the update of an augmented Lagrangian
-// [Simo1992], once per step): springs soft enough for Newton's iterations are at rest as good as stiff ones.
+// [SimoLaursen1992], once per step): springs soft enough for Newton's iterations are at rest as good as stiff ones.
 #pragma once
 
 #include "physics/contact/contact_candidates.hpp"

@@ -146,7 +146,8 @@ Result<SolidStepper> SolidStepper::create(const WorldModel& model, int solid, co
                                           ThreadPool& pool) {
     SolidStepper stepper(model, solid, settings, pool);
     const Advance asked = model.solids[solid].advance;
-    if (asked != Advance::implicit) {
+    const bool stands_in = model.solids[solid].formulation == Formulation::edge_smoothed;
+    if (asked == Advance::explicit_ || (asked == Advance::automatic && !stands_in)) {
         if (Status status = stepper.make_explicit(); !status) {
             return status.error();
         }
@@ -159,8 +160,15 @@ Result<SolidStepper> SolidStepper::create(const WorldModel& model, int solid, co
     return stepper;
 }
 
+/// A body whose elements no explicit step knows gets, where its implicit steps fail, those that come nearest.
 Status SolidStepper::make_explicit() {
-    Result<ExplicitSolid> made = ExplicitSolid::create(*solid_model_, settings_.instruction_set);
+    const SolidModel* model = solid_model_;
+    if (model->formulation == Formulation::edge_smoothed && model->advance != Advance::explicit_) {
+        stand_in_ = std::make_unique<SolidModel>(*model);
+        stand_in_->formulation = Formulation::nodal_pressure;
+        model = stand_in_.get();
+    }
+    Result<ExplicitSolid> made = ExplicitSolid::create(*model, settings_.instruction_set);
     if (!made) {
         return made.error();
     }
@@ -182,6 +190,9 @@ Status SolidStepper::make_implicit() {
 bool SolidStepper::prefers_explicit(double dt) const {
     if (solid_model_->advance != Advance::automatic) {
         return solid_model_->advance == Advance::explicit_;
+    }
+    if (solid_model_->formulation == Formulation::edge_smoothed) {
+        return false;
     }
     return rest_step_ > 0.0 && std::ceil(dt / (explicit_safety * rest_step_)) * explicit_cost < implicit_cost;
 }

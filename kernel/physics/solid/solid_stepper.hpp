@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -55,7 +56,7 @@ public:
     /// The cheaper way for steps of dt, or the one that the model asks for.
     [[nodiscard]] bool prefers_explicit(double dt) const;
     /// False for elements that only one way can step: a step that fails has no other way to try.
-    [[nodiscard]] bool has_both_ways() const { return solid_model_->formulation == Formulation::linear; }
+    [[nodiscard]] bool has_both_ways() const { return solid_model_->formulation != Formulation::nodal_pressure; }
 
     [[nodiscard]] const ContactSurface& surface() const { return surface_; }
     void drop_caches();
@@ -75,6 +76,7 @@ private:
     ThreadPool* pool_;
     ContactSurface surface_;
     SolidEnergy energy_;
+    std::unique_ptr<SolidModel> stand_in_;  ///< of the explicit way where it cannot step the elements
     std::optional<ExplicitSolid> explicit_;
     std::optional<ImplicitSolid> implicit_;
     ExplicitContact explicit_contact_;

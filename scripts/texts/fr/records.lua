@@ -41,18 +41,17 @@ return {
     ["Watch the replay of this exercise to its end."] = "Regardez l'enregistrement de cet exercice jusqu'à la fin.",
     ["Watch all parts of the operation, one after the other."] =
         "Regardez toutes les parties de l'opération, l'une après l'autre.",
-    ["Then give each item of OSACSS 1 to 5 points. 2 and 4 lie between the descriptions. N/A: it was not to be "
-        .. "seen, or is no part of what you watched."] =
-        "Puis donnez à chaque critère OSACSS 1 à 5 points. 2 et 4 sont entre les descriptions. S.\u{A0}o. : on ne "
-            .. "pouvait pas le voir, ou il ne fait pas partie de ce que vous avez regardé.",
-    ["Items that the exercise does not judge are set to N/A; change it where you have something to say."] =
-        "Les critères que l'exercice ne juge pas sont mis à s.\u{A0}o. ; changez-les si vous avez un avis.",
+    ["Give each item of OSACSS 1 to 5 points. 2 and 4 lie between the descriptions. N/A: it was not to be seen, "
+        .. "or is no part of what you watched."] =
+        "Donnez à chaque critère OSACSS 1 à 5 points. 2 et 4 sont entre les descriptions. S.\u{A0}o. : on ne pouvait "
+            .. "pas le voir, ou il ne fait pas partie de ce que vous avez regardé.",
+    ["Items that this exercise does not judge (%d, set to N/A): open them where you have something to say."] =
+        "Critères que cet exercice ne juge pas (%d, mis à s.\u{A0}o.) : ouvrez-les si vous avez un avis.",
     ["Save, and send the file to who gave you this form."] =
         "Enregistrez, et envoyez le fichier à qui vous a donné ce formulaire.",
     ["If the video does not play here, open %s, which lies beside this page, in any player."] =
         "Si la vidéo ne se lit pas ici, ouvrez %s, à côté de cette page, dans un lecteur.",
     ["Part %d of %d"] = "Partie %d sur %d",
-    ["not judged in this exercise"] = "non jugé dans cet exercice",
     ["N/A"] = "S.\u{A0}o.",
     ["Comment"] = "Remarque",
     ["Comment on %s"] = "Remarque sur %s",
@@ -80,15 +79,19 @@ return {
             .. "elles sont normales (Bland et Altman 1986). Les notes du simulateur ne sont pas validées "
             .. "cliniquement.",
     ["By item"] = "Par critère",
+    ["By exercise"] = "Par exercice",
+    ["Points: 1 to 5 of an item, 20 to 100 of the total."] = "Points : 1 à 5 par critère, 20 à 100 pour le total.",
+    ["Bias, points"] = "Biais, points",
+    ["95 % limits, points"] = "Limites à 95 %, points",
+    ["mean of simulator and raters [points]"] = "moyenne du simulateur et des évaluateurs [points]",
+    ["difference [points]"] = "différence [points]",
+    ["Attempts"] = "Essais",
     ["Raters: ICC(2,1)"] = "Évaluateurs : ICC(2,1)",
     ["Simulator and raters: ICC(2,1)"] = "Simulateur et évaluateurs : ICC(2,1)",
-    ["Bias"] = "Biais",
-    ["95 % limits"] = "Limites à 95 %",
     ["Raters among themselves, total"] = "Évaluateurs entre eux, total",
     ["Raters"] = "Évaluateurs",
     ["Simulator minus raters"] = "Simulateur moins évaluateurs",
     ["Differences against means"] = "Différences selon les moyennes",
-    ["mean of simulator and raters"] = "moyenne du simulateur et des évaluateurs",
     ["+1.96 SD %s"] = "+1,96 ET %s",
     ["−1.96 SD %s"] = "−1,96 ET %s",
     ["bias %s"] = "biais %s",
