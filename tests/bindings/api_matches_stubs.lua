@@ -119,7 +119,7 @@ local function same_range(allowed, text)
     local said_low, said_high = text:match("above (%S+) up to ([^%s;,]+)")
     if not low then
         low, high = allowed:match("^(%S+) to (%S+)")
-        for a, b in text:gmatch("(%-?[%d.e+-]+)[^;:]- to (%-?[%d.e+-]+)") do
+        for a, b in text:gmatch("(%-?%d[%d.e+-]*)[^;:]- to (%-?%d[%d.e+-]*)") do
             said_low, said_high = a, b
         end
     end

@@ -8,7 +8,7 @@ local eye = {}
 ---@class rhexis.EyeOptions
 ---@field age? number # of the patient [years]; 20 to 95; default 68
 ---@field nuclear_grade? number # LOCS III nuclear opalescence; 1 to 6; default 3
----@field cortical_opacity? number # 0: cortex as clear as the nucleus lets it be; 1: a white cataract; default 0
+---@field cortical_opacity? number # 0 (cortex as clear as the nucleus lets it be) to 1 (a white cataract); default 0
 ---@field pupil_mm? number # diameter [mm]; 3 to 9; default 7.5
 ---@field side? "right"|"left" # default "right"
 ---@field tetrahedra? integer # wanted size of the lens mesh; 500 to 24000; default 3000

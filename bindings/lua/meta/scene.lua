@@ -61,19 +61,19 @@ function Scene:add_solid(options) end
 ---@class rhexis.MembraneOptions
 ---@field sheet rhexis.Sheet # must be given
 ---@field name? string # default "membrane"
----@field along? number # Young's modulus along the fibres [Pa]; above 0; default 1e6
----@field across? number # and across them [Pa]; above 0; default as along
----@field poisson_ratio? number # contraction across when pulled along; squared below along / across; default 0.45
----@field shear_modulus? number # [Pa]; 0: from the others, so that 1/E is a blend of 1/along and 1/across; default 0
+---@field along? number # Young's modulus along the fibres [Pa]; above 0 up to 1e12; default 1e6
+---@field across? number # and across them [Pa]; above 0 up to 1e12; default as along
+---@field poisson_ratio? number # contraction across when pulled along; -1 to 10, squared below along / across; default 0.45
+---@field shear_modulus? number # [Pa]; 0 (so that one over E blends those of along and across) to 1e12; default 0
 ---@field fibres? "straight"|"circles" # all one way, or in circles about the z axis; default "straight"
 ---@field fibre? rhexis.Vec3 # the way of straight ones, not at a right angle to the sheet; default {1, 0, 0}
 ---@field thickness? number # [mm]; 0.00001 to 10; default 0.015
----@field toughness_along? number # energy per area of a tear along the fibres [mJ/m^2]; above 0; default 1e6
----@field toughness_across? number # and of one across them [mJ/m^2]; above 0; default as along
+---@field toughness_along? number # energy per area of a tear along the fibres [mJ/m^2]; 0.001 to 1e12; default 1e6
+---@field toughness_across? number # and of one across them [mJ/m^2]; 0.001 to 1e12; default as along
 ---@field tear_radius? number # about the tip of a tear, of what decides on its way [mm]; 0.0001 to 100; default 0.4
 ---@field sharpest_turn? number # of a tear from the way it came [degrees]; 0 to 180; default 90
 ---@field existing_edges? boolean # tear along edges of the mesh only; default false
----@field density? number # [g/mm^3]; above 0 up to 1; default 0.00105
+---@field density? number # [g/mm^3]; 1e-7 to 1; default 0.00105
 ---@field buoyancy_density? number # density of the fluid around it [g/mm^3]; 0 to 1; default 0
 ---@field damping_mass? number # Rayleigh damping by mass [1/s]; 0 to 1e6; default 0
 ---@field damping_stiffness? number # Rayleigh damping by stiffness [s]; 0 to 10; default 0

@@ -55,6 +55,28 @@ a, b = (json.load(open(f)) for f in ('before.json', 'study/study.json'))
 a.pop('cpu_s'), b.pop('cpu_s')
 assert a == b" || fail "a resumed study finds something else"
 
+# Gates tried some seeds at a time: the table of the earlier ones is added to, each seed once.
+if "$rhexis" records --help >/dev/null 2>&1; then
+    plan tried <<'J'
+{"title": "Tried", "groups": ["a", "d"], "seeds": [1, 2], "limit_s": 5, "gates": true, "exercises": [{"exercise": "fill"}]}
+J
+    expect 0 "1 of 1" "$rhexis" study tried.json --seeds 1-1 --out tried_1
+    expect 0 "" "$rhexis" study tried.json --seeds 2-2 --with tried_1/gates_accepted.json --out tried_2
+    python3 - <<'P' || fail "the table of two seeds is not the sum of both"
+import json
+tables = [json.load(open(f"tried_{i}/gates_accepted.json")) for i in (1, 2)]
+assert tables[0]["seeds"] == [1] and tables[1]["seeds"] == [1, 2]
+for group in "ad":
+    one, both = (table["exercises"]["fill"]["groups"][group] for table in tables)
+    assert one["of"] == 1 and both["of"] == 2 and both["passed"] in (one["passed"], one["passed"] + 1)
+P
+    expect 2 "seed 1 is in this table already" "$rhexis" study tried.json --seeds 1-1 --out tried_1 --resume \
+        --with tried_1/gates_accepted.json
+    expect 2 "--with is for a study of gates" "$rhexis" study small.json --with tried_1/gates_accepted.json --out never
+fi
+expect 2 "FIRST-LAST within 1-2" "$rhexis" study small.json --seeds 2-3 --out never
+expect 2 "FIRST-LAST within 1-2" "$rhexis" study small.json --seeds 2 --out never
+
 # Judged again: by the same rules the same, by others not; nothing is simulated, and study.json stays.
 same_scores() {  # study.json and judged_again.json of a folder
     python3 - "$1" <<'P'
