@@ -122,8 +122,8 @@ end
 local function items_section(w, rows)
     w("<section><h2>", e(t("By item")), "</h2>")
     page.wide_table(w, 44, function()
-        head(w, { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"), t("Bias, points"),
-            t("95 % limits, points"), "n" })
+        head(w, { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"),
+            t("Bias, points"), t("95 % limits, points"), "n" })
         for _, row in ipairs(rows) do table_row(w, row) end
         w("</tbody>")
     end)
@@ -169,8 +169,8 @@ function agreement.html(data)
             '</p><p class="soft small">', e(t("ICC(2,1), ICC(2,k): two-way random "
             .. "effects, absolute agreement (Shrout and Fleiss 1979). Bias: simulator minus mean of the raters, with "
             .. "limits that hold 95 % of the differences if they are normal (Bland and Altman 1986). The scores of the "
-            .. "simulator are not clinically validated.")), " ", e(t("Points: 1 to 5 of an item, 20 to 100 of the total.")),
-            "</p></header>")
+            .. "simulator are not clinically validated.")), " ",
+            e(t("Points: 1 to 5 of an item, 20 to 100 of the total.")), "</p></header>")
         exercises_section(w, data.exercises or {})
         items_section(w, data.rows)
         pairs_section(w, data.rows[#data.rows])

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Walks the live API and the stubs and fails on any name that is missing on either side, and on defaults and ranges that
--- are not those of the binding.
+-- Walks the live API and the stubs and fails on any name that is missing on either side, and on defaults and ranges
+-- that are not those of the binding.
 package.path = "scripts/dev/api/?.lua;" .. package.path
 local stubs = require "stubs"
 local classes, by_name = stubs.read("bindings/lua/meta")

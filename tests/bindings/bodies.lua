@@ -29,7 +29,8 @@ end
 local function cantilever(poisson_ratio, across, options)
     local length, height, young_modulus, force = 16, 2, 3000, 0.4
     local scene = rhexis.scene.create { gravity = { 0, 0, 0 }, step = 0.02, tolerance = 1e-9 }
-    options.mesh = options.mesh or rhexis.mesh.bar { cells = { length / height * across, across, across }, cell = height / across }
+    options.mesh = options.mesh or
+        rhexis.mesh.bar { cells = { length / height * across, across, across }, cell = height / across }
     options.young_modulus, options.poisson_ratio, options.damping_mass = young_modulus, poisson_ratio, 5
     options.fixed, options.fine = { high = { 1e-6, height, height } }, false
     local bar = scene:add_solid(options)

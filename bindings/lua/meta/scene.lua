@@ -63,7 +63,7 @@ function Scene:add_solid(options) end
 ---@field name? string # default "membrane"
 ---@field along? number # Young's modulus along the fibres [Pa]; above 0 up to 1e12; default 1e6
 ---@field across? number # and across them [Pa]; above 0 up to 1e12; default as along
----@field poisson_ratio? number # contraction across when pulled along; -1 to 10, squared below along / across; default 0.45
+---@field poisson_ratio? number # across, pulled along; -1 to 10, its square below along / across; default 0.45
 ---@field shear_modulus? number # [Pa]; 0 (so that one over E blends those of along and across) to 1e12; default 0
 ---@field fibres? "straight"|"circles" # all one way, or in circles about the z axis; default "straight"
 ---@field fibre? rhexis.Vec3 # the way of straight ones, not at a right angle to the sheet; default {1, 0, 0}
