@@ -21,7 +21,8 @@ double error_on_finest(Formulation formulation) {
         MESSAGE(result.tetrahedra << " tetrahedra: " << 100.0 * error << " % above the force of Hertz");
         CHECK(result.rollbacks == 0);
         CHECK(result.change < 1e-6);
-        CHECK(result.sideways < 1e-6 * result.force);
+        // patches of tetrahedra are not symmetric where the mesh is
+        CHECK(result.sideways < (formulation == Formulation::linear ? 1e-6 : 1e-3) * result.force);
         CHECK(std::abs(result.patch - problem.patch()) < 1.5 * result.spacing);
         CHECK(std::abs(error) < last);
         last = std::abs(error);

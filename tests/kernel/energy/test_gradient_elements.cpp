@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "energy/gradient_elements.hpp"
 
@@ -28,12 +30,8 @@ TetMesh cube() {
     return mesh;
 }
 
-double total_volume(const GradientElements& elements) {
-    double sum = 0.0;
-    for (const double volume : elements.volume) {
-        sum += volume;
-    }
-    return sum;
+double volume_of(const GradientElements& elements, int first, int last) {
+    return std::accumulate(elements.volume.begin() + first, elements.volume.begin() + last, 0.0);
 }
 
 Mat3 gradient_of(const GradientElements& elements, int e, const Mat3& map, const std::vector<Vec3>& nodes) {
@@ -56,10 +54,29 @@ TEST_SUITE("energy") {
         for (const Formulation formulation : {Formulation::linear, Formulation::edge_smoothed}) {
             const ElementDomains domains = element_domains(mesh, formulation);
             const GradientElements elements = make_elements(mesh, domains, std::vector<TetStiffness>(5));
-            CHECK(elements.count() == (formulation == Formulation::linear ? 5 : 18));
-            CHECK(std::abs(total_volume(elements) - 1.0) < 1e-14);
+            const int patches = elements.count() - domains.first_patch;
+            CHECK(domains.first_patch == (formulation == Formulation::linear ? 5 : 18));
+            CHECK(std::abs(volume_of(elements, 0, domains.first_patch) - 1.0) < 1e-14);
+            CHECK((patches > 0) == (formulation == Formulation::edge_smoothed));
+            CHECK((patches == 0 || std::abs(volume_of(elements, domains.first_patch, elements.count()) - 1.0) < 1e-14));
             for (int e = 0; e < elements.count(); ++e) {
                 CHECK((gradient_of(elements, e, map, mesh.nodes) - map).norm() < 1e-13);
+            }
+        }
+    }
+
+    TEST_CASE("bulk beyond that of Poisson's ratio 0.25 goes over patches, all of it") {
+        const TetMesh mesh = cube();
+        const ElementDomains domains = element_domains(mesh, Formulation::edge_smoothed);
+        for (const double lambda : {0.5, 10.0}) {
+            const GradientElements elements =
+                make_elements(mesh, domains, std::vector<TetStiffness>(5, TetStiffness{lambda, 2.0, 1.0}));
+            for (int e = 0; e < elements.count(); ++e) {
+                const auto i = static_cast<std::size_t>(e);
+                const bool patch = e >= domains.first_patch;
+                CHECK(elements.mu[i] == doctest::Approx(patch ? 0.0 : 2.0));
+                CHECK(elements.lambda[i] ==
+                      doctest::Approx(patch ? std::max(0.0, lambda - 2.0) : std::min(lambda, 2.0)));
             }
         }
     }
@@ -92,6 +109,6 @@ TEST_SUITE("energy") {
             }
             CHECK(kept.volume == fresh.volume);
         }
-        CHECK(total_volume(kept) == 0.0);
+        CHECK(volume_of(kept, 0, kept.count()) == 0.0);
     }
 }
