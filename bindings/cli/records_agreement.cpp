@@ -154,7 +154,8 @@ void add_records_agreement(CLI::App& records, const std::shared_ptr<RecordsOptio
         "ICC(2,1): one judge of many; ICC(2,k): the mean of these. Two-way random effects, absolute agreement\n"
         "(Shrout and Fleiss 1979), over the attempts that all raters scored on the item. Bias: simulator minus mean "
         "of\n"
-        "the raters (Bland and Altman 1986), in points: 1 to 5 of an item, 20 to 100 of the total, the mean of the items that\n"
+        "the raters (Bland and Altman 1986), in points: 1 to 5 of an item, 20 to 100 of the total, the mean of the "
+        "items that\n"
         "everybody scored x 20. Of several exercises, each has a line of its own.");
     command->add_option("--exercise", given->exercise, "Of attempts at this one only");
     command->add_option("--cohort", given->cohort, "Of attempts of this cohort only");

@@ -20,10 +20,9 @@ Status add_earlier(const std::string& file, nlohmann::json& tried);
 /// The same as a table in Markdown.
 std::string gates_text(const nlohmann::json& tried);
 
-/// What of the kept table is not whole, not true of today's exercises and gates, or does not come up to what is asked: at least 8
-/// of 10 experts pass, at most 4 of 10 beginners, but in at most a third of the exercises, which say that they do not
-/// tell them apart. Each a line.
-Result<std::vector<std::string>> gates_differences(const StudyPlan& plan,
-                                                   const std::string& root);
+/// What of the kept table is not whole, not true of today's exercises and gates, or does not come up to what is asked:
+/// at least 8 of 10 experts pass, at most 4 of 10 beginners, but in at most a third of the exercises, which say that
+/// they do not tell them apart. Each a line.
+Result<std::vector<std::string>> gates_differences(const StudyPlan& plan, const std::string& root);
 
 }  // namespace rhexis::cli

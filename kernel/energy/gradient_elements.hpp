@@ -6,10 +6,10 @@
 //
 // linear:         one element per tetrahedron; b_a are the gradients of the linear shape functions.
 // edge_smoothed:  one element per edge: the gradient is the volume mean over the tetrahedra around the edge, each
-//                 giving a sixth of its volume to each of its edges [He2013]. That takes the shear locking out of linear
-//                 tetrahedra. What a bulk near incompressibility locks goes over patches of four tetrahedra instead
-//                 [deSouzaNeto2005]: elements of their own, for lambda beyond mu (Poisson's ratio 0.25), which no mesh
-//                 locks; bulk that were left to patches alone would leave the mesh too soft.
+//                 giving a sixth of its volume to each of its edges [He2013]. That takes the shear locking out of
+//                 linear tetrahedra. What a bulk near incompressibility locks goes over patches of four tetrahedra
+//                 instead [deSouzaNeto2005]: elements of their own, for lambda beyond mu (Poisson's ratio 0.25), which
+//                 no mesh locks; bulk that were left to patches alone would leave the mesh too soft.
 // nodal_pressure: linear, but the elements keep the part of the energy that changes shape (lambda = -2/3 mu); the part
 //                 that changes volume is one of node patches (energy/nodal_pressure.hpp).
 #pragma once

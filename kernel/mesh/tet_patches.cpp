@@ -78,9 +78,9 @@ private:
     }
 
     [[nodiscard]] int free_neighbours(int tet) const {
-        return static_cast<int>(std::count_if(
-            neighbours_[at(tet)].begin(), neighbours_[at(tet)].end(),
-            [this](int other) { return other != nowhere && patch_of_[at(other)] == nowhere; }));
+        return static_cast<int>(
+            std::count_if(neighbours_[at(tet)].begin(), neighbours_[at(tet)].end(),
+                          [this](int other) { return other != nowhere && patch_of_[at(other)] == nowhere; }));
     }
 
     void join(std::vector<int>& patch) {
