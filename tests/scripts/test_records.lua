@@ -35,13 +35,16 @@ local function lacks(text, part) equal(text:find(part, 1, true), nil, part) end
 local function preset(html, id) return html:find('name="' .. id .. '" value="na" checked', 1, true) ~= nil end
 
 case("a form is worded for what is shown, and names the exercise", function()
-    local html = form.html { case = "abc", number = 1, of = 2, parts = 1, title = "Incision <1>" }
+    local html = form.html { case = "abc", number = 1, of = 2, parts = 1, title = "Incision <1>", videos = { "v.mp4" } }
     check_balance(html)
     holds(html, "Incision &lt;1&gt;")
     holds(html, "Watch the replay of this exercise to its end.")
     lacks(html, "operation, one after")
-    html = form.html { case = "abc", number = 1, of = 2, parts = 3, title = "Cataract operation" }
+    html = form.html { case = "abc", number = 1, of = 2, parts = 3, title = "Cataract operation",
+        videos = { "a.mp4", "b.mp4", "c.mp4" } }
     holds(html, "Watch all parts of the operation, one after the other.")
+    html = form.html { case = "abc", number = 1, of = 2, parts = 1, title = "Incision" }  -- nothing here to watch
+    lacks(html, "Watch")
 end)
 
 case("items that the exercise does not judge are set to N/A in its form", function()
@@ -49,13 +52,15 @@ case("items that the exercise does not judge are set to N/A in its form", functi
     for id, expected in pairs { T2 = false, G3 = false, T1 = true, G6 = true } do
         equal(preset(html, id), expected, id)
     end
-    local _, notes = html:gsub("not judged in this exercise", "")
+    local folded = html:match("<details>.*</details>")
+    local _, notes = folded:gsub(' value="na" checked', "")
     equal(notes, 18)
-    holds(html, "change it where you have something to say")
+    holds(folded, "(18, set to N/A): open them where you have something to say")
+    for _, id in ipairs { "T2", "G3" } do lacks(folded, 'id="' .. id .. '"') end
     for _, items in ipairs { { "X1", "X2" }, {} } do  -- of a rubric of other items nothing is known
         html = form.html { case = "abc", number = 1, of = 2, items = items }
         equal(preset(html, "T1"), false)
-        lacks(html, "change it where")
+        lacks(html, "<details>")
     end
     equal(preset(form.html { case = "abc", number = 1, of = 2 }, "T1"), false)
     html = form.html { case = "abc", number = 1, of = 2, items = { "T2" }, language = "fr" }
