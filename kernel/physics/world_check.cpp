@@ -14,6 +14,20 @@ Error bad(const std::string& where, const std::string& field, double value, cons
     return {field + " is " + short_number(value), where, allowed};
 }
 
+/// From the origin, of what is simulated: rounding of places does not show in forces yet [mm].
+constexpr double farthest = 1e4;
+
+Status check_places(const std::string& where, const std::vector<Vec3>& nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (const double coordinate : nodes[i]) {
+            if (!(std::abs(coordinate) <= farthest)) {
+                return bad(where, "a coordinate of node " + std::to_string(i), coordinate, "-10000 to 10000 mm");
+            }
+        }
+    }
+    return success();
+}
+
 Status check_material(const std::string& where, const Material& material) {
     const std::string place = where + ", material " + material.name;
     if (!(material.young_modulus > 0.0 && material.young_modulus <= 1e9)) {
@@ -62,6 +76,9 @@ Status check_solid(const SolidModel& solid) {
     }
     if (!solid.fine.tets.empty() && solid.fine.tets.size() != 8 * solid.coarse.tets.size()) {
         return Error{std::to_string(solid.fine.tets.size()) + " fine tetrahedra", where, "8 per coarse one, or none"};
+    }
+    if (Status status = check_places(where, solid.coarse.nodes); !status) {
+        return status;
     }
     for (const Material& material : solid.materials) {
         if (Status status = check_material(where, material); !status) {

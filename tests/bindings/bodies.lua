@@ -108,6 +108,19 @@ do
     end
 end
 
+-- Far from the origin forces would be noise: refused, with the limit.
+do
+    local scene = rhexis.scene.create()
+    local ok, message = pcall(function()
+        scene:add_solid { mesh = rhexis.mesh.bar(), origin = { 2e4, 0, 0 } }
+        assert(scene:step())
+    end)
+    assert(not ok and tostring(message):find("-10000 to 10000 mm", 1, true), tostring(message))
+    scene = rhexis.scene.create { gravity = { 0, 0, 0 } }
+    local bar = scene:add_solid { mesh = rhexis.mesh.bar(), origin = { 9e3, 0, 0 }, fixed = { high = { 9e3, 2, 2 } } }
+    assert(scene:step(10) and math.abs(bar:center()[1] - 9004) < 1e-6)
+end
+
 -- Contacts say what they are of.
 do
     local step = 0.01
