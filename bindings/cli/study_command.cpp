@@ -41,9 +41,8 @@ constexpr const char* study_help =
     "  rhexis study cohort                      what the report compares attempts with: cohorts.json\n"
     "  rhexis study gates                       whether experts pass the gates and beginners do not: "
     "gates_accepted.json\n"
-    "  rhexis study gates --seeds 9304-9305 --with rubrics/gates_accepted.json      some of the seeds, and what "
-    "earlier "
-    "ones gave\n"
+    "  rhexis study gates --seeds 9304-9305 --with rubrics/gates_accepted.json\n"
+    "                                           some of its seeds, added to what earlier ones gave\n"
     "  rhexis study gates --check               whether what was accepted is still true of exercises and gates\n"
     "\n"
     "DIR receives study.json, study.md and a folder per attempt with report and recording. The numbers that the "
@@ -268,10 +267,10 @@ Status run_jobs(const StudyPlan& plan, std::vector<StudyJob>& jobs, const StudyO
     return error.empty() ? success() : Status(Error{error, "study", advice});
 }
 
-/// What a study leaves besides its own tables: a reference, or gates that were tried. Prints where.
-Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, const std::string& out,
-                  const StudyOptions& given, const Context& context) {
-    const bool quiet = given.json;
+/// What a study leaves besides its own tables: a reference, or gates that were tried (earlier: on other seeds, or
+/// null). Prints where.
+Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, const std::string& out, bool quiet,
+                  [[maybe_unused]] const json& earlier, const Context& context) {
     if (plan.reference) {
         const std::string file = out + "/cohorts.json";
         if (Status status = write_file(file, cohorts_of(plan, runs, context.root).dump(1) + "\n"); !status) {
@@ -282,14 +281,11 @@ Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, cons
 #ifdef RHEXIS_WITH_RECORDS
     if (plan.gates) {
         Result<nlohmann::json> tried = gates_tried(plan, runs, context.root);
+        if (tried && !earlier.is_null()) {
+            add_earlier(earlier, tried.value());
+        }
         const std::string file = out + "/gates_accepted.json";
-        Status status = tried ? success() : Status(tried.error());
-        if (status && !given.with.empty()) {
-            status = add_earlier(given.with, tried.value());
-        }
-        if (status) {
-            status = write_file(file, tried.value().dump(1) + "\n");
-        }
+        const Status status = tried ? write_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
         if (!status) {
             return status;
         }
@@ -339,11 +335,23 @@ Status take_seeds(const std::string& text, StudyPlan& plan) {
 
 Result<StudyPlan> plan_of(const StudyOptions& given, const Context& context) {
     Result<StudyPlan> plan = read_study(given.study, context.root);
-    if (plan && !given.with.empty() && !plan.value().gates) {
-        return Error{"--with is for a study of gates, and " + plan.value().name + " is none", "", "rhexis study gates"};
-    }
     const Status taken = plan && !given.seeds.empty() ? take_seeds(given.seeds, plan.value()) : success();
     return taken ? std::move(plan) : Result<StudyPlan>(taken.error());
+}
+
+/// The table of --with, or null.
+Result<json> earlier_of(const StudyOptions& given, const StudyPlan& plan, const Context& context) {
+    if (given.with.empty()) {
+        return json();
+    }
+    if (!plan.gates) {
+        return Error{"--with is for a study of gates, and " + plan.name + " is none", "", "rhexis study gates"};
+    }
+#ifdef RHEXIS_WITH_RECORDS
+    return earlier_seeds(given.with, plan, context.root);
+#else
+    return Error{"this program was built without records and their gates", "", ""};
+#endif
 }
 
 int study(const StudyOptions& given, const Context& context) {
@@ -353,6 +361,10 @@ int study(const StudyOptions& given, const Context& context) {
     }
     if (given.check) {
         return check_gates(plan.value(), context);
+    }
+    const Result<json> earlier = earlier_of(given, plan.value(), context);
+    if (!earlier) {
+        return complain(earlier.error());
     }
     const std::string out = given.out.empty() ? "runs/study-" + plan.value().name : given.out;
     const Result<FolderLock> lock = FolderLock::take(out);
@@ -392,7 +404,7 @@ int study(const StudyOptions& given, const Context& context) {
         std::printf("%s\n  tables     %s.md\n  numbers    %s.json\n", study_text(result).c_str(), tables.c_str(),
                     tables.c_str());
     }
-    status = write_more(plan.value(), runs, out, given, context);
+    status = write_more(plan.value(), runs, out, given.json, earlier.value(), context);
     return status ? done : complain(status.error());
 }
 
@@ -409,9 +421,11 @@ void add_study(CLI::App& app, Context& context) {
         command->add_flag("--resume", given->resume, "Keep the attempts that are whole in the folder");
     command->add_flag("--judge-again", given->judge_again, "Simulate nothing: judge the attempts of the folder anew")
         ->excludes(resume);
-    command->add_flag("--check", given->check, "Of a study of gates: simulate nothing, compare with what was accepted");
-    command->add_option("--seeds", given->seeds, "FIRST-LAST: these of its seeds only");
-    command->add_option("--with", given->with, "Of a study of gates: a table of earlier seeds, which is added to");
+    CLI::Option* check = command->add_flag("--check", given->check,
+                                           "Of a study of gates: simulate nothing, compare with what was accepted");
+    command->add_option("--seeds", given->seeds, "FIRST-LAST: these of its seeds only")->excludes(check);
+    command->add_option("--with", given->with, "Of a study of gates: a table of earlier seeds, which is added to")
+        ->excludes(check);
     command->add_flag("--json", given->json, "Print study.json on stdout instead of tables");
     command->callback([given, &context] { context.status = study(*given, context); });
 }

@@ -42,23 +42,6 @@ Status count(const StudyRun& run, const records::Gates& gates, const std::string
     return success();
 }
 
-/// Adds what was counted on other seeds, of the same exercise with the same gate.
-Status add(const json& earlier, const std::string& exercise, json& entry) {
-    for (const char* key : {"decides", "pass", "tells_apart"}) {
-        if (earlier.value(key, json()) != entry.at(key)) {
-            return Error{"earlier seeds were tried with another exercise or gate", exercise,
-                         "the same \"" + std::string(key) + "\""};
-        }
-    }
-    for (auto& [name, group] : entry.at("groups").items()) {
-        const json before = earlier.value("groups", json::object()).value(name, json::object());
-        for (const char* key : {"passed", "of"}) {
-            group[key] = group.at(key).get<int>() + before.value(key, 0);
-        }
-    }
-    return success();
-}
-
 double share_passed(const json& entry, const char* group) {
     const json found = entry.value("groups", json::object()).value(group, json());
     return found.is_object() ? found.at("passed").get<double>() / std::max(1.0, found.at("of").get<double>()) : -1.0;
@@ -139,26 +122,42 @@ Result<json> gates_tried(const StudyPlan& plan, const std::vector<StudyRun>& run
     return tried;
 }
 
-Status add_earlier(const std::string& file, json& tried) {
-    const Result<json> earlier = read_json_file(file);
-    if (!earlier) {
-        return earlier.error();
+Result<json> earlier_seeds(const std::string& file, const StudyPlan& plan, const std::string& root) {
+    const Result<records::Gates> gates = read_gates("", root);
+    Result<json> earlier = read_json_file(file);
+    if (!gates || !earlier) {
+        return gates ? earlier : gates.error();
     }
-    const json seeds = earlier.value().value("seeds", json::array());
-    const json exercises = earlier.value().value("exercises", json::object());
-    for (const json& seed : seeds) {
-        if (std::find(tried["seeds"].begin(), tried["seeds"].end(), seed) != tried["seeds"].end()) {
+    for (const json& seed : earlier.value().value("seeds", json::array())) {
+        if (seed >= plan.first_seed && seed <= plan.last_seed) {
             return Error{"seed " + seed.dump() + " is in this table already", file, "--seeds, of others"};
         }
     }
-    for (auto& [exercise, entry] : tried["exercises"].items()) {
-        if (Status added = add(exercises.value(exercise, json::object()), exercise, entry); !added) {
-            return added;
+    const json exercises = earlier.value().value("exercises", json::object());
+    for (const StudyExercise& wanted : plan.exercises) {
+        const std::string& name = wanted.exercise;
+        const records::Gate& gate = gates.value().of(name);
+        const json entry = exercises.value(name, json::object());
+        if (entry.value("decides", "") != hash_of_what_decides(name, root) || entry.value("pass", -1.0) != gate.pass ||
+            entry.value("tells_apart", true) != gate.tells_apart) {
+            return Error{"the earlier seeds were tried with another exercise or gate: " + name, file,
+                         "a table of what there is now"};
         }
     }
-    tried["seeds"].insert(tried["seeds"].end(), seeds.begin(), seeds.end());
+    return earlier;
+}
+
+void add_earlier(const json& earlier, json& tried) {
+    for (auto& [exercise, entry] : tried["exercises"].items()) {
+        for (auto& [name, group] : entry["groups"].items()) {
+            const json& before = earlier.at("exercises").at(exercise).at("groups").value(name, json::object());
+            for (const char* key : {"passed", "of"}) {
+                group[key] = group.at(key).get<int>() + before.value(key, 0);
+            }
+        }
+    }
+    tried["seeds"].insert(tried["seeds"].end(), earlier.at("seeds").begin(), earlier.at("seeds").end());
     std::sort(tried["seeds"].begin(), tried["seeds"].end());
-    return success();
 }
 
 std::string gates_text(const json& tried) {

@@ -14,8 +14,11 @@ namespace rhexis::cli {
 /// "seeds", and per exercise "decides", "pass", "tells_apart", and per group {"passed", "of"}.
 Result<nlohmann::json> gates_tried(const StudyPlan& plan, const std::vector<StudyRun>& runs, const std::string& root);
 
-/// Adds what a table of other seeds counted, of the same exercises and gates.
-Status add_earlier(const std::string& file, nlohmann::json& tried);
+/// A table of other seeds of the plan, of the exercises and gates of today; else why it cannot be added to.
+Result<nlohmann::json> earlier_seeds(const std::string& file, const StudyPlan& plan, const std::string& root);
+
+/// Adds what such a table counted.
+void add_earlier(const nlohmann::json& earlier, nlohmann::json& tried);
 
 /// The same as a table in Markdown.
 std::string gates_text(const nlohmann::json& tried);

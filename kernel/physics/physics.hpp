@@ -21,7 +21,7 @@ struct PhysicsSettings {
     int threads = 1;              ///< results do not depend on it
     std::string instruction_set;  ///< "" chooses the best; "baseline", "avx2", "avx512": same bits, other speed
     double tolerance = 1e-4;      ///< residual at which an implicit step is done, as a share of all forces on the solid
-    int max_newton = 8;           ///< Newton iterations of an implicit step
+    int max_newton = 16;          ///< Newton iterations of an implicit step
     MembraneSolve membranes;
     ShellContactSettings shell_contact;
     bool elastic_energy = false;  ///< fills elastic_energy of the reports, at some 3 % of a step

@@ -14,14 +14,13 @@ Error bad(const std::string& where, const std::string& field, double value, cons
     return {field + " is " + short_number(value), where, allowed};
 }
 
-/// From the origin, of what is simulated: rounding of places does not show in forces yet [mm].
-constexpr double farthest = 1e4;
+constexpr double farthest = 1e7;  ///< from the origin: a tenth of where bodies still were what they are near it [mm]
 
 Status check_places(const std::string& where, const std::vector<Vec3>& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (const double coordinate : nodes[i]) {
             if (!(std::abs(coordinate) <= farthest)) {
-                return bad(where, "a coordinate of node " + std::to_string(i), coordinate, "-10000 to 10000 mm");
+                return bad(where, "a coordinate of node " + std::to_string(i), coordinate, "-1e7 to 1e7 mm");
             }
         }
     }
@@ -148,6 +147,9 @@ Status check_world(const WorldModel& model, const PhysicsSettings& settings) {
     }
     for (const MembraneModel& membrane : model.membranes) {
         if (Status status = check_membrane(membrane); !status) {
+            return status;
+        }
+        if (Status status = check_places("membrane " + membrane.name, membrane.sheet->mesh.nodes); !status) {
             return status;
         }
     }

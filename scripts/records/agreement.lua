@@ -84,10 +84,17 @@ end
 
 local function title_of(item) return item == "total" and t("total") or item end
 
-local function head(w, titles)
-    w("<thead><tr>")
-    for _, title in ipairs(titles) do w("<th>", e(title), "</th>") end
-    w("</tr></thead><tbody>")
+-- A table of its own section; write(row) writes one of `rows`.
+local function table_section(w, title, width, columns, rows, write)
+    w("<section><h2>", e(title), "</h2>")
+    page.wide_table(w, width, function()
+        w("<thead><tr>")
+        for _, column in ipairs(columns) do w("<th>", e(column), "</th>") end
+        w("</tr></thead><tbody>")
+        for _, row in ipairs(rows) do write(row) end
+        w("</tbody>")
+    end)
+    w("</section>")
 end
 
 local function table_row(w, row)
@@ -105,50 +112,33 @@ end
 
 local function pairs_section(w, row)
     if #row.raters.pairs == 0 then return end
-    w("<section><h2>", e(t("Raters among themselves, total")), "</h2>")
-    page.wide_table(w, 24, function()
-        head(w, { t("Raters"), t("Bias, points"), t("95 % limits, points"), "n" })
-        for _, pair in ipairs(row.raters.pairs) do
-            local limits = pair.limits
-            w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", limits.bias and number(limits.bias, 2) or "",
-                "</td><td>", limits.why and e(t(limits.why)) or range(limits), "</td><td>", limits.n or "",
-                "</td></tr>")
-        end
-        w("</tbody>")
+    local columns = { t("Raters"), t("Bias, points"), t("95 % limits, points"), "n" }
+    table_section(w, t("Raters among themselves, total"), 24, columns, row.raters.pairs, function(pair)
+        local limits = pair.limits
+        w("<tr><td>", e(pair.a), " − ", e(pair.b), "</td><td>", limits.bias and number(limits.bias, 2) or "",
+            "</td><td>", limits.why and e(t(limits.why)) or range(limits), "</td><td>", limits.n or "", "</td></tr>")
     end)
-    w("</section>")
 end
 
 local function items_section(w, rows)
-    w("<section><h2>", e(t("By item")), "</h2>")
-    page.wide_table(w, 44, function()
-        head(w, { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"),
-            t("Bias, points"), t("95 % limits, points"), "n" })
-        for _, row in ipairs(rows) do table_row(w, row) end
-        w("</tbody>")
-    end)
-    w("</section>")
+    local columns = { t("Item"), "", t("Raters: ICC(2,1)"), "ICC(2,k)", "n", t("Simulator and raters: ICC(2,1)"),
+        t("Bias, points"), t("95 % limits, points"), "n" }
+    table_section(w, t("By item"), 44, columns, rows, function(row) table_row(w, row) end)
 end
 
 -- The total, for each exercise on its own: raters may agree on one and not on another.
 local function exercises_section(w, exercises)
     if #exercises < 2 then return end
-    w("<section><h2>", e(t("By exercise")), "</h2>")
-    page.wide_table(w, 36, function()
-        head(w, { t("Exercise"), t("Attempts"), t("Raters: ICC(2,1)"), t("Simulator and raters: ICC(2,1)"),
-            t("Bias, points"), t("95 % limits, points") })
-        for _, one in ipairs(exercises) do
-            local limits = one.total.simulator.limits
-            w("<tr><td>", e(one.title), "</td><td>", one.attempts, "</td><td>",
-                correlation(one.total.raters.icc, "single"), "</td><td>",
-                correlation(one.total.simulator.icc, "single"), "</td><td>",
-                limits.why and "" or number(limits.bias, 2), '</td><td class="limits">',
-                limits.why and '<span class="soft small">' .. e(t(limits.why)) .. "</span>" or range(limits),
-                "</td></tr>")
-        end
-        w("</tbody>")
+    local columns = { t("Exercise"), t("Attempts"), t("Raters: ICC(2,1)"), t("Simulator and raters: ICC(2,1)"),
+        t("Bias, points"), t("95 % limits, points") }
+    table_section(w, t("By exercise"), 36, columns, exercises, function(one)
+        local own, raters = one.total.simulator, one.total.raters
+        w("<tr><td>", e(one.title), "</td><td>", one.attempts, "</td><td>", correlation(raters.icc, "single"),
+            "</td><td>", correlation(own.icc, "single"), "</td><td>",
+            own.limits.why and "" or number(own.limits.bias, 2), '</td><td class="limits">',
+            own.limits.why and '<span class="soft small">' .. e(t(own.limits.why)) .. "</span>" or range(own.limits),
+            "</td></tr>")
     end)
-    w("</section>")
 end
 
 -- "3 rated attempts, 2 raters: R1, R2."

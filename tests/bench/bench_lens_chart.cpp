@@ -2,36 +2,16 @@
 #include "bench/bench_lens_chart.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <sstream>
 
+#include "bench/calculix.hpp"
 #include "bench/lens_run.hpp"
 
 namespace rhexis::bench {
 namespace {
 
 constexpr double total_load = 500.0;  // [uN]: small enough for the linear answer to hold within 1 %
-
-/// Requested size -> depth per load that CalculiX finds with C3D10 on the same mesh [mm/uN]
-/// (docs/data/calculix.csv, made by `rhexis bench calculix`).
-std::map<int, double> reference_table() {
-    std::map<int, double> table;
-    std::ifstream file("docs/data/calculix.csv");
-    std::string line;
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        std::istringstream fields(line);
-        std::string element;
-        int size = 0;
-        double compliance = 0.0;
-        char comma = 0;
-        if (std::getline(fields, element, ',') && fields >> size >> comma >> compliance && element == "C3D10") {
-            table[size] = 1e-3 * compliance;
-        }
-    }
-    return table;
-}
 
 nlohmann::json row(const std::string& series, const std::string& point, const scenes::LensPoke& poke,
                    const LensRun& run, double compliance, const LoadHistory& history) {
@@ -68,7 +48,7 @@ std::string milliseconds(double step_s) {
 }
 
 nlohmann::json run_chart(const BenchOptions& options) {
-    const std::map<int, double> references = reference_table();
+    const std::map<int, double> references = kept_compliances();
     const LoadHistory history;
     nlohmann::json rows = nlohmann::json::array();
     for (const auto& [size, compliance] : references) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench.hpp"
+#include "bench/bench_bulk.hpp"
 #include "bench/bench_calculix.hpp"
 #include "bench/bench_capsule_chart.hpp"
 #include "bench/bench_capsule_pulls.hpp"
@@ -30,6 +31,7 @@ std::vector<BenchCase> bench_cases() {
     add(explicit_cases());
     add(implicit_cases());
     add(calculix_cases());
+    add(bulk_cases());
     add(stability_cases());
     add(lens_chart_cases());
     add(lens_press_cases());

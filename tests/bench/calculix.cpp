@@ -193,4 +193,22 @@ Result<double> calculix_compliance(const scenes::LensPoke& poke, CalculixElement
     return work.value() / (poke.load.total * poke.load.total);
 }
 
+std::map<int, double> kept_compliances() {
+    std::map<int, double> table;
+    std::ifstream file("docs/data/calculix.csv");
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream fields(line);
+        std::string element;
+        int size = 0;
+        double compliance = 0.0;
+        char comma = 0;
+        if (std::getline(fields, element, ',') && fields >> size >> comma >> compliance && element == "C3D10") {
+            table[size] = 1e-3 * compliance;
+        }
+    }
+    return table;
+}
+
 }  // namespace rhexis::bench

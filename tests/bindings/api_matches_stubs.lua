@@ -99,8 +99,10 @@ local takes = {
 local function said_default(text)
     local said = text:match("default (.*)$")
     local literal = said and load("return " .. said, "default", "t", {})
-    local done, value = pcall(literal or error)
-    return done and value or nil, said
+    if not literal then return nil, said end
+    local done, value = pcall(literal)
+    if done then return value, said end
+    return nil, said
 end
 
 local function same(a, b)
@@ -137,10 +139,9 @@ local function compare_options(name, told)
         if live and not same_range(live.allowed, field.text) then
             fault("%s: %s: the stub says \"%s\", the binding allows %s", name, field.name, field.text, live.allowed)
         end
-        for word in (live and field.type:find('"', 1, true) and live.allowed or ""):gmatch("[%w_-]+") do
-            if not field.type:find('"' .. word .. '"', 1, true) then
-                fault("%s: %s: the stub lacks the word %s", name, field.name, word)
-            end
+        local chosen = live and field.type:find('"', 1, true)
+        if chosen and live.allowed ~= field.type:gsub('"', ""):gsub("|", ", ") then
+            fault("%s: %s: the stub says %s, the binding allows %s", name, field.name, field.type, live.allowed)
         end
     end
 end

@@ -10,6 +10,7 @@
 #include "energy/corotational.hpp"
 #include "energy/nodal_pressure.hpp"
 #include "mesh/surface.hpp"
+#include "physics/solid/solid_share.hpp"
 #include "scenes/bodies.hpp"
 
 namespace rhexis::scenes {
@@ -141,23 +142,25 @@ double poke_depth(const LensPoke& poke, const std::vector<Vec3>& position) {
 
 double linear_compliance(const LensPoke& poke, Formulation formulation) {
     const TetMesh& mesh = poke.lens.coarse;
-    std::vector<TetStiffness> stiffness;
-    for (const int region : mesh.region) {
-        const Material& material = poke.lens.materials[at(region)];
-        const Lame constants = lame(material.young_modulus, material.poisson_ratio);
-        stiffness.push_back({constants.lambda, constants.mu, 1.0});
-    }
+    const std::vector<TetStiffness> stiffness = tet_stiffness(poke.lens, rest_state(poke.lens));
     const ElementDomains domains = element_domains(mesh, formulation);
-    std::vector<char> held(mesh.nodes.size(), 0);
+    std::vector<GradientElements> elements{make_elements(mesh, domains, stiffness)};
+    if (formulation == Formulation::nodal_pressure) {
+        elements.push_back(patch_elements(mesh, domains, stiffness));
+    }
+    return linear_compliance(poke, elements);
+}
+
+double linear_compliance(const LensPoke& poke, const std::vector<GradientElements>& elements) {
+    std::vector<char> held(poke.lens.coarse.nodes.size(), 0);
     for (const int node : poke.lens.fixed_nodes) {
         held[at(node)] = 1;
     }
     std::vector<Eigen::Triplet<double>> entries;
-    add_stiffness(make_elements(mesh, domains, stiffness), held, entries);
-    if (formulation == Formulation::nodal_pressure) {
-        add_stiffness(patch_elements(mesh, domains, stiffness), held, entries);
+    for (const GradientElements& some : elements) {
+        add_stiffness(some, held, entries);
     }
-    const int size = 3 * static_cast<int>(mesh.nodes.size());
+    const int size = 3 * static_cast<int>(held.size());
     VecX load = VecX::Zero(size);
     for (int node = 0; node < size / 3; ++node) {
         if (held[at(node)] != 0) {

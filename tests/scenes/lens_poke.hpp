@@ -33,5 +33,7 @@ double poke_depth(const LensPoke& poke, const std::vector<Vec3>& position);
 
 /// Depth per load of the linear problem, by a direct solver [mm/uN].
 double linear_compliance(const LensPoke& poke, Formulation formulation);
+/// The same for elements of one's own, all of which bear load.
+double linear_compliance(const LensPoke& poke, const std::vector<GradientElements>& elements);
 
 }  // namespace rhexis::scenes

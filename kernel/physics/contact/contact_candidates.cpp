@@ -21,8 +21,8 @@ constexpr double wall_factor = 5.0;   ///< bags and planes: wide contacts at low
 constexpr double stiffest = 100.0;
 constexpr double reference_step = 0.01;  ///< [s]
 
-// Of what a contact bears, what it may carry over. A body that is light against its contacts follows them within the
-// step; one that swings on them is thrown higher at every bounce by more than two thirds.
+// Most of its force that a contact may carry over. A body that is light against its contacts follows them within a
+// step. One that swings on them gains from step to step what is carried over too late: stable up to two thirds.
 constexpr double most_swinging = 0.6;
 constexpr double least_following = 4.0;  ///< stiffness of all contacts times dt^2 over the body's mass
 

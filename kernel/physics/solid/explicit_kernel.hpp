@@ -26,10 +26,11 @@ struct Nodes {
     int count = 0;
     double* position = nullptr;            ///< [mm]
     double* velocity = nullptr;            ///< [mm/s]
-    float* probe = nullptr;                ///< where the elements are evaluated [mm]
+    float* probe = nullptr;                ///< where the elements are evaluated, from `origin` [mm]
     float* force = nullptr;                ///< sum of element forces [uN]; zero between steps
     const double* inverse_mass = nullptr;  ///< [1/g]; 0: never moves
     const double* weight_share = nullptr;  ///< weight over inertia [-]
+    double origin[4] = {};                 ///< of single precision [mm]; the last 0
 };
 
 /// Elements whose pressure comes from their nodes (energy/nodal_pressure.hpp).
@@ -52,7 +53,7 @@ struct Kernel {
     void (*add_nodal_forces)(const NodalTask& task);
     /// v = (v + dt (force / m + share * gravity)) * decay, then force = 0. gravity: 4 values, the last 0.
     void (*accelerate)(const Nodes& nodes, double dt, const double* gravity, double decay);
-    /// x += dt v, probe = x + lag v.
+    /// x += dt v, probe = x - origin + lag v.
     void (*move)(const Nodes& nodes, double dt, double lag);
 };
 

@@ -383,10 +383,11 @@ void move(const Nodes& nodes, double dt, double lag) {
     Node* const position = reinterpret_cast<Node*>(nodes.position);
     const Node* const velocity = reinterpret_cast<const Node*>(nodes.velocity);
     ShortNode* const probe = reinterpret_cast<ShortNode*>(nodes.probe);
+    const Node origin = {nodes.origin[0], nodes.origin[1], nodes.origin[2], 0.0};
     for (int i = 0; i < nodes.count; ++i) {
         const Node v = velocity[i];
         const Node x = position[i] + v * dt;
         position[i] = x;
-        probe[i] = __builtin_convertvector(x + v * lag, ShortNode);
+        probe[i] = __builtin_convertvector(x - origin + v * lag, ShortNode);
     }
 }

@@ -93,6 +93,11 @@ struct Named {
     const Kernel* (*kernel)();
 };
 
+constexpr double near = 100.0;  ///< of the world's origin: single precision may count from there [mm]
+
+/// Where single precision counts from. Elements feel differences of places only; far away those would be rounding.
+Vec3 origin_for(const Vec3& node) { return node.cwiseAbs().maxCoeff() > near ? node : Vec3::Zero(); }
+
 std::vector<Named> instruction_sets() {
     const bool avx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
                         __builtin_cpu_supports("avx512vl") != 0;
@@ -127,7 +132,8 @@ struct ExplicitSolid::Parts {
     // state
     Array<double> position, velocity;
     Array<float> probe, force;
-    Array<float> trace;  ///< scratch of nodal pressure
+    Vec3 origin = Vec3::Zero();  ///< of `probe` [mm]
+    Array<float> trace;          ///< scratch of nodal pressure
     // what follows from the elements that are left
     SolidState left;  ///< only what tells which elements are there
     Array<double> inverse_mass, weight_share;
@@ -153,7 +159,7 @@ struct ExplicitSolid::Parts {
 
 Nodes ExplicitSolid::Parts::nodes() {
     return {node_count(), position.data(),     velocity.data(),    probe.data(),
-            force.data(), inverse_mass.data(), weight_share.data()};
+            force.data(), inverse_mass.data(), weight_share.data(), {origin.x(), origin.y(), origin.z(), 0.0}};
 }
 
 void ExplicitSolid::Parts::allocate() {
@@ -292,6 +298,7 @@ double ExplicitSolid::Parts::limit_of_lanes() {
     for (std::size_t i = 0; i < scale.size(); ++i) {
         scale[i] = std::sqrt(inverse_mass[i]);
     }
+    const Vec3 from = origin_for(model->coarse.nodes.front());
     const auto product = [&](const VecX& x, VecX& y) {
         double largest = 1e-300;
         for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -302,7 +309,7 @@ double ExplicitSolid::Parts::limit_of_lanes() {
         for (Eigen::Index k = 0; k < x.size(); ++k) {
             const auto i = static_cast<std::size_t>(k / 3);
             const double u = amplitude * scale[i] * x[k];
-            place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] + u);
+            place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] - from[k % 3] + u);
         }
         add_forces(place, pull);
         for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -374,6 +381,7 @@ void ExplicitSolid::load(const SolidState& state) {
             p.velocity[at(4 * i + k)] = p.mass[at(i)] > 0.0 ? state.velocity[at(i)][k] : 0.0;
         }
     }
+    p.origin = state.position.empty() ? Vec3::Zero() : origin_for(state.position.front());
     std::fill(p.force.begin(), p.force.end(), 0.0F);
     p.kernel->move(p.nodes(), 0.0, p.model->damping_stiffness);
 }

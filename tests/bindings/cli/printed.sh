@@ -28,7 +28,7 @@ pdftotext -layout "$work/page.pdf" "$work/text"
 printed() { grep -qF -- "$1" "$work/text" || fail "the printed report lacks $1"; }
 # title, score, ground of a threshold, comparison, time line, charts, ways, and what stands below every page
 for text in "Incision et contre-incision" "Note, critère par critère" "proposition" "Essai 2." "Déroulement" "Images" \
-  "Pression dans l'œil" "Spectre du tremblement" "Trajet de l'instrument : couteau à tunnel" "non validé cliniquement" \
+  "Pression dans l'œil" "Spectre du tremblement" "Trajet de l'instrument : kératome" "non validé cliniquement" \
   "Ces notes n'ont pas été validées cliniquement."; do
   printed "$text"
 done

@@ -72,6 +72,11 @@ for group in "ad":
 P
     expect 2 "seed 1 is in this table already" "$rhexis" study tried.json --seeds 1-1 --out tried_1 --resume \
         --with tried_1/gates_accepted.json
+    sed 's/"decides": "./"decides": "x/' tried_1/gates_accepted.json >other.json
+    expect 2 "tried with another exercise or gate: fill" "$rhexis" study tried.json --seeds 2-2 --with other.json \
+        --out never
+    expect 2 "cannot read" "$rhexis" study tried.json --seeds 2-2 --with nowhere.json --out never
+    expect 2 "excludes" "$rhexis" study gates --check --seeds 9300-9301
     expect 2 "--with is for a study of gates" "$rhexis" study small.json --with tried_1/gates_accepted.json --out never
 fi
 expect 2 "FIRST-LAST within 1-2" "$rhexis" study small.json --seeds 2-3 --out never
