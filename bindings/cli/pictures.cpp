@@ -38,11 +38,13 @@ void remove_old_pictures(const std::string& folder) {
 
 }  // namespace
 
+bool FilmClock::wants(double time_s) const { return time_s * frames_per_second + 1e-6 >= static_cast<double>(frames_); }
+
 struct PictureBook::Parts {
     std::string folder;
     Renderer renderer;
     std::optional<VideoFile> video;
-    long video_frames = 0;
+    FilmClock clock;
     std::vector<Picture> pictures;
 };
 
@@ -60,7 +62,7 @@ Result<PictureBook> PictureBook::create(const std::string& folder, bool video) {
         return made.error();
     }
     remove_old_pictures(folder + "/frames");
-    std::unique_ptr<Parts> parts(new Parts{folder, std::move(renderer).value(), std::nullopt, 0, {}});
+    std::unique_ptr<Parts> parts(new Parts{folder, std::move(renderer).value(), std::nullopt, {}, {}});
     if (video) {
         Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, frames_per_second);
         if (!file) {
@@ -82,9 +84,7 @@ Status PictureBook::keep(const Frame& frame, const std::string& name, const std:
     return status;
 }
 
-bool PictureBook::wants_film(double time_s) const {
-    return parts_->video && time_s * frames_per_second + 1e-6 >= static_cast<double>(parts_->video_frames);
-}
+bool PictureBook::wants_film(double time_s) const { return parts_->video && parts_->clock.wants(time_s); }
 
 Status PictureBook::film(const Frame& frame) {
     if (!wants_film(frame.time_s)) {
@@ -96,7 +96,7 @@ Status PictureBook::film(const Frame& frame) {
         if (!status) {
             return status;
         }
-        ++parts_->video_frames;
+        parts_->clock.advance();
     }
     return success();
 }

@@ -18,6 +18,18 @@ struct Picture {
     double time_s = 0.0;
 };
 
+/// Which moments of a run are on its video.
+class FilmClock {
+public:
+    /// True once the run has reached the next picture's time.
+    [[nodiscard]] bool wants(double time_s) const;
+    /// The next picture is taken.
+    void advance() { ++frames_; }
+
+private:
+    long frames_ = 0;
+};
+
 class PictureBook {
 public:
     /// Draws into folder/frames, and into folder/video.mp4 if asked. Fails without a device to draw with.

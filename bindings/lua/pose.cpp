@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "math/rotation.hpp"
+
 namespace rhexis::lua {
 
 void read_pose(lua_State* L, Options& options, Pose& pose) {
@@ -16,7 +18,7 @@ void read_pose(lua_State* L, Options& options, Pose& pose) {
     }
     if (turned) {
         const Eigen::AngleAxisd about_shaft(roll * std::numbers::pi / 180.0, Vec3::UnitZ());
-        pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), axis) * Quat(about_shaft);
+        pose.orientation = turn_of_z(axis) * Quat(about_shaft);
         pose.orientation.normalize();
     }
 }

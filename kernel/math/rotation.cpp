@@ -79,6 +79,16 @@ Mat3 cayley(const Vec3& w) {
 
 Mat3 spin_of_turn(const Vec3& z) { return (Mat3::Identity() + 0.5 * cross_matrix(z)) / (1.0 + 0.25 * z.squaredNorm()); }
 
+Quat turn_of_z(const Vec3& direction) {
+    const Vec3 d = direction.normalized();
+    if (d.z() < -1.0 + 1e-12) {
+        return Quat(0.0, 1.0, 0.0, 0.0);
+    }
+    const double s = std::sqrt(2.0 * (1.0 + d.z()));
+    const Vec3 axis = Vec3::UnitZ().cross(d) * (1.0 / s);
+    return Quat(0.5 * s, axis.x(), axis.y(), axis.z());
+}
+
 Quat turned(const Quat& rotation, const Vec3& w) {
     return (Quat(1.0, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()) * rotation).normalized();
 }

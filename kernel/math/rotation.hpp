@@ -29,6 +29,9 @@ Mat3 cayley(const Vec3& w);
 /// The spin of cayley(z) Q, with Q constant, per change of z.
 Mat3 spin_of_turn(const Vec3& z);
 
+/// The shortest turn that lays the z axis along a direction of any length; half a turn about some axis for -z.
+Quat turn_of_z(const Vec3& direction);
+
 /// A rotation turned further by cayley(w), of unit length again.
 Quat turned(const Quat& rotation, const Vec3& w);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lua/exercise_host.hpp"
+#include "math/rotation.hpp"
 #include "session/session.hpp"
 
 namespace rhexis::test {
@@ -132,7 +133,7 @@ private:
         sample.present = true;
         sample.pose.position = tip_;
         const Vec3 shaft = session_->eye().anatomy.incision - tip_;
-        sample.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), shaft);
+        sample.pose.orientation = turn_of_z(shaft);
         sample.pedal = pedal;
         return sample;
     }

@@ -56,6 +56,12 @@ bool CapsuleScene::step() {
     return outcome.failure == StepFailure::none;
 }
 
+void CapsuleScene::settle(int steps) {
+    for (int i = 0; i < steps; ++i) {
+        step();
+    }
+}
+
 void CapsuleScene::put(int tool, const Vec3& place, double jaw) {
     ToolState& own = tools_[at(tool)];
     own.present = true;

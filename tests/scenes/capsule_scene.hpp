@@ -26,6 +26,8 @@ public:
     [[nodiscard]] double time_s() const { return state_.time_s; }
     /// A step, with what tears in it. False if it had to be given up.
     bool step();
+    /// Steps with nothing done: lens and capsule come to rest.
+    void settle(int steps);
     void put(int tool, const Vec3& place, double jaw = 0.0);
     /// In a straight line, at a speed [mm/s]; false if a step had to be given up.
     bool lead(int tool, const Vec3& to, double speed, double jaw = 0.0);

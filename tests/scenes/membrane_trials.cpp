@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes/membrane_trials.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +10,7 @@
 #include "base/rng.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane/membrane_body.hpp"
+#include "scenes/eigenvalues.hpp"
 #include "scenes/membranes.hpp"
 
 namespace rhexis::scenes {
@@ -43,7 +43,7 @@ double least_eigenvalue(const MembraneTriangle& triangle, const TrianglePoints& 
         }
     }
     const double norm = full.norm();
-    return norm > 0.0 ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>>(full).eigenvalues()[0] / norm : 0.0;
+    return norm > 0.0 ? eigenvalues(full)[0] / norm : 0.0;
 }
 
 double least_eigenvalue(const MembraneModel& model, const MembraneState& state) {
@@ -135,7 +135,7 @@ FibreSweep sweep_fibres(const Orthotropic& material) {
         // strain with the tensor's shear: then turning the fibre is a rotation, which leaves the eigenvalues alone
         const Vec3 tensor(1.0, 1.0, std::numbers::sqrt2);
         const Mat3 k = tensor.asDiagonal() * plane_stiffness(material, fibre) * tensor.asDiagonal();
-        const Vec3 values = Eigen::SelfAdjointEigenSolver<Mat3>(k).eigenvalues();
+        const Vec3 values = eigenvalues(k);
         first = degree == 0 ? values : first;
         found.spread = std::max(found.spread, (values - first).norm() / first.norm());
         if (!(values[0] > 0.0)) {

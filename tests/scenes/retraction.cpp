@@ -12,14 +12,8 @@
 namespace rhexis::scenes {
 namespace {
 
-constexpr int settling_steps = 100;  ///< until lens and capsule are at rest
-constexpr double ahead = 0.4;        ///< how far along the circle the knife aims [mm]
-
-void settle(CapsuleScene& scene) {
-    for (int i = 0; i < settling_steps; ++i) {
-        scene.step();
-    }
-}
+constexpr int steps_to_rest = 100;  ///< until lens and capsule are at rest
+constexpr double ahead = 0.4;       ///< how far along the circle the knife aims [mm]
 
 /// Mean ratio of distances from the axis, now over at rest, near a radius.
 double drawn_wide(const MembraneState& sheet, double radius) {
@@ -64,14 +58,14 @@ void cut_round(CapsuleScene& scene, double radius) {
 
 Retraction retraction(double age, double diameter, const AnteriorCapsuleSettings& settings) {
     CapsuleScene scene(age, settings, {});
-    settle(scene);
+    scene.settle(steps_to_rest);
     const double wide = drawn_wide(scene.sheet(), 0.5 * diameter);
     cut_round(scene, 0.5 * diameter / wide);
     Retraction result;
     RhexisShape shape = rhexis_shape(*scene.model().sheet, scene.sheet());
     result.closed = shape.closed;
     result.cut = shape.mean_diameter;
-    settle(scene);
+    scene.settle(steps_to_rest);
     if (shape.closed) {
         measure_rim_now(scene.sheet(), shape);
         result.open = shape.mean_diameter;

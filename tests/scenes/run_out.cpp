@@ -20,12 +20,6 @@ constexpr double mean_habit = 10.0;       ///< [degrees]
 constexpr double spread_of_habit = 12.0;  ///< standard deviation [degrees]
 constexpr double spread_of_pulls = 8.0;   ///< likewise
 
-void settle(CapsuleScene& scene) {
-    for (int i = 0; i < settling_steps; ++i) {
-        scene.step();
-    }
-}
-
 }  // namespace
 
 double push_of_vitreous(const Chamber& chamber) {
@@ -52,11 +46,11 @@ Pulls pulls_of_beginner(std::uint64_t seed) {
 
 RunOutTrial::RunOutTrial(double age, std::uint64_t mesh_seed, int triangles)
     : scene_(age, {.triangles = triangles, .mesh_seed = mesh_seed}, {capsulorhexis_forceps()}) {
-    settle(scene_);
+    scene_.settle(settling_steps);
     scene_.open_flap(1.0, planned_radius, arc_at_start);
     const MembraneState& sheet = scene_.sheet();
     FlapHand hand(scene_, sheet.sheet->mesh.nodes[static_cast<std::size_t>(sheet.tips.back().node)]);
-    settle(scene_);
+    scene_.settle(settling_steps);
     for (int i = 0; i < pulls_at_start; ++i) {
         hand.pull(leading);
     }
@@ -66,7 +60,7 @@ RunOutTrial::RunOutTrial(double age, std::uint64_t mesh_seed, int triangles)
 RunOutResult RunOutTrial::run(const Chamber& chamber, const Pulls& pulls, double out_by) {
     scene_.sheet() = start_.sheet;
     scene_.sheet().support.push = push_of_vitreous(chamber);
-    settle(scene_);
+    scene_.settle(settling_steps);
     FlapHand hand(scene_, start_.end);
     RunOutResult result;
     for (const double inwards : pulls) {
@@ -92,7 +86,7 @@ RunOutResult RunOutTrial::run(const Chamber& chamber, const Pulls& pulls, double
 RescueResult RunOutTrial::rescue(const TornFlap& from, const Chamber& chamber, double inwards) {
     scene_.sheet() = from.sheet;
     scene_.sheet().support.push = push_of_vitreous(chamber);
-    settle(scene_);
+    scene_.settle(settling_steps);
     FlapHand hand(scene_, from.end);
     const FlapPull pull{.inwards = inwards,
                         .held_behind = 0.5,

@@ -43,11 +43,11 @@ local Scene = {}
 ---@field velocity? rhexis.Vec3 # of every free node at the start [mm/s]; default {0, 0, 0}
 ---@field fine? boolean # split every element into 8 for contact, sculpting and picture; default true
 
----Adds a deformable body. It meets tools and planes. Two bodies, or a body and a sheet, pass through each other, which
----a line on stderr tells. How its elements are made is `formulation`: edge-smoothed ones, which step implicitly, are
----within 10 % of Timoshenko's beam with 2 cells across. Linear ones, which step either way, lock where they bend (up to
----42 % too stiff at a Poisson's ratio of 0.49); those with their pressure at the nodes, which step explicitly
----and are the default with advance "explicit", less.
+---Adds a deformable body. Its nodes lie within 1e7 mm of the origin along every axis. It meets tools and planes. Two
+---bodies, or a body and a sheet, pass through each other, which a line on stderr tells. How its elements are made is
+---`formulation`: edge-smoothed ones, which step implicitly, are within 10 % of Timoshenko's beam with 2 cells across.
+---Linear ones, which step either way, lock where they bend (up to 42 % too stiff at a Poisson's ratio of 0.49); those
+---with their pressure at the nodes, which step explicitly and are the default with advance "explicit", less.
 ---```lua
 ---local scene = rhexis.scene.create()
 ---local bar = scene:add_solid { mesh = rhexis.mesh.bar(), young_modulus = 3000, fixed = { high = { 0, 2, 2 } } }

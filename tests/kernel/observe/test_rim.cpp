@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "kernel/observe/cut.hpp"
+#include "math/rotation.hpp"
+#include "math/symmetric_eigen.hpp"
 #include "observe/opening.hpp"
 
 using namespace rhexis;
@@ -42,8 +43,10 @@ std::vector<Vec3> seen_squarely(std::vector<Vec3> curve) {
     for (const Vec3& x : curve) {
         spread += (x - middle) * (x - middle).transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
-    const Quat turn = Quat::FromTwoVectors(axes.eigenvectors().col(0) * axes.eigenvectors()(2, 0), Vec3::UnitZ());
+    const SymmetricEigen3 axes = symmetric_eigen(spread);
+    Eigen::Index least = 0;
+    axes.values.minCoeff(&least);
+    const Quat turn = turn_of_z(axes.vectors.col(least) * axes.vectors(2, least)).conjugate();
     for (Vec3& x : curve) {
         x = turn * (x - middle);
     }

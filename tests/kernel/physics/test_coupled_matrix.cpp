@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include <Eigen/Eigenvalues>
 #include <vector>
 
 #include "math/block_matrix.hpp"
 #include "physics/solve/coupled_matrix.hpp"
+#include "scenes/eigenvalues.hpp"
 
 using namespace rhexis;
 
@@ -90,7 +90,7 @@ TEST_SUITE("coupled matrix") {
         const CoupledMatrix matrix = matrix_of(alone);
         const MatX more = dense(alone, matrix.solid_within_pattern()) - dense(matrix);
         CHECK((more - more.transpose()).norm() < 1e-14 * more.norm());
-        const VecX values = Eigen::SelfAdjointEigenSolver<MatX>(more).eigenvalues();
+        const VecX values = scenes::eigenvalues(more);
         CHECK(values[0] > -1e-12);
         CHECK(values[11] > 0.1);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/rotation.hpp"
 #include "physics/anatomy/globe_roll.hpp"
 
 using namespace rhexis;
@@ -30,7 +31,7 @@ ToolState held(const Vec3& tip, const Vec3& through) {
     ToolState tool;
     tool.present = true;
     tool.pose.position = tip;
-    tool.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), through - tip);
+    tool.pose.orientation = turn_of_z(through - tip);
     return tool;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flow/world.hpp"
+#include "math/rotation.hpp"
 #include "physics/fluid/chamber_flow.hpp"
 #include "physics/fluid/fluid_step.hpp"
 #include "tools/wound_tools.hpp"
@@ -50,7 +51,7 @@ struct Eye {
     }
     void put(const Vec3& place, const Vec3& shaft = Vec3(0.0, -0.9, 0.45)) {
         tools[0].previous_pose = tools[0].present ? tools[0].pose : Pose{place, Quat::Identity()};
-        tools[0].pose = {place, Quat::FromTwoVectors(Vec3::UnitZ(), shaft.normalized())};
+        tools[0].pose = {place, turn_of_z(shaft)};
         tools[0].previous_pose.orientation = tools[0].pose.orientation;
         tools[0].present = true;
     }
