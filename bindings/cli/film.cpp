@@ -59,8 +59,7 @@ private:
     bool ended_ = false;
 };
 
-void simulate(Session& session, const Recording& recording, Moments& moments) {
-    FilmClock clock;
+void simulate(Session& session, const Recording& recording, FilmClock clock, Moments& moments) {
     for (const RecordedStep& step : recording.steps) {
         session.step(step.samples, step.commands);
         const double now = session.time_s();
@@ -100,7 +99,7 @@ Status film_recording(const Recording& recording, PictureBook& book, bool stills
     }
     // Simulated beside the drawing, which has to stay on the thread of its context.
     Moments moments;
-    std::thread simulation([&] { simulate(session.value(), recording, moments); });
+    std::thread simulation([&] { simulate(session.value(), recording, book.clock(), moments); });
     status = draw(moments, recording.steps.size(), book, progress);
     moments.end();
     simulation.join();

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int width = 640;
 constexpr int height = 480;
-constexpr double frames_per_second = 25.0;
 
 /// Letters, digits and dashes of a name, for a file.
 std::string file_word(const std::string& name) {
@@ -38,12 +37,15 @@ void remove_old_pictures(const std::string& folder) {
 
 }  // namespace
 
-bool FilmClock::wants(double time_s) const { return time_s * frames_per_second + 1e-6 >= static_cast<double>(frames_); }
+bool FilmClock::wants(double time_s) const {
+    return time_s * pictures_per_second_ + 1e-6 >= static_cast<double>(frames_);
+}
 
 struct PictureBook::Parts {
     std::string folder;
     Renderer renderer;
     std::optional<VideoFile> video;
+    double pictures_per_second;
     FilmClock clock;
     std::vector<Picture> pictures;
 };
@@ -52,7 +54,7 @@ PictureBook::PictureBook(std::unique_ptr<Parts> parts) : parts_(std::move(parts)
 PictureBook::~PictureBook() = default;
 PictureBook::PictureBook(PictureBook&&) noexcept = default;
 
-Result<PictureBook> PictureBook::create(const std::string& folder, bool video) {
+Result<PictureBook> PictureBook::create(const std::string& folder, bool video, double pictures_per_second) {
     Result<Renderer> renderer = Renderer::create(width, height);
     if (!renderer) {
         return renderer.error();
@@ -62,9 +64,10 @@ Result<PictureBook> PictureBook::create(const std::string& folder, bool video) {
         return made.error();
     }
     remove_old_pictures(folder + "/frames");
-    std::unique_ptr<Parts> parts(new Parts{folder, std::move(renderer).value(), std::nullopt, {}, {}});
+    std::unique_ptr<Parts> parts(new Parts{
+        folder, std::move(renderer).value(), std::nullopt, pictures_per_second, FilmClock(pictures_per_second), {}});
     if (video) {
-        Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, frames_per_second);
+        Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, pictures_per_second);
         if (!file) {
             return file.error();
         }
@@ -105,5 +108,6 @@ Status PictureBook::finish() { return parts_->video ? parts_->video->finish() : 
 
 const std::vector<Picture>& PictureBook::pictures() const { return parts_->pictures; }
 bool PictureBook::has_video() const { return parts_->video.has_value(); }
+FilmClock PictureBook::clock() const { return FilmClock(parts_->pictures_per_second); }
 
 }  // namespace rhexis::cli

@@ -21,19 +21,21 @@ struct Picture {
 /// Which moments of a run are on its video.
 class FilmClock {
 public:
+    explicit FilmClock(double pictures_per_second) : pictures_per_second_(pictures_per_second) {}
     /// True once the run has reached the next picture's time.
     [[nodiscard]] bool wants(double time_s) const;
     /// The next picture is taken.
     void advance() { ++frames_; }
 
 private:
+    double pictures_per_second_;
     long frames_ = 0;
 };
 
 class PictureBook {
 public:
     /// Draws into folder/frames, and into folder/video.mp4 if asked. Fails without a device to draw with.
-    static Result<PictureBook> create(const std::string& folder, bool video);
+    static Result<PictureBook> create(const std::string& folder, bool video, double pictures_per_second = 25.0);
     ~PictureBook();
     PictureBook(PictureBook&&) noexcept;
 
@@ -46,6 +48,8 @@ public:
 
     [[nodiscard]] const std::vector<Picture>& pictures() const;
     [[nodiscard]] bool has_video() const;
+    /// From the beginning of a run.
+    [[nodiscard]] FilmClock clock() const;
 
 private:
     struct Parts;

@@ -39,6 +39,8 @@ constexpr const char* rate_help =
     "\n"
     "Answers are stored of attempts that are stored: rhexis run --trainee, or rhexis records add.";
 
+constexpr double pictures_per_second = 15.0;  ///< enough to follow a hand, and drawn in about the time it operated
+
 struct RateOptions {
     std::vector<std::string> recordings;
     std::string out = "rating";
@@ -80,7 +82,7 @@ Result<std::vector<Case>> cases_of(const RateOptions& given) {
 }
 
 Status film(const Recording& recording, const std::string& folder, const std::string& label) {
-    Result<PictureBook> book = PictureBook::create(folder, true);
+    Result<PictureBook> book = PictureBook::create(folder, true, pictures_per_second);
     if (!book) {
         return Error{book.error().text(), "", "--no-video makes the form without a replay"};
     }
