@@ -158,7 +158,7 @@ struct ExplicitSolid::Parts {
 };
 
 Nodes ExplicitSolid::Parts::nodes() {
-    return {node_count(), position.data(),     velocity.data(),    probe.data(),
+    return {node_count(), position.data(),     velocity.data(),     probe.data(),
             force.data(), inverse_mass.data(), weight_share.data(), {origin.x(), origin.y(), origin.z(), 0.0}};
 }
 
@@ -309,7 +309,8 @@ double ExplicitSolid::Parts::limit_of_lanes() {
         for (Eigen::Index k = 0; k < x.size(); ++k) {
             const auto i = static_cast<std::size_t>(k / 3);
             const double u = amplitude * scale[i] * x[k];
-            place[4 * i + static_cast<std::size_t>(k % 3)] = static_cast<float>(model->coarse.nodes[i][k % 3] - from[k % 3] + u);
+            place[4 * i + static_cast<std::size_t>(k % 3)] =
+                static_cast<float>(model->coarse.nodes[i][k % 3] - from[k % 3] + u);
         }
         add_forces(place, pull);
         for (Eigen::Index k = 0; k < x.size(); ++k) {
