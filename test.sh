@@ -40,8 +40,6 @@ else
     step 5 6 "all tests, Release ($(elapsed) so far)"
     if [ "$quick" = long ]; then run_tests release; else run_tests release -LE long; fi
     step 6 6 "quick tests, sanitized ($(elapsed) so far)"
-    # What is freed comes back after 16 MB, not 256: memory that was never touched is dear on virtual machines.
-    export ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=8
     run_tests sanitize -LE 'slow|long'
 fi
 say "finished in $(elapsed)"

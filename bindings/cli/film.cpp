@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/film.hpp"
 
-#include <condition_variable>
-#include <deque>
-#include <mutex>
+#include <future>
 #include <optional>
-#include <thread>
 
 #include "cli/progress.hpp"
 #include "session/replay.hpp"
@@ -13,73 +10,45 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr std::size_t most_waiting = 8;  ///< moments that are simulated and not yet drawn
-
-struct Moment {
-    Frame frame;
-    std::uint64_t step = 0;
-};
-
-/// Moments on their way from the thread that simulates to the one that draws.
-class Moments {
+/// A recording simulated from one moment of its video to the next.
+class FilmedRun {
 public:
-    /// Waits for room. False once nobody takes any more.
-    bool put(Moment moment) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return ended_ || waiting_.size() < most_waiting; });
-        if (ended_) {
-            return false;
+    FilmedRun(Session& session, const std::vector<RecordedStep>& steps, FilmClock clock)
+        : session_(session), steps_(steps), clock_(clock) {}
+
+    /// The next moment that is on the video; nothing after the last step.
+    std::optional<Frame> next() {
+        while (done_ < steps_.size()) {
+            const RecordedStep& step = steps_[done_++];
+            session_.step(step.samples, step.commands);
+            if (clock_.wants(session_.time_s())) {
+                clock_.advance_beyond(session_.time_s());
+                return session_.frame();
+            }
         }
-        waiting_.push_back(std::move(moment));
-        changed_.notify_all();
-        return true;
+        return std::nullopt;
     }
-    /// The next one, or nothing after the last.
-    std::optional<Moment> take() {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return ended_ || !waiting_.empty(); });
-        if (waiting_.empty()) {
-            return std::nullopt;
-        }
-        std::optional<Moment> next(std::move(waiting_.front()));
-        waiting_.pop_front();
-        changed_.notify_all();
-        return next;
-    }
-    void end() {
-        const std::lock_guard lock(mutex_);
-        ended_ = true;
-        changed_.notify_all();
-    }
+    [[nodiscard]] std::size_t done() const { return done_; }
 
 private:
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<Moment> waiting_;
-    bool ended_ = false;
+    Session& session_;
+    const std::vector<RecordedStep>& steps_;
+    FilmClock clock_;
+    std::size_t done_ = 0;
 };
 
-void simulate(Session& session, const Recording& recording, FilmClock clock, Moments& moments) {
-    for (const RecordedStep& step : recording.steps) {
-        session.step(step.samples, step.commands);
-        const double now = session.time_s();
-        if (clock.wants(now) && !moments.put({session.frame(), step.step})) {
-            break;
-        }
-        while (clock.wants(now)) {
-            clock.advance();
-        }
-    }
-    moments.end();
-}
-
-Status draw(Moments& moments, std::size_t steps, PictureBook& book, Progress& progress) {
-    while (const std::optional<Moment> moment = moments.take()) {
-        if (Status status = book.film(moment->frame); !status) {
+Status film(FilmedRun& run, std::size_t steps, PictureBook& book, Progress& progress) {
+    std::optional<Frame> now = run.next();
+    while (now) {
+        const std::size_t done = run.done();
+        // Simulated beside the drawing, which has to stay on the thread of its context.
+        std::future<std::optional<Frame>> later = std::async(std::launch::async, [&run] { return run.next(); });
+        const Status status = book.film(*now);
+        now = later.get();
+        if (!status) {
             return status;
         }
-        progress.show(static_cast<double>(moment->step) / static_cast<double>(steps),
-                      "step " + std::to_string(moment->step));
+        progress.show(static_cast<double>(done) / static_cast<double>(steps), "step " + std::to_string(done));
     }
     return success();
 }
@@ -94,15 +63,10 @@ Status film_recording(const Recording& recording, PictureBook& book, bool stills
     }
     Progress progress(label, quiet);
     Status status = stills ? book.keep(session.value().frame(), "start", "Before the first step.") : success();
-    if (!status) {
-        return status;
+    if (status) {
+        FilmedRun run(session.value(), recording.steps, book.clock());
+        status = film(run, recording.steps.size(), book, progress);
     }
-    // Simulated beside the drawing, which has to stay on the thread of its context.
-    Moments moments;
-    std::thread simulation([&] { simulate(session.value(), recording, book.clock(), moments); });
-    status = draw(moments, recording.steps.size(), book, progress);
-    moments.end();
-    simulation.join();
     if (status && stills) {
         status = book.keep(session.value().frame(), "end", "At the end.");
     }

@@ -41,11 +41,16 @@ bool FilmClock::wants(double time_s) const {
     return time_s * pictures_per_second_ + 1e-6 >= static_cast<double>(frames_);
 }
 
+void FilmClock::advance_beyond(double time_s) {
+    while (wants(time_s)) {
+        advance();
+    }
+}
+
 struct PictureBook::Parts {
     std::string folder;
     Renderer renderer;
     std::optional<VideoFile> video;
-    double pictures_per_second;
     FilmClock clock;
     std::vector<Picture> pictures;
 };
@@ -64,8 +69,8 @@ Result<PictureBook> PictureBook::create(const std::string& folder, bool video, d
         return made.error();
     }
     remove_old_pictures(folder + "/frames");
-    std::unique_ptr<Parts> parts(new Parts{
-        folder, std::move(renderer).value(), std::nullopt, pictures_per_second, FilmClock(pictures_per_second), {}});
+    std::unique_ptr<Parts> parts(
+        new Parts{folder, std::move(renderer).value(), std::nullopt, FilmClock(pictures_per_second), {}});
     if (video) {
         Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, pictures_per_second);
         if (!file) {
@@ -108,6 +113,6 @@ Status PictureBook::finish() { return parts_->video ? parts_->video->finish() : 
 
 const std::vector<Picture>& PictureBook::pictures() const { return parts_->pictures; }
 bool PictureBook::has_video() const { return parts_->video.has_value(); }
-FilmClock PictureBook::clock() const { return FilmClock(parts_->pictures_per_second); }
+FilmClock PictureBook::clock() const { return parts_->clock; }
 
 }  // namespace rhexis::cli

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool wants(double time_s) const;
     /// The next picture is taken.
     void advance() { ++frames_; }
+    /// All pictures up to this time are.
+    void advance_beyond(double time_s);
 
 private:
     double pictures_per_second_;
@@ -48,7 +50,7 @@ public:
 
     [[nodiscard]] const std::vector<Picture>& pictures() const;
     [[nodiscard]] bool has_video() const;
-    /// From the beginning of a run.
+    /// As far as the video is.
     [[nodiscard]] FilmClock clock() const;
 
 private:

@@ -232,9 +232,7 @@ json rescues(const BenchOptions& options) {
 json tension_row(double age, const Chamber& chamber) {
     scenes::CapsuleScene scene(age, {}, {});
     scene.sheet().support.push = scenes::push_of_vitreous(chamber);
-    for (int i = 0; i < 100; ++i) {
-        scene.step();
-    }
+    scene.settle(100);
     const scenes::CapsuleLoad load = scenes::capsule_load(scene.model(), scene.sheet());
     return {{"name",
              name_of("tension", age, chamber.fill).append("/").append(number(chamber.vitreous_mmhg)).append(" mmHg")},

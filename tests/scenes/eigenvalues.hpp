@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dense symmetric eigenvalues compiled once: Eigen's solver is half a minute of compiling wherever it is instantiated.
+// Dense symmetric eigenvalues compiled once: Eigen's solver takes seconds to compile wherever it is instantiated.
 #pragma once
 
 #include "math/types.hpp"

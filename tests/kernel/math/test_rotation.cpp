@@ -128,6 +128,20 @@ TEST_SUITE("math") {
         }
     }
 
+    TEST_CASE("the turn that lays the z axis along a direction is the shortest one, also for -z") {
+        Rng rng(6, "directions");
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 d(rng.uniform() - 0.5, rng.uniform() - 0.5, rng.uniform() - 0.5);
+            const Quat turn = turn_of_z(d);
+            CHECK((turn * Vec3::UnitZ() - d.normalized()).norm() < 1e-14);
+            CHECK(std::abs(turn.z()) < 1e-15);  // its axis lies across z
+        }
+        for (const Vec3& d : {Vec3(0.0, 0.0, 2.0), Vec3(0.0, 0.0, -2.0), Vec3(1e-9, 0.0, -1.0)}) {
+            CHECK((turn_of_z(d) * Vec3::UnitZ() - d.normalized()).norm() < 1e-8);
+            CHECK(turn_of_z(d).norm() == doctest::Approx(1.0));
+        }
+    }
+
     TEST_CASE("the Cayley map is a rotation that matches the angle to third order") {
         const Vec3 w(0.01, -0.02, 0.015);
         const Mat3 exact = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();

@@ -40,7 +40,7 @@ ShellModel strip() {
     return model;
 }
 
-constexpr double step_s = 0.01;
+constexpr double dt = 0.01;
 constexpr int pushing = 120;  // steps
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST_SUITE("plunger") {
             double strongest = 0.0;
             double deepest = 0.0;
             for (int i = 1; i <= pushing; ++i) {
-                CHECK(injection.step(static_cast<double>(i) / pushing, step_s) == ShellMotion::balanced);
+                CHECK(injection.step(static_cast<double>(i) / pushing, dt) == ShellMotion::balanced);
                 strongest = std::max(strongest, injection.plunger.force);
                 deepest = std::max(deepest, injection.contacts.deepest());
             }
@@ -91,7 +91,7 @@ TEST_SUITE("plunger") {
             CHECK(strongest <= 1.02 * most);
             double least = HUGE_VAL;
             for (int i = 0; i < 30; ++i) {
-                injection.step(1.0, step_s);
+                injection.step(1.0, dt);
                 least = std::min(least, injection.plunger.force);
                 strongest = std::max(strongest, injection.plunger.force);
             }
@@ -99,7 +99,7 @@ TEST_SUITE("plunger") {
             CHECK(least > 0.9 * most);
             CHECK(injection.plunger.pushed == doctest::Approx(stopped).epsilon(0.01));
             for (int i = 0; i < 10; ++i) {
-                injection.step(0.1, step_s);
+                injection.step(0.1, dt);
             }
             CHECK(injection.plunger.force == 0.0);
             CHECK(injection.plunger.pushed < 0.9 * stopped);
