@@ -2,6 +2,7 @@
 #include "lua/pattern.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 
@@ -40,20 +41,33 @@ bool in_class(char letter, int c) {
     }
 }
 
+using Set = std::bitset<256>;
+
 // What "%letter" stands for: a class, its complement in upper case, or the character itself.
-std::bitset<256> escaped_set(char letter) {
-    std::bitset<256> set;
+Set set_of_escaped(char letter) {
+    Set set;
     const bool is_class =
         std::string_view("acdglpsuwxz").find(static_cast<char>(std::tolower(static_cast<unsigned char>(letter)))) !=
         std::string_view::npos;
     if (!is_class) {
-        set.set(static_cast<unsigned char>(letter));
-        return set;
+        return set.set(static_cast<unsigned char>(letter));
     }
     for (int c = 0; c < 256; ++c) {
         set.set(static_cast<std::size_t>(c), in_class(letter, c));
     }
     return std::isupper(static_cast<unsigned char>(letter)) != 0 ? ~set : set;
+}
+
+// All of them once: scripts that read text compile small patterns by the thousand.
+const Set& escaped_set(char letter) {
+    static const std::array<Set, 256> sets = [] {
+        std::array<Set, 256> made;
+        for (int c = 0; c < 256; ++c) {
+            made[static_cast<std::size_t>(c)] = set_of_escaped(static_cast<char>(c));
+        }
+        return made;
+    }();
+    return sets[static_cast<unsigned char>(letter)];
 }
 
 }  // namespace
@@ -144,7 +158,7 @@ private:
             if (at_ >= text_.size() || text_[at_] != '[') {
                 throw PatternError("missing '[' after '%f' in pattern");
             }
-            const std::bitset<256> set = read_set();
+            const Set set = read_set();
             push(Pattern::Kind::frontier).set = set;
         } else {
             add_back_reference(c);
@@ -159,7 +173,7 @@ private:
         push(Pattern::Kind::back_reference).capture = capture;
     }
 
-    std::bitset<256> read_set() {
+    Set read_set() {
         const char c = text_[at_++];
         if (c == '[') {
             return read_bracket();
@@ -170,12 +184,12 @@ private:
             }
             return escaped_set(text_[at_++]);
         }
-        std::bitset<256> set;
+        Set set;
         return c == '.' ? set.set() : set.set(static_cast<unsigned char>(c));
     }
 
-    std::bitset<256> read_bracket() {
-        std::bitset<256> set;
+    Set read_bracket() {
+        Set set;
         const bool complement = at_ < text_.size() && text_[at_] == '^';
         at_ += complement ? 1 : 0;
         for (bool first = true;; first = false) {
@@ -190,7 +204,7 @@ private:
         }
     }
 
-    void add_to_bracket(std::bitset<256>& set) {
+    void add_to_bracket(Set& set) {
         if (text_[at_] == '%') {
             set |= escaped_set(text_[at_ + 1]);
             at_ += 2;
