@@ -16,18 +16,23 @@ while [ $# -gt 0 ]; do
     -h | --help) sed -n '3,6s/^# *//p' "$0" && exit 0 ;;
     --list) list=yes ;;
     --except) except=${2:?--except needs a regular expression} && shift ;;
+    -*) say "rhexis: there is no option $1 (--list, --except REGEX)" >&2 && exit 2 ;;
     *) wanted=$1 ;;
     esac
     shift
 done
 
-# Rows of the table: what, figure, command, apart by tabs. A command that stands in two rows runs once.
+# Rows of the table: what, figure, command, apart by tabs.
 rows() {
     awk -F' *\\| *' '/^## / { on = /Measured/ } on && NF == 5 && $4 ~ /`/ {
         gsub("`", "", $4); print $2 "\t" $3 "\t" $4 }' README.md | grep -E -- "$wanted" | grep -vE -- "$except"
 }
 
-mapfile -t table < <(rows | awk -F'\t' '!seen[$3]++')
+if [ "$list" = no ] && ! command -v rhexis >/dev/null; then
+    say "rhexis: there is no Release build (./demo.sh makes one)" >&2
+    exit 2
+fi
+mapfile -t table < <(rows | awk -F'\t' '!seen[$3]++')  # a command that stands in two rows runs once
 if [ "${#table[@]}" -eq 0 ]; then
     say "rhexis: no row of README.md's table \"Measured\" has: $wanted" >&2
     exit 2
