@@ -41,7 +41,7 @@ constexpr const char* study_help =
     "  rhexis study cohort                      what the report compares attempts with: cohorts.json\n"
     "  rhexis study gates                       whether experts pass the gates and beginners do not: "
     "gates_accepted.json\n"
-    "  rhexis study gates --seeds 9304-9305 --with rubrics/gates_accepted.json\n"
+    "  rhexis study gates --seeds 9305-9306 --with rubrics/gates_accepted.json\n"
     "                                           some of its seeds, added to what earlier ones gave\n"
     "  rhexis study gates --check               whether what was accepted is still true of exercises and gates\n"
     "\n"

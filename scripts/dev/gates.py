@@ -60,7 +60,9 @@ def gate_of(cohort):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cohorts", type=pathlib.Path, nargs="+")
-    parser.add_argument("--write", action="store_true", help="into rubrics/gates.json")
+    todo = parser.add_mutually_exclusive_group()
+    todo.add_argument("--write", action="store_true", help="into rubrics/gates.json")
+    todo.add_argument("--check", action="store_true", help="status 1 if rubrics/gates.json has other gates")
     options = parser.parse_args()
     gates = {}
     for exercise, cohort in sorted(together(options.cohorts).items()):
@@ -69,9 +71,11 @@ def main():
         print(f"{exercise:28} {mark:.2f} {'' if apart else 'tells nobody apart: '}{reason}")
     blind = sum("tells_apart" in gate for gate in gates.values())
     print(f"{blind} of {len(gates)} tell nobody apart")
+    path = ROOT / "rubrics" / "gates.json"
+    whole = json.loads(path.read_text())
+    if options.check and whole["exercises"] != gates:
+        raise SystemExit(f"gates.py: {path} has other gates: --write")
     if options.write:
-        path = ROOT / "rubrics" / "gates.json"
-        whole = json.loads(path.read_text())
         whole["exercises"] = gates
         path.write_text(json.dumps(whole, indent=2, ensure_ascii=False) + "\n")
 

@@ -3,6 +3,7 @@
 # Studies: groups of virtual surgeons on a small exercise; resumed; and what is wrong with them.
 set -u
 . "$(dirname "$0")/expect.sh"
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 cd "$work" || exit 2
 
 exercise fill >/dev/null <<'L'
@@ -76,7 +77,10 @@ P
     expect 2 "tried with another exercise or gate: fill" "$rhexis" study tried.json --seeds 2-2 --with other.json \
         --out never
     expect 2 "cannot read" "$rhexis" study tried.json --seeds 2-2 --with nowhere.json --out never
-    expect 2 "excludes" "$rhexis" study gates --check --seeds 9300-9301
+    expect 2 "excludes" "$rhexis" study gates --check --seeds 9305-9306
+    # The gates that there are, and what they gave when they were tried.
+    expect 0 "" "$rhexis" study gates --check
+    expect 0 "" python3 "$root/scripts/dev/gates.py" "$root/rubrics/cohorts.json" "$root/rubrics/gate_marks.json" --check
     expect 2 "--with is for a study of gates" "$rhexis" study small.json --with tried_1/gates_accepted.json --out never
 fi
 expect 2 "FIRST-LAST within 1-2" "$rhexis" study small.json --seeds 2-3 --out never
