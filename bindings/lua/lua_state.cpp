@@ -2,6 +2,7 @@
 #include "lua/lua_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 #include <sstream>
@@ -138,14 +139,14 @@ void load_text(lua_State* L, const std::string& given, const std::string& chunk)
 void load_file(lua_State* L, const std::string& path, const std::string& chunk) {
     std::ifstream file(path, std::ios::binary);
     std::string text;
-    if (file) {
-        text.resize(max_source_bytes + 1);
-        file.read(text.data(), static_cast<std::streamsize>(text.size()));
-        text.resize(static_cast<std::size_t>(file.gcount()));
+    std::array<char, 16384> block;
+    while (file && text.size() <= max_source_bytes) {
+        file.read(block.data(), block.size());
+        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
     }
-    if (file.bad() || !file.eof()) {
-        luaL_error(L, text.size() > max_source_bytes ? "%s: larger than a script may be (4 MiB)" : "%s: cannot be read",
-                   chunk.c_str());
+    const bool too_large = text.size() > max_source_bytes;
+    if (too_large || file.bad() || !file.eof()) {
+        luaL_error(L, too_large ? "%s: larger than a script may be (4 MiB)" : "%s: cannot be read", chunk.c_str());
     }
     if (without_mark(text).starts_with('#')) {  // "#!" line; its line stays, so that numbers hold
         text = "--" + std::string(without_mark(text));
