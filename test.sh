@@ -15,6 +15,9 @@ quick=${1:-}
 jobs=$(nproc)
 failed=0
 
+# BLAS begins a thread per core, which nothing here uses, and while a program begins they turn round and round.
+export OPENBLAS_NUM_THREADS=1
+
 run_tests() {  # FOLDER CTEST_ARGUMENTS...
     local folder=$1
     shift
