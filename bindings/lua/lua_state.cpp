@@ -139,7 +139,7 @@ void load_text(lua_State* L, const std::string& given, const std::string& chunk)
 void load_file(lua_State* L, const std::string& path, const std::string& chunk) {
     std::ifstream file(path, std::ios::binary);
     std::string text;
-    std::array<char, 16384> block;
+    std::array<char, 16384> block;  // a pipe does not say how long it is
     while (file && text.size() <= max_source_bytes) {
         file.read(block.data(), block.size());
         text.append(block.data(), static_cast<std::size_t>(file.gcount()));

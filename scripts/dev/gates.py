@@ -46,8 +46,8 @@ def gate_of(cohort):
     marks = [round(0.01 * i, 2) for i in range(101)]
     reached = max((mark for mark in marks if share(d, mark) >= EXPERTS), default=None)
     kept_out = min(mark for mark in marks if share(a, mark) <= BEGINNERS)
-    ground = (f"seeds {min(cohort['seeds'])} to {max(cohort['seeds'])}: of {a['attempts']} attempts each, group d completed {len(d['completed'])}, "
-              f"group a {len(a['completed'])}")
+    ground = (f"seeds {min(cohort['seeds'])} to {max(cohort['seeds'])}: of {a['attempts']} attempts each, "
+              f"group d completed {len(d['completed'])}, group a {len(a['completed'])}")
     if reached is None:
         best = min(d["completed"], default=0.5)
         return round(best - 0.005, 2), False, f"{ground}; too few of group d come to the end to tell them apart"
