@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
+#include "base/text_file.hpp"
+#include "lua/lua_state.hpp"
 
 namespace rhexis {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uintmax_t largest_script = std::uintmax_t{4} << 20;
 
 std::string joined(const std::vector<std::string>& names) {
     std::string list;
@@ -121,23 +119,7 @@ std::string hash_of_what_decides(const std::string& name, const std::string& roo
 
 Result<std::string> hash_of_scripts(const std::string& folder) { return hash_of(folder, scripts_below(folder)); }
 
-Result<std::string> read_script(const std::string& path) {
-    std::error_code failed;
-    const std::uintmax_t size = fs::file_size(path, failed);
-    if (failed) {
-        return Error{"cannot be read: " + failed.message(), path, ""};
-    }
-    if (size > largest_script) {
-        return Error{"is larger than a script may be", path, "at most 4 MiB"};
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) {
-        return Error{"cannot be read", path, ""};
-    }
-    return text.str();
-}
+Result<std::string> read_script(const std::string& path) { return read_text_file(path, lua::largest_script); }
 
 Result<CurriculumFiles> find_curriculum(const std::string& name, const std::string& root) {
     std::error_code failed;

@@ -2,9 +2,7 @@
 #include "lua/lua_state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <fstream>
 #include <sstream>
 
 #include "base/text_file.hpp"
@@ -15,7 +13,6 @@ namespace rhexis {
 namespace lua {
 namespace {
 
-constexpr std::size_t max_source_bytes = std::size_t{4} << 20;
 constexpr char between_mistakes = '\x1e';  // scripts/engine/words.lua
 
 // Position of the colon after "file:line", or npos.
@@ -137,17 +134,12 @@ void load_text(lua_State* L, const std::string& given, const std::string& chunk)
 }
 
 void load_file(lua_State* L, const std::string& path, const std::string& chunk) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text;
-    std::array<char, 16384> block;  // a pipe does not say how long it is
-    while (file && text.size() <= max_source_bytes) {
-        file.read(block.data(), block.size());
-        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    const Result<std::string> read = read_text_file(path, largest_script);
+    if (!read) {
+        const std::string what = Error{read.error().what, chunk, read.error().allowed}.text();
+        luaL_error(L, "%s", what.c_str());
     }
-    const bool too_large = text.size() > max_source_bytes;
-    if (too_large || file.bad() || !file.eof()) {
-        luaL_error(L, too_large ? "%s: larger than a script may be (4 MiB)" : "%s: cannot be read", chunk.c_str());
-    }
+    std::string text = read.value();
     if (without_mark(text).starts_with('#')) {  // "#!" line; its line stays, so that numbers hold
         text = "--" + std::string(without_mark(text));
     }

@@ -3,6 +3,7 @@
 // errors as file:line. All work on it happens inside run().
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -67,7 +68,10 @@ private:
 
 namespace lua {
 
-/// Inside run(): pushes the compiled chunk of a text file, or raises. Reads at most 4 MiB.
+/// Of what a script may have, in bytes.
+constexpr std::size_t largest_script = std::size_t{4} << 20;
+
+/// Inside run(): pushes the compiled chunk of a text file of at most largest_script, or raises.
 void load_file(lua_State* L, const std::string& path, const std::string& chunk);
 void load_text(lua_State* L, const std::string& text, const std::string& chunk);
 
