@@ -17,6 +17,10 @@ else()
   target_compile_options(rhexis_flags INTERFACE -Wshadow)
 endif()
 
+# What most sources read first; three precompiled headers hold it: kernel, bindings and tests.
+set(rhexis_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <memory> <optional> <string>
+  <vector>)
+
 # rhexis_alone(SOURCE...): never in a batch, since another source of the folder gives the same name to another thing.
 function(rhexis_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -61,10 +65,9 @@ function(rhexis_test_folder name)
   if(CMAKE_BUILD_TYPE STREQUAL "Sanitize" AND ARG_LABELS MATCHES "slow|long")
     return()  # only the quick ones run sanitized
   endif()
-  rhexis_alone(${PROJECT_SOURCE_DIR}/tests/main.cpp)  # asks doctest for its own parts too
-  add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
-  target_link_libraries(test_${name} PRIVATE rhexis_flags rhexis_test_support ${ARG_LIBRARIES})
-  target_precompile_headers(test_${name} REUSE_FROM rhexis_math)
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE rhexis_flags rhexis_test_support rhexis_test_main ${ARG_LIBRARIES})
+  target_precompile_headers(test_${name} REUSE_FROM rhexis_test_main)
   add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 900)

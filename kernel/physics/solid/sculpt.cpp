@@ -27,6 +27,12 @@ struct Touched {
 
 double fade(double depth) { return std::clamp(0.5 + depth / blur, 0.0, 1.0); }
 
+/// The two bounds of the zone, 0 to 1: within reach of the tip's surface, on the front side of its mouth.
+double around_tip(double distance) { return fade(sculpt_reach - distance); }
+double ahead_of_mouth(const SculptZone& zone, const Vec3& point) {
+    return fade(zone.facing.dot(point - zone.mouth) + behind_mouth);
+}
+
 /// Four points that integrate a tetrahedron to second order.
 double tet_weight(const ToolModel& tool, const SculptZone& zone, const Pose& pose, const std::array<Vec3, 4>& corners) {
     constexpr double near = 0.58541020;
@@ -104,8 +110,13 @@ SculptZone sculpt_zone(const ToolModel& tool) {
         for (int j = -half; j <= half; ++j) {
             for (int k = -half; k <= 2 * half; ++k) {
                 const Vec3 point = end.a + cell * Vec3(i, j, k);
-                if (cone_distance(end, point).distance >= 0.0) {
-                    zone.volume += cell * cell * cell * zone_weight(tool, zone, point);
+                const double ahead = ahead_of_mouth(zone, point);
+                if (!(ahead > 0.0)) {
+                    continue;  // the distance, which costs most here, need not be known
+                }
+                const double distance = cone_distance(end, point).distance;
+                if (distance >= 0.0) {
+                    zone.volume += cell * cell * cell * std::min(around_tip(distance), ahead);
                 }
             }
         }
@@ -114,11 +125,8 @@ SculptZone sculpt_zone(const ToolModel& tool) {
 }
 
 double zone_weight(const ToolModel& tool, const SculptZone& zone, const Vec3& point) {
-    const double off = sculpt_reach - cone_distance(tool.parts.front(), point).distance;
-    if (off < -blur) {
-        return 0.0;
-    }
-    return std::min(fade(off), fade(zone.facing.dot(point - zone.mouth) + behind_mouth));
+    const double ahead = ahead_of_mouth(zone, point);
+    return ahead > 0.0 ? std::min(around_tip(cone_distance(tool.parts.front(), point).distance), ahead) : 0.0;
 }
 
 double sculpt(const WorldModel& model, int tool, const ToolState& tool_state, const SculptZone& zone, double dt,
