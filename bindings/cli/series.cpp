@@ -18,14 +18,14 @@ nlohmann::json rounded(double value) {
 
 }  // namespace
 
-void Series::add(const Observation& observation) {
+Status Series::add(const Observation& observation) {
     spectra_.add(observation);
     if (seen_++ % stride_ != 0) {
-        return;
+        return success();
     }
     kept_.push_back(observation);
     if (kept_.size() < most) {
-        return;
+        return success();
     }
     std::vector<Observation> half;
     for (std::size_t i = 0; i < kept_.size(); i += 2) {
@@ -33,6 +33,7 @@ void Series::add(const Observation& observation) {
     }
     kept_ = std::move(half);
     stride_ *= 2;
+    return success();
 }
 
 nlohmann::json Series::json() const {

@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "cli/spectrum.hpp"
-#include "flow/observation.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis::cli {
 
-class Series {
+class Series final : public TrialObserver {
 public:
     explicit Series(const ObservationSchema& schema) : schema_(schema), spectra_(schema) {}
 
-    /// Takes every step's observation and keeps some of them, evenly spread: never more than `most`.
-    void add(const Observation& observation);
+    // Every step's observation is taken and some of them are kept, evenly spread: never more than `most`.
+    Status begun(Course& course) override { return add(course.observation()); }
+    Status stepped(const TrialStep& step) override { return add(step.session.observation()); }
 
     /// {"schema": 1, "time_s": [...], "measures": {"groove.depth_mm": {"unit": "mm", "meaning": "...",
     /// "values": [...]}}, "spectra": see Spectra}; null where a measure was not defined.
@@ -23,6 +24,8 @@ public:
 
 private:
     static constexpr std::size_t most = 1200;
+
+    Status add(const Observation& observation);
 
     ObservationSchema schema_;
     Spectra spectra_;
