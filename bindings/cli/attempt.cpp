@@ -35,8 +35,8 @@ class PictureObserver final : public TrialObserver {
 public:
     explicit PictureObserver(PictureBook& book) : book_(book) {}
 
-    Status begun(Course& course) override {
-        return book_.keep(course.session()->frame(), "start", "Before the first step.");
+    Status begun(Timeline& timeline) override {
+        return book_.keep(timeline.session()->frame(), "start", "Before the first step.");
     }
     Status look(Moment& moment) override {
         for (const Command& command : moment.commands) {
@@ -44,7 +44,7 @@ public:
                 continue;
             }
             end_pictured_ = end_pictured_ || command.name == "end";
-            if (Status kept = book_.keep(moment.course.session()->frame(), command.name, command.text); !kept) {
+            if (Status kept = book_.keep(moment.timeline.session()->frame(), command.name, command.text); !kept) {
                 return kept;
             }
         }
@@ -53,8 +53,8 @@ public:
     Status stepped(const TrialStep& step) override {
         return book_.wants_film(step.session.time_s()) ? book_.film(step.session.frame()) : success();
     }
-    Status ended(Course& course) override {
-        const Status kept = end_pictured_ ? success() : book_.keep(course.session()->frame(), "end", "At the end.");
+    Status ended(Timeline& timeline) override {
+        const Status kept = end_pictured_ ? success() : book_.keep(timeline.session()->frame(), "end", "At the end.");
         return kept ? book_.finish() : kept;
     }
 
@@ -181,9 +181,9 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
         observers.push_back(&keeper);
     }
     observers.push_back(&progress);
-    LiveCourse course(session);
+    LiveTimeline timeline(session);
     VirtualSurgeon surgeon(host);
-    const Result<TrialOutcome> outcome = Trial(course, &host, surgeon, std::move(observers), {options.limit_s}).run();
+    const Result<TrialOutcome> outcome = Trial(timeline, &host, surgeon, std::move(observers), {options.limit_s}).run();
     if (!outcome) {
         return outcome.error();
     }

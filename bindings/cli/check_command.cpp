@@ -80,10 +80,10 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     if (!session) {
         return of_exercise(session.error(), options);
     }
-    LiveCourse course(session.value());
+    LiveTimeline timeline(session.value());
     Nobody nobody;
     const double dry_s = dry_steps * session.value().scene().step_s;
-    const Result<TrialOutcome> played = Trial(course, &host.value(), nobody, {}, {dry_s}).run();
+    const Result<TrialOutcome> played = Trial(timeline, &host.value(), nobody, {}, {dry_s}).run();
     if (!played || played.value().error) {
         return played ? *played.value().error : played.error();
     }

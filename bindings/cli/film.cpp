@@ -14,7 +14,7 @@ namespace {
 class FilmedRun {
 public:
     FilmedRun(Session& session, const Recording& recording, FilmClock clock)
-        : course_(session), hand_(recording), trial_(course_, nullptr, hand_), clock_(clock) {}
+        : timeline_(session), hand_(recording), trial_(timeline_, nullptr, hand_), clock_(clock) {}
 
     Status begin() { return trial_.begin(); }
     /// The next moment that is on the video; nothing after the last step.
@@ -24,17 +24,17 @@ public:
             if (!stepped || !stepped.value()) {
                 return stepped ? Result<std::optional<Frame>>(std::nullopt) : stepped.error();
             }
-            const Session& session = *course_.session();
+            const Session& session = *timeline_.session();
             if (clock_.wants(session.time_s())) {
                 clock_.advance_beyond(session.time_s());
                 return std::optional<Frame>(session.frame());
             }
         }
     }
-    [[nodiscard]] std::size_t done() const { return course_.step_count(); }
+    [[nodiscard]] std::size_t done() const { return timeline_.step_count(); }
 
 private:
-    LiveCourse course_;
+    LiveTimeline timeline_;
     RecordedHand hand_;
     Trial trial_;
     FilmClock clock_;

@@ -6,7 +6,7 @@
 namespace rhexis::cli {
 
 Status HotReload::look(Moment& moment) {
-    const double time_s = moment.course.observation().time_s;
+    const double time_s = moment.timeline.observation().time_s;
     const Result<bool> boundary = host_.at_boundary();
     if (!boundary || !boundary.value() || time_s <= 0.0) {
         return success();

@@ -5,8 +5,8 @@
 
 namespace rhexis::cli {
 
-Status Recorder::begun(Course& course) {
-    const Session& session = *course.session();
+Status Recorder::begun(Timeline& timeline) {
+    const Session& session = *timeline.session();
     checkpoint_steps_ = static_cast<std::uint64_t>(std::lround(checkpoint_interval_s / session.scene().step_s));
     const Status status = at_rest_ ? success() : writer_.add(session.copy_state());
     return status ? writer_.add(RecordedStart{session.observation(), session.state_hash()}) : status;

@@ -12,9 +12,9 @@ public:
     /// at_rest: the session begins as its scene makes it, so that no state needs to be kept of its start.
     Recorder(RecordingWriter writer, bool at_rest) : writer_(std::move(writer)), at_rest_(at_rest) {}
 
-    Status begun(Course& course) override;
+    Status begun(Timeline& timeline) override;
     Status stepped(const TrialStep& step) override;
-    Status ended(Course&) override { return writer_.finish(); }
+    Status ended(Timeline&) override { return writer_.finish(); }
 
     /// Where the bytes are now, see RecordingWriter::file.
     [[nodiscard]] const std::string& file() const { return writer_.file(); }

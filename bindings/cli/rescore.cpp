@@ -43,9 +43,9 @@ bool same_exercise(const nlohmann::json& identity, const std::string& recorded) 
 }
 
 /// What was recorded, as long as the exercise sets what it set then; a session from the first step where it does not.
-class RecordedCourse final : public Course {
+class RecordedTimeline final : public Timeline {
 public:
-    explicit RecordedCourse(const Recording& recording) : recording_(recording) {}
+    explicit RecordedTimeline(const Recording& recording) : recording_(recording) {}
 
     [[nodiscard]] const SceneDescription& scene() const override { return recording_.header.scene; }
     [[nodiscard]] const ObservationSchema& schema() const override { return recording_.header.schema; }
@@ -96,17 +96,17 @@ private:
 };
 
 Result<Rescore> judge(const Recording& recording, ExerciseHost& host) {
-    RecordedCourse course(recording);
+    RecordedTimeline timeline(recording);
     RecordedHand hand(recording, RecordedHand::Gives::requests);
-    const Result<TrialOutcome> outcome = Trial(course, &host, hand).run();
+    const Result<TrialOutcome> outcome = Trial(timeline, &host, hand).run();
     if (!outcome) {
         return outcome.error();
     }
     Rescore rescored;
     rescored.identity = host.identity();
-    rescored.judged = course.step_count();
-    rescored.simulated = course.simulated();
-    rescored.difference = course.difference();
+    rescored.judged = timeline.step_count();
+    rescored.simulated = timeline.simulated();
+    rescored.difference = timeline.difference();
     rescored.script_error = outcome.value().error ? outcome.value().error->text() : "";
     const Result<nlohmann::json> result = host.result();
     if (result) {

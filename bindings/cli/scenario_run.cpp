@@ -57,7 +57,7 @@ public:
     ScenarioHand(ExerciseHost& host, ScenarioScript& script, const char* which, json value)
         : host_(host), script_(script), which_(which), value_(std::move(value)) {}
 
-    Status begin(Course& course) override {
+    Status begin(Timeline& timeline) override {
         const Result<json> declared = host_.declared_events();
         const Result<json> requests = host_.declared_requests();
         if (!declared || !requests) {
@@ -65,19 +65,19 @@ public:
         }
         declared_ = declared.value();
         return script_.start({{which_, value_},
-                              {"schema", schema_json(course.schema())},
+                              {"schema", schema_json(timeline.schema())},
                               {"goals", host_.goals()},
                               {"events", declared_},
                               {"requests", requests.value()},
                               {"settings", settings_json()},
-                              {"instruments", course.scene().instruments},
-                              {"landmarks", landmarks_json(*course.session())},
-                              {"step_s", course.scene().step_s}});
+                              {"instruments", timeline.scene().instruments},
+                              {"landmarks", landmarks_json(*timeline.session())},
+                              {"step_s", timeline.scene().step_s}});
     }
 
-    Result<OperatorStep> operate(Course& course) override {
+    Result<OperatorStep> operate(Timeline& timeline) override {
         const Result<json> events = host_.events();
-        return events ? script_.step(course.observation(), events.value()) : events.error();
+        return events ? script_.step(timeline.observation(), events.value()) : events.error();
     }
 
     /// What the kernel did not take fails the scenario.
@@ -117,8 +117,8 @@ public:
 
     /// To its last line, whatever the exercise says.
     Status run() {
-        LiveCourse course(session_);
-        const Result<TrialOutcome> played = Trial(course, &host_, hand_, {}, {.beyond_the_exercise = true}).run();
+        LiveTimeline timeline(session_);
+        const Result<TrialOutcome> played = Trial(timeline, &host_, hand_, {}, {.beyond_the_exercise = true}).run();
         if (!played) {
             return played.error();
         }

@@ -18,14 +18,14 @@ nlohmann::json rounded(double value) {
 
 }  // namespace
 
-Status Series::add(const Observation& observation) {
+void Series::add(const Observation& observation) {
     spectra_.add(observation);
     if (seen_++ % stride_ != 0) {
-        return success();
+        return;
     }
     kept_.push_back(observation);
     if (kept_.size() < most) {
-        return success();
+        return;
     }
     std::vector<Observation> half;
     for (std::size_t i = 0; i < kept_.size(); i += 2) {
@@ -33,7 +33,6 @@ Status Series::add(const Observation& observation) {
     }
     kept_ = std::move(half);
     stride_ *= 2;
-    return success();
 }
 
 nlohmann::json Series::json() const {

@@ -14,9 +14,16 @@ class Series final : public TrialObserver {
 public:
     explicit Series(const ObservationSchema& schema) : schema_(schema), spectra_(schema) {}
 
-    // Every step's observation is taken and some of them are kept, evenly spread: never more than `most`.
-    Status begun(Course& course) override { return add(course.observation()); }
-    Status stepped(const TrialStep& step) override { return add(step.session.observation()); }
+    Status begun(Timeline& timeline) override {
+        add(timeline.observation());
+        return success();
+    }
+    Status stepped(const TrialStep& step) override {
+        add(step.session.observation());
+        return success();
+    }
+    /// Takes every step's observation and keeps some of them, evenly spread: never more than `most`.
+    void add(const Observation& observation);
 
     /// {"schema": 1, "time_s": [...], "measures": {"groove.depth_mm": {"unit": "mm", "meaning": "...",
     /// "values": [...]}}, "spectra": see Spectra}; null where a measure was not defined.
@@ -24,8 +31,6 @@ public:
 
 private:
     static constexpr std::size_t most = 1200;
-
-    Status add(const Observation& observation);
 
     ObservationSchema schema_;
     Spectra spectra_;

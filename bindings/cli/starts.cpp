@@ -126,7 +126,7 @@ public:
           limit_s_(recipe.text.at("limit_s")),
           progress_("preparing " + recipe.name, quiet) {}
 
-    Status begun(Course&) override {
+    Status begun(Timeline&) override {
         watched_ = host_.watch(recipe_.text.at("when"), recipe_.text.at("where"));
         return success();
     }
@@ -165,11 +165,11 @@ Error too_late(const Recipe& recipe, double time_s) {
 
 /// The session as the recipe's surgeon leaves it at that moment.
 Result<Session> play_until(const Recipe& recipe, ExerciseHost& host, Session session, bool quiet) {
-    LiveCourse course(session);
+    LiveTimeline timeline(session);
     VirtualSurgeon surgeon(host);
     UntilItsMoment until(recipe, host, quiet);
     const Result<TrialOutcome> played =
-        Trial(course, &host, surgeon, {&until}, {recipe.text.at("limit_s").get<double>()}).run();
+        Trial(timeline, &host, surgeon, {&until}, {recipe.text.at("limit_s").get<double>()}).run();
     if (!played || played.value().error) {
         return played ? *played.value().error : played.error();
     }

@@ -10,7 +10,7 @@ constexpr double time_rounding_s = 1e-9;
 
 }  // namespace
 
-Status StateKeeper::begun(Course&) {
+Status StateKeeper::begun(Timeline&) {
     const Status watched = options_.when.empty() ? success() : host_.watch(options_.when, "--save-state");
     if (!watched) {
         error_ = watched.error();
@@ -26,12 +26,12 @@ Status StateKeeper::look(Moment& moment) {
     }
     kept_ = true;
     header_.identity = host_.identity().dump();  // an exercise that is edited while it runs is another
-    return write_state(options_.path, {header_, moment.course.session()->copy_state()});
+    return write_state(options_.path, {header_, moment.timeline.session()->copy_state()});
 }
 
 bool StateKeeper::reached(const Moment& moment) {
     if (options_.at_s >= 0.0) {
-        return moment.course.observation().time_s + time_rounding_s >= options_.at_s;
+        return moment.timeline.observation().time_s + time_rounding_s >= options_.at_s;
     }
     if (options_.when.empty()) {
         return moment.last;

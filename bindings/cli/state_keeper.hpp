@@ -22,7 +22,7 @@ public:
     StateKeeper(SaveOptions options, ExerciseHost& host, RecordingHeader header)
         : options_(std::move(options)), host_(host), header_(std::move(header)) {}
 
-    Status begun(Course& course) override;
+    Status begun(Timeline& timeline) override;
     Status look(Moment& moment) override;
 
     [[nodiscard]] bool kept() const { return kept_; }

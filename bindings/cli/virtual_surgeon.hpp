@@ -10,8 +10,8 @@ class VirtualSurgeon final : public Operator {
 public:
     explicit VirtualSurgeon(ExerciseHost& host) : host_(host) {}
     /// Nothing where the exercise has none.
-    Result<OperatorStep> operate(Course& course) override {
-        return host_.has_surgeon() ? host_.operate(course.session()->percept()) : OperatorStep{};
+    Result<OperatorStep> operate(Timeline& timeline) override {
+        return host_.has_surgeon() ? host_.operate(timeline.session()->percept()) : OperatorStep{};
     }
 
 private:

@@ -43,8 +43,8 @@ public:
     Comparison(const Recording& recording, const ReplayProgress& progress)
         : recording_(recording), progress_(progress) {}
 
-    Status begun(Course& course) override {
-        compare(0, recording_.start.hash, recording_.start.observation, *course.session());
+    Status begun(Timeline& timeline) override {
+        compare(0, recording_.start.hash, recording_.start.observation, *timeline.session());
         return success();
     }
     Status stepped(const TrialStep& step) override {
@@ -107,9 +107,9 @@ Result<Session> session_at(const Recording& recording, std::uint64_t step) {
             return status.error();
         }
     }
-    LiveCourse course(session.value());
+    LiveTimeline timeline(session.value());
     RecordedHand hand(recording, RecordedHand::Gives::all, step);
-    const Result<TrialOutcome> played = Trial(course, nullptr, hand).run();
+    const Result<TrialOutcome> played = Trial(timeline, nullptr, hand).run();
     return played ? std::move(session) : Result<Session>(played.error());
 }
 
@@ -118,15 +118,15 @@ Result<Verification> verify(const Recording& recording, const ReplayProgress& pr
     if (!created) {
         return created.error();
     }
-    LiveCourse course(created.value());
+    LiveTimeline timeline(created.value());
     RecordedHand hand(recording);
     Comparison comparison(recording, progress);
-    const Result<TrialOutcome> played = Trial(course, nullptr, hand, {&comparison}).run();
+    const Result<TrialOutcome> played = Trial(timeline, nullptr, hand, {&comparison}).run();
     return played ? Result<Verification>(comparison.result()) : played.error();
 }
 
-Result<OperatorStep> RecordedHand::operate(Course& course) {
-    const std::uint64_t step = course.step_count();
+Result<OperatorStep> RecordedHand::operate(Timeline& timeline) {
+    const std::uint64_t step = timeline.step_count();
     if (step >= std::min<std::uint64_t>(last_, recording_.steps.size())) {
         return OperatorStep{.done = true};
     }

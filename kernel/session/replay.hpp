@@ -34,7 +34,7 @@ public:
     };
     explicit RecordedHand(const Recording& recording, Gives gives = Gives::all, std::uint64_t last = ~std::uint64_t{0})
         : recording_(recording), gives_(gives), last_(last) {}
-    Result<OperatorStep> operate(Course& course) override;
+    Result<OperatorStep> operate(Timeline& timeline) override;
 
 private:
     const Recording& recording_;

@@ -17,15 +17,15 @@ bool asks_to_finish(const std::vector<Command>& commands) {
 }
 
 /// With one thread its own, so that others of the process do not count.
-double cpu_seconds(const Course& course) {
-    return course.scene().threads == 1 ? thread_cpu_seconds() : process_cpu_seconds();
+double cpu_seconds(const Timeline& timeline) {
+    return timeline.scene().threads == 1 ? thread_cpu_seconds() : process_cpu_seconds();
 }
 
 }  // namespace
 
-Trial::Trial(Course& course, Exercise* exercise, Operator& whoever, std::vector<TrialObserver*> observers,
+Trial::Trial(Timeline& timeline, Exercise* exercise, Operator& whoever, std::vector<TrialObserver*> observers,
              TrialLimits limits)
-    : course_(course), exercise_(exercise), operator_(whoever), observers_(std::move(observers)), limits_(limits) {}
+    : timeline_(timeline), exercise_(exercise), operator_(whoever), observers_(std::move(observers)), limits_(limits) {}
 
 Result<TrialOutcome> Trial::run() {
     Status status = begin();
@@ -40,13 +40,14 @@ Result<TrialOutcome> Trial::run() {
 }
 
 Status Trial::begin() {
-    Status ready = exercise_ != nullptr ? exercise_->start(course_.schema(), course_.scene().instruments) : success();
-    ready = ready ? operator_.begin(course_) : ready;
+    Status ready =
+        exercise_ != nullptr ? exercise_->start(timeline_.schema(), timeline_.scene().instruments) : success();
+    ready = ready ? operator_.begin(timeline_) : ready;
     if (!ready) {
         fail(ready.error());
     }
     for (TrialObserver* observer : observers_) {
-        if (Status status = observer->begun(course_); !status) {
+        if (Status status = observer->begun(timeline_); !status) {
             return status;
         }
     }
@@ -67,7 +68,7 @@ Result<bool> Trial::step() {
 
 Status Trial::end() {
     for (TrialObserver* observer : observers_) {
-        if (Status status = observer->ended(course_); !status) {
+        if (Status status = observer->ended(timeline_); !status) {
             return status;
         }
     }
@@ -79,7 +80,7 @@ void Trial::judge() {
         commands_.clear();
         return;
     }
-    Result<std::vector<Command>> wanted = exercise_->observe(course_.observation(), commands_);
+    Result<std::vector<Command>> wanted = exercise_->observe(timeline_.observation(), commands_);
     commands_.clear();
     if (wanted) {
         commands_ = std::move(wanted).value();
@@ -92,12 +93,12 @@ TrialEnd Trial::ended() const {
     if (exercise_ != nullptr && !limits_.beyond_the_exercise && (exercise_->finished() || asks_to_finish(commands_))) {
         return TrialEnd::finished;
     }
-    const bool time_up = course_.observation().time_s + time_rounding_s >= limits_.time_s;
+    const bool time_up = timeline_.observation().time_s + time_rounding_s >= limits_.time_s;
     return time_up ? TrialEnd::time_up : TrialEnd::none;
 }
 
 Status Trial::show() {
-    Moment moment{course_, commands_, outcome_.end != TrialEnd::none};
+    Moment moment{timeline_, commands_, outcome_.end != TrialEnd::none};
     for (TrialObserver* observer : observers_) {
         if (Status status = observer->look(moment); !status) {
             return status;
@@ -110,7 +111,7 @@ Status Trial::show() {
 }
 
 Result<bool> Trial::act() {
-    Result<OperatorStep> wanted = operator_.operate(course_);
+    Result<OperatorStep> wanted = operator_.operate(timeline_);
     if (!wanted) {
         return fail(wanted.error());
     }
@@ -121,17 +122,17 @@ Result<bool> Trial::act() {
     }
     commands_.insert(commands_.end(), step.commands.begin(), step.commands.end());
     const double wall = wall_seconds();
-    const double cpu = cpu_seconds(course_);
-    const Result<StepOutcome> stepped = course_.advance(step.samples, commands_);
+    const double cpu = cpu_seconds(timeline_);
+    const Result<StepOutcome> stepped = timeline_.advance(step.samples, commands_);
     if (!stepped) {
         return stepped.error();
     }
-    Session* session = course_.session();
+    Session* session = timeline_.session();
     if (session == nullptr) {
         return true;
     }
     const TrialStep made{*session,        step.samples,          commands_,
-                         stepped.value(), wall_seconds() - wall, cpu_seconds(course_) - cpu};
+                         stepped.value(), wall_seconds() - wall, cpu_seconds(timeline_) - cpu};
     for (TrialObserver* observer : observers_) {
         if (Status status = observer->stepped(made); !status) {
             return status.error();

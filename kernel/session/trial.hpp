@@ -21,9 +21,9 @@
 namespace rhexis {
 
 /// What a trial goes through, step by step.
-class Course {
+class Timeline {
 public:
-    virtual ~Course() = default;
+    virtual ~Timeline() = default;
     [[nodiscard]] virtual const SceneDescription& scene() const = 0;
     [[nodiscard]] virtual const ObservationSchema& schema() const = 0;
     [[nodiscard]] virtual const Observation& observation() const = 0;
@@ -35,10 +35,10 @@ public:
 };
 
 /// A session that is stepped.
-class LiveCourse final : public Course {
+class LiveTimeline final : public Timeline {
 public:
-    /// The session outlives the course.
-    explicit LiveCourse(Session& session) : session_(session) {}
+    /// The session outlives the timeline.
+    explicit LiveTimeline(Session& session) : session_(session) {}
     [[nodiscard]] const SceneDescription& scene() const override { return session_.scene(); }
     [[nodiscard]] const ObservationSchema& schema() const override { return session_.schema(); }
     [[nodiscard]] const Observation& observation() const override { return session_.observation(); }
@@ -74,15 +74,15 @@ class Operator {
 public:
     virtual ~Operator() = default;
     /// Once, before the first step and after the exercise.
-    virtual Status begin(Course&) { return success(); }
-    virtual Result<OperatorStep> operate(Course& course) = 0;
+    virtual Status begin(Timeline&) { return success(); }
+    virtual Result<OperatorStep> operate(Timeline& timeline) = 0;
     /// How the step that it asked for went.
     virtual Status stepped(const Session&, const StepOutcome&) { return success(); }
 };
 
 /// Between two steps, when the exercise has judged.
 struct Moment {
-    Course& course;
+    Timeline& timeline;
     std::vector<Command>& commands;  ///< what the exercise wants; an observer may add, and that is recorded as the same
     bool last = false;               ///< no step follows
     bool stop = false;               ///< set by an observer: it has what it wanted
@@ -103,11 +103,11 @@ class TrialObserver {
 public:
     virtual ~TrialObserver() = default;
     /// Before the first step, when exercise and operator have begun.
-    virtual Status begun(Course&) { return success(); }
+    virtual Status begun(Timeline&) { return success(); }
     virtual Status look(Moment&) { return success(); }
     virtual Status stepped(const TrialStep&) { return success(); }
     /// Once, after the last moment.
-    virtual Status ended(Course&) { return success(); }
+    virtual Status ended(Timeline&) { return success(); }
 };
 
 enum class TrialEnd {
@@ -132,10 +132,10 @@ struct TrialLimits {
 class Trial {
 public:
     /// exercise: null, nothing judges. All outlive the trial; observers are asked in their order.
-    Trial(Course& course, Exercise* exercise, Operator& whoever, std::vector<TrialObserver*> observers = {},
+    Trial(Timeline& timeline, Exercise* exercise, Operator& whoever, std::vector<TrialObserver*> observers = {},
           TrialLimits limits = {});
 
-    /// From the first moment to the last. Fails where the course or an observer does.
+    /// From the first moment to the last. Fails where the timeline or an observer does.
     Result<TrialOutcome> run();
 
     // The same in pieces, for those who do something in between: begin, then step as long as it is true, then end.
@@ -152,7 +152,7 @@ private:
     [[nodiscard]] TrialEnd ended() const;
     bool fail(const Error& error);
 
-    Course& course_;
+    Timeline& timeline_;
     Exercise* exercise_;
     Operator& operator_;
     std::vector<TrialObserver*> observers_;
@@ -164,7 +164,7 @@ private:
 /// Nobody operates.
 class Nobody final : public Operator {
 public:
-    Result<OperatorStep> operate(Course&) override { return OperatorStep{}; }
+    Result<OperatorStep> operate(Timeline&) override { return OperatorStep{}; }
 };
 
 }  // namespace rhexis

@@ -12,8 +12,8 @@ using namespace rhexis::test;
 
 namespace {
 
-/// A course of numbers: what a trial does with it, without an eye.
-class PaperCourse final : public Course {
+/// A timeline of numbers: what a trial does with it, without an eye.
+class PaperTimeline final : public Timeline {
 public:
     [[nodiscard]] const SceneDescription& scene() const override { return scene_; }
     [[nodiscard]] const ObservationSchema& schema() const override { return schema_; }
@@ -24,7 +24,7 @@ public:
         given.emplace_back(commands.begin(), commands.end());
         taken.push_back(samples.size());
         observation_.time_s = 0.1 * static_cast<double>(++step_);
-        return step_ == broken_at ? Result<StepOutcome>(Error{"the course is broken", "", ""}) : StepOutcome{};
+        return step_ == broken_at ? Result<StepOutcome>(Error{"the timeline is broken", "", ""}) : StepOutcome{};
     }
 
     std::vector<std::vector<Command>> given;
@@ -60,11 +60,11 @@ public:
 class PaperHand final : public Operator {
 public:
     explicit PaperHand(std::uint64_t steps = ~std::uint64_t{0}) : steps_(steps) {}
-    Result<OperatorStep> operate(Course& course) override {
-        if (course.step_count() >= steps_) {
+    Result<OperatorStep> operate(Timeline& timeline) override {
+        if (timeline.step_count() >= steps_) {
             return OperatorStep{.done = true};
         }
-        if (course.step_count() == fails_at) {
+        if (timeline.step_count() == fails_at) {
             return Error{"the hand slipped", "plan", ""};
         }
         return OperatorStep{{DeviceSample{}}, {command(CommandKind::request, "drops")}};
@@ -78,7 +78,7 @@ private:
 /// Writes down what it is shown.
 class Notes final : public TrialObserver {
 public:
-    Status begun(Course&) override { return say("begun"); }
+    Status begun(Timeline&) override { return say("begun"); }
     Status look(Moment& moment) override {
         moment.stop = ++looks == stop_at;
         if (looks == adds_at) {
@@ -89,7 +89,7 @@ public:
         }
         return say(moment.last ? "last look" : "look");
     }
-    Status ended(Course&) override { return say("ended"); }
+    Status ended(Timeline&) override { return say("ended"); }
 
     std::string said;
     int looks = 0;
@@ -105,13 +105,13 @@ private:
 };
 
 struct PaperTrial {
-    PaperCourse course;
+    PaperTimeline timeline;
     PaperExercise exercise;
     PaperHand hand;
     Notes notes;
 
     TrialOutcome run(TrialLimits limits = {}) {
-        const Result<TrialOutcome> outcome = Trial(course, &exercise, hand, {&notes}, limits).run();
+        const Result<TrialOutcome> outcome = Trial(timeline, &exercise, hand, {&notes}, limits).run();
         REQUIRE_MESSAGE(outcome.ok(), (outcome ? std::string() : outcome.error().text()));
         return outcome.value();
     }
@@ -128,7 +128,7 @@ std::string names(const std::vector<Command>& commands) {
 }  // namespace
 
 TEST_SUITE("trial") {
-    TEST_CASE("the exercise judges, others look, somebody acts, the course goes on") {
+    TEST_CASE("the exercise judges, others look, somebody acts, the timeline goes on") {
         PaperTrial trial;
         trial.hand = PaperHand(2);
         trial.notes.adds_at = 2;
@@ -137,10 +137,10 @@ TEST_SUITE("trial") {
         };
         CHECK(trial.run().end == TrialEnd::done);
         CHECK(trial.notes.said == "begun, look, look, look, ended");
-        CHECK(trial.course.taken == std::vector<std::size_t>{1, 1});
-        REQUIRE(trial.course.given.size() == 2);
-        CHECK(names(trial.course.given[0]) == "moment 1 drops");
-        CHECK(names(trial.course.given[1]) == "moment 2 added drops");
+        CHECK(trial.timeline.taken == std::vector<std::size_t>{1, 1});
+        REQUIRE(trial.timeline.given.size() == 2);
+        CHECK(names(trial.timeline.given[0]) == "moment 1 drops");
+        CHECK(names(trial.timeline.given[1]) == "moment 2 added drops");
         REQUIRE(trial.exercise.heard.size() == 3);
         CHECK(trial.exercise.heard[0].empty());
         CHECK(names(trial.exercise.heard[1]) == "moment 1 drops");
@@ -152,18 +152,18 @@ TEST_SUITE("trial") {
         over.exercise.finished_at = 3;
         CHECK(over.run().end == TrialEnd::finished);
         CHECK(over.notes.said == "begun, look, look, last look, ended");
-        CHECK(over.course.step_count() == 2);
+        CHECK(over.timeline.step_count() == 2);
 
         PaperTrial asked;
         asked.exercise.wants = [](std::size_t moment) {
             return moment == 2 ? std::vector<Command>{command(CommandKind::finish, "")} : std::vector<Command>{};
         };
         CHECK(asked.run().end == TrialEnd::finished);
-        CHECK(asked.course.step_count() == 1);
+        CHECK(asked.timeline.step_count() == 1);
 
         PaperTrial late;
         CHECK(late.run({.time_s = 0.5}).end == TrialEnd::time_up);
-        CHECK(late.course.step_count() == 5);
+        CHECK(late.timeline.step_count() == 5);
     }
 
     TEST_CASE("a test goes on when the exercise is over") {
@@ -171,14 +171,14 @@ TEST_SUITE("trial") {
         trial.exercise.finished_at = 2;
         trial.hand = PaperHand(4);
         CHECK(trial.run({.beyond_the_exercise = true}).end == TrialEnd::done);
-        CHECK(trial.course.step_count() == 4);
+        CHECK(trial.timeline.step_count() == 4);
     }
 
     TEST_CASE("an observer that has what it wanted ends it") {
         PaperTrial trial;
         trial.notes.stop_at = 3;
         CHECK(trial.run().end == TrialEnd::stopped);
-        CHECK(trial.course.step_count() == 2);
+        CHECK(trial.timeline.step_count() == 2);
     }
 
     TEST_CASE("what fails in a script ends the trial as a trial; those who look on are told the end") {
@@ -195,7 +195,7 @@ TEST_SUITE("trial") {
         PaperTrial hand;
         hand.hand.fails_at = 1;
         CHECK(hand.run().error->what == "the hand slipped");
-        CHECK(hand.course.step_count() == 1);
+        CHECK(hand.timeline.step_count() == 1);
 
         PaperTrial unready;
         unready.exercise.starts = Error{"no such measure", "exercise", ""};
@@ -207,13 +207,13 @@ TEST_SUITE("trial") {
     TEST_CASE("what fails outside the scripts is the trial's own error") {
         PaperTrial full;
         full.notes.full_at = 2;
-        const Result<TrialOutcome> stopped = Trial(full.course, &full.exercise, full.hand, {&full.notes}).run();
+        const Result<TrialOutcome> stopped = Trial(full.timeline, &full.exercise, full.hand, {&full.notes}).run();
         REQUIRE_FALSE(stopped.ok());
         CHECK(stopped.error().what == "the disk is full");
 
         PaperTrial broken;
-        broken.course.broken_at = 2;
-        CHECK_FALSE(Trial(broken.course, &broken.exercise, broken.hand).run().ok());
+        broken.timeline.broken_at = 2;
+        CHECK_FALSE(Trial(broken.timeline, &broken.exercise, broken.hand).run().ok());
     }
 
     TEST_CASE("without an exercise whoever operates says everything; a session's steps are shown with their cost") {
@@ -230,9 +230,9 @@ TEST_SUITE("trial") {
             bool timed = true;
         } steps;
         Session session = make_session(SceneDescription{});
-        LiveCourse course(session);
+        LiveTimeline timeline(session);
         Nobody nobody;
-        const Result<TrialOutcome> outcome = Trial(course, nullptr, nobody, {&steps}, {.time_s = 0.03}).run();
+        const Result<TrialOutcome> outcome = Trial(timeline, nullptr, nobody, {&steps}, {.time_s = 0.03}).run();
         REQUIRE(outcome.ok());
         CHECK(outcome.value().end == TrialEnd::time_up);
         CHECK(steps.count == 3);
