@@ -9,6 +9,7 @@
 
 #include "base/result.hpp"
 #include "cli/starts.hpp"
+#include "cli/state_keeper.hpp"
 #include "lua/exercise_host.hpp"
 
 namespace rhexis::cli {
@@ -17,13 +18,6 @@ enum class Drawing {
     if_possible,  ///< pictures where there is a device to draw with
     none,
     video,  ///< pictures and a video, or no run
-};
-
-/// A state to keep of a run, to start others from.
-struct SaveOptions {
-    std::string path;    ///< empty: none
-    double at_s = -1.0;  ///< at this simulated time; below 0: see `when`
-    std::string when;    ///< as soon as this condition of the exercise holds; empty (and no time): at the end
 };
 
 struct AttemptOptions {

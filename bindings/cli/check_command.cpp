@@ -11,7 +11,7 @@
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/operation_script.hpp"
-#include "session/session.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -80,16 +80,12 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     if (!session) {
         return of_exercise(session.error(), options);
     }
-    Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
-    if (!started) {
-        return started.error();
-    }
-    for (int step = 0; step <= dry_steps && !host.value().finished(); ++step) {
-        const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
-        if (!commands) {
-            return commands.error();
-        }
-        session.value().step({}, commands.value());
+    LiveTimeline timeline(session.value());
+    Nobody nobody;
+    const double dry_s = dry_steps * session.value().scene().step_s;
+    const Result<TrialOutcome> played = Trial(timeline, &host.value(), nobody, {}, {dry_s}).run();
+    if (!played || played.value().error) {
+        return played ? *played.value().error : played.error();
     }
     const Result<nlohmann::json> result = host.value().result();
     Result<Findings> found = result ? review(host.value()) : Result<Findings>(result.error());

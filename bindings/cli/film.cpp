@@ -13,44 +13,47 @@ namespace {
 /// A recording simulated from one moment of its video to the next.
 class FilmedRun {
 public:
-    FilmedRun(Session& session, const std::vector<RecordedStep>& steps, FilmClock clock)
-        : session_(session), steps_(steps), clock_(clock) {}
+    FilmedRun(Session& session, const Recording& recording, FilmClock clock)
+        : timeline_(session), hand_(recording), trial_(timeline_, nullptr, hand_), clock_(clock) {}
 
+    Status begin() { return trial_.begin(); }
     /// The next moment that is on the video; nothing after the last step.
-    std::optional<Frame> next() {
-        while (done_ < steps_.size()) {
-            const RecordedStep& step = steps_[done_++];
-            session_.step(step.samples, step.commands);
-            if (clock_.wants(session_.time_s())) {
-                clock_.advance_beyond(session_.time_s());
-                return session_.frame();
+    Result<std::optional<Frame>> next() {
+        for (;;) {
+            const Result<bool> stepped = trial_.step();
+            if (!stepped || !stepped.value()) {
+                return stepped ? Result<std::optional<Frame>>(std::nullopt) : stepped.error();
+            }
+            const Session& session = *timeline_.session();
+            if (clock_.wants(session.time_s())) {
+                clock_.advance_beyond(session.time_s());
+                return std::optional<Frame>(session.frame());
             }
         }
-        return std::nullopt;
     }
-    [[nodiscard]] std::size_t done() const { return done_; }
+    [[nodiscard]] std::size_t done() const { return timeline_.step_count(); }
 
 private:
-    Session& session_;
-    const std::vector<RecordedStep>& steps_;
+    LiveTimeline timeline_;
+    RecordedHand hand_;
+    Trial trial_;
     FilmClock clock_;
-    std::size_t done_ = 0;
 };
 
 Status film(FilmedRun& run, std::size_t steps, PictureBook& book, Progress& progress) {
-    std::optional<Frame> now = run.next();
-    while (now) {
+    Result<std::optional<Frame>> now = run.next();
+    while (now && now.value()) {
         const std::size_t done = run.done();
         // Simulated beside the drawing, which has to stay on the thread of its context.
-        std::future<std::optional<Frame>> later = std::async(std::launch::async, [&run] { return run.next(); });
-        const Status status = book.film(*now);
+        std::future<Result<std::optional<Frame>>> later = std::async(std::launch::async, [&run] { return run.next(); });
+        const Status status = book.film(*now.value());
         now = later.get();
         if (!status) {
             return status;
         }
         progress.show(static_cast<double>(done) / static_cast<double>(steps), "step " + std::to_string(done));
     }
-    return success();
+    return now ? success() : Status(now.error());
 }
 
 }  // namespace
@@ -64,8 +67,9 @@ Status film_recording(const Recording& recording, PictureBook& book, bool stills
     Progress progress(label, quiet);
     Status status = stills ? book.keep(session.value().frame(), "start", "Before the first step.") : success();
     if (status) {
-        FilmedRun run(session.value(), recording.steps, book.clock());
-        status = film(run, recording.steps.size(), book, progress);
+        FilmedRun run(session.value(), recording, book.clock());
+        status = run.begin();
+        status = status ? film(run, recording.steps.size(), book, progress) : status;
     }
     if (status && stills) {
         status = book.keep(session.value().frame(), "end", "At the end.");

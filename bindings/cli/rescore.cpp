@@ -15,7 +15,7 @@ namespace rhexis::cli {
 namespace {
 
 /// The commands that change what is simulated; a text or a picture does not.
-std::vector<Command> effective(const std::vector<Command>& commands) {
+std::vector<Command> effective(std::span<const Command> commands) {
     std::vector<Command> kept;
     std::copy_if(commands.begin(), commands.end(), std::back_inserter(kept),
                  [](const Command& command) { return command.kind == CommandKind::set; });
@@ -35,11 +35,6 @@ std::string listed(const std::vector<Command>& commands) {
     return text.empty() ? "nothing" : text;
 }
 
-bool asks_to_finish(const std::vector<Command>& commands) {
-    return std::any_of(commands.begin(), commands.end(),
-                       [](const Command& command) { return command.kind == CommandKind::finish; });
-}
-
 /// The exercise that was recorded is judged with the values that its run was given by --set; another knows none of
 /// them.
 bool same_exercise(const nlohmann::json& identity, const std::string& recorded) {
@@ -47,82 +42,80 @@ bool same_exercise(const nlohmann::json& identity, const std::string& recorded) 
     return other.is_object() && other.value("id", nlohmann::json(nullptr)) == identity.value("id", nlohmann::json());
 }
 
-class Judge {
+/// What was recorded, as long as the exercise sets what it set then; a session from the first step where it does not.
+class RecordedTimeline final : public Timeline {
 public:
-    Judge(const Recording& recording, ExerciseHost host) : recording_(recording), host_(std::move(host)) {}
+    explicit RecordedTimeline(const Recording& recording) : recording_(recording) {}
 
-    Result<Rescore> judge() {
-        rescore_.identity = host_.identity();
-        const Status started = host_.start(recording_.header.schema, recording_.header.scene.instruments);
-        if (!started) {
-            rescore_.script_error = started.error().text();
+    [[nodiscard]] const SceneDescription& scene() const override { return recording_.header.scene; }
+    [[nodiscard]] const ObservationSchema& schema() const override { return recording_.header.schema; }
+    [[nodiscard]] const Observation& observation() const override {
+        if (session_) {
+            return session_->observation();
         }
-        std::uint64_t step = 0;
-        const Observation* seen = &recording_.start.observation;
-        while (rescore_.script_error.empty() && look(*seen, step) && step < recording_.steps.size()) {
-            const Status moved = go_on(step);
-            if (!moved) {
-                return moved.error();
-            }
-            seen = session_ ? &session_->observation() : &recording_.steps[step].observation;
-            ++step;
-        }
-        return closed();
+        return step_ == 0 ? recording_.start.observation : recording_.steps[step_ - 1].observation;
     }
+    [[nodiscard]] std::uint64_t step_count() const override { return step_; }
+    [[nodiscard]] Session* session() override { return session_ ? &*session_ : nullptr; }
+
+    Result<StepOutcome> advance(std::span<const DeviceSample> samples, std::span<const Command> commands) override {
+        if (const Status there = simulate_if_different(commands); !there) {
+            return there.error();
+        }
+        ++step_;
+        return session_ ? session_->step(samples, commands) : StepOutcome{};
+    }
+
+    /// First step that was simulated, from 1; 0: none.
+    [[nodiscard]] std::uint64_t simulated() const { return simulated_; }
+    /// Why.
+    [[nodiscard]] const std::string& difference() const { return difference_; }
 
 private:
-    /// False when the exercise ends here.
-    bool look(const Observation& observation, std::uint64_t step) {
-        std::span<const Command> given;
-        if (step > 0) {
-            given = recording_.steps[step - 1].commands;
+    Status simulate_if_different(std::span<const Command> commands) {
+        const std::vector<Command> wanted = effective(commands);
+        const std::vector<Command> given = effective(recording_.steps[step_].commands);
+        if (session_ || same(wanted, given)) {
+            return success();
         }
-        Result<std::vector<Command>> commands = host_.observe(observation, given);
-        rescore_.judged = step;
-        if (!commands) {
-            rescore_.script_error = commands.error().text();
-            return false;
+        simulated_ = step_ + 1;
+        difference_ = "the exercise now sets " + listed(wanted) + ", recorded was " + listed(given);
+        Result<Session> session = session_at(recording_, step_);
+        if (!session) {
+            return session.error();
         }
-        commands_ = std::move(commands).value();
-        return !host_.finished() && !asks_to_finish(commands_);
-    }
-
-    /// From step to step + 1: recorded, or simulated since the commands differ.
-    Status go_on(std::uint64_t step) {
-        const RecordedStep& recorded = recording_.steps[step];
-        const std::vector<Command> wanted = effective(commands_);
-        const std::vector<Command> given = effective(recorded.commands);
-        if (!session_ && !same(wanted, given)) {
-            rescore_.simulated = step + 1;
-            rescore_.difference = "the exercise now sets " + listed(wanted) + ", recorded was " + listed(given);
-            Result<Session> session = session_at(recording_, step);
-            if (!session) {
-                return session.error();
-            }
-            session_.emplace(std::move(session).value());
-        }
-        if (session_) {
-            session_->step(recorded.samples, commands_);
-        }
+        session_.emplace(std::move(session).value());
         return success();
     }
 
-    Result<Rescore> closed() {
-        Result<nlohmann::json> result = host_.result();
-        if (result) {
-            rescore_.result = result.value();
-        } else if (rescore_.script_error.empty()) {
-            rescore_.script_error = result.error().text();
-        }
-        return rescore_;
-    }
-
     const Recording& recording_;
-    ExerciseHost host_;
     std::optional<Session> session_;
-    std::vector<Command> commands_;
-    Rescore rescore_;
+    std::uint64_t step_ = 0;
+    std::uint64_t simulated_ = 0;
+    std::string difference_;
 };
+
+Result<Rescore> judge(const Recording& recording, ExerciseHost& host) {
+    RecordedTimeline timeline(recording);
+    RecordedHand hand(recording, RecordedHand::Gives::requests);
+    const Result<TrialOutcome> outcome = Trial(timeline, &host, hand).run();
+    if (!outcome) {
+        return outcome.error();
+    }
+    Rescore rescored;
+    rescored.identity = host.identity();
+    rescored.judged = timeline.step_count();
+    rescored.simulated = timeline.simulated();
+    rescored.difference = timeline.difference();
+    rescored.script_error = outcome.value().error ? outcome.value().error->text() : "";
+    const Result<nlohmann::json> result = host.result();
+    if (result) {
+        rescored.result = result.value();
+    } else if (rescored.script_error.empty()) {
+        rescored.script_error = result.error().text();
+    }
+    return rescored;
+}
 
 /// The part of an operation that a folder "parts/03_ID" holds.
 int index_of(const Operation& operation, const std::string& folder) {
@@ -161,13 +154,13 @@ Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& optio
     // habits of whoever operated then: nobody does now
     std::erase_if(as_recorded.set, [](const auto& entry) { return entry.first.starts_with("surgeon."); });
     if (as_recorded.set.empty() || !same_exercise(host.value().identity(), recording.header.identity)) {
-        return Judge(recording, std::move(host).value()).judge();
+        return judge(recording, host.value());
     }
     Result<ExerciseHost> same_goals = ExerciseHost::load(as_recorded);
     if (!same_goals) {
         return same_goals.error();
     }
-    return Judge(recording, std::move(same_goals).value()).judge();
+    return judge(recording, same_goals.value());
 }
 
 Result<Rescore> rescore_operation(const Operation& operation, const std::string& rubric,

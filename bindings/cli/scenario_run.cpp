@@ -6,6 +6,7 @@
 #include "base/clock.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -49,53 +50,79 @@ ExerciseOptions options_of(const ScenarioFile& file, const json& scenario, const
     return {file.curriculum, "none", scenario.at("seed").get<std::uint64_t>(), settings_of(scenario), root};
 }
 
-class Play {
+/// The hand that a scenario leads. It sees what a test may know: measures and events.
+class ScenarioHand final : public Operator {
 public:
-    Play(ExerciseHost host, Session session, ScenarioScript script)
-        : host_(std::move(host)), session_(std::move(session)), script_(std::move(script)) {}
-
     /// which: "number" or "start" and its value.
-    Status begin(const char* which, const json& value) {
-        Status started = host_.start(session_.schema(), session_.scene().instruments);
+    ScenarioHand(ExerciseHost& host, ScenarioScript& script, const char* which, json value)
+        : host_(host), script_(script), which_(which), value_(std::move(value)) {}
+
+    Status begin(Timeline& timeline) override {
         const Result<json> declared = host_.declared_events();
         const Result<json> requests = host_.declared_requests();
-        if (!started || !declared || !requests) {
-            return started ? Status(declared ? requests.error() : declared.error()) : started;
+        if (!declared || !requests) {
+            return declared ? requests.error() : declared.error();
         }
         declared_ = declared.value();
-        return script_.start({{which, value},
-                              {"schema", schema_json(session_.schema())},
+        return script_.start({{which_, value_},
+                              {"schema", schema_json(timeline.schema())},
                               {"goals", host_.goals()},
                               {"events", declared_},
                               {"requests", requests.value()},
                               {"settings", settings_json()},
-                              {"instruments", session_.scene().instruments},
-                              {"landmarks", landmarks_json(session_)},
-                              {"step_s", session_.scene().step_s}});
+                              {"instruments", timeline.scene().instruments},
+                              {"landmarks", landmarks_json(*timeline.session())},
+                              {"step_s", timeline.scene().step_s}});
     }
 
-    Status run() {
-        for (;;) {
-            Result<std::vector<Command>> commands = host_.observe(session_.observation(), given_);
-            if (!commands) {
-                return commands.error();
-            }
-            const Result<json> events = host_.events();
-            if (!events) {
-                return events.error();
-            }
-            const Result<ScenarioStep> wanted = script_.step(session_.observation(), events.value());
-            if (!wanted) {
-                return wanted.error();
-            }
-            if (wanted.value().done) {
-                return success();
-            }
-            Status stepped = step(wanted.value(), std::move(commands).value());
-            if (!stepped) {
-                return stepped;
+    Result<OperatorStep> operate(Timeline& timeline) override {
+        const Result<json> events = host_.events();
+        return events ? script_.step(timeline.observation(), events.value()) : events.error();
+    }
+
+    /// What the kernel did not take fails the scenario.
+    Status stepped(const Session& session, const StepOutcome& outcome) override {
+        if (outcome.failure != StepFailure::none) {
+            return script_.refused("the step could not be solved; nothing moved in it");
+        }
+        for (; logged_ < session.log().size(); ++logged_) {
+            const std::string& text = session.log()[logged_].text;
+            if (text.starts_with("sample refused") || text.starts_with("command refused")) {
+                if (Status said = script_.refused(text); !said) {
+                    return said;
+                }
             }
         }
+        return success();
+    }
+
+    [[nodiscard]] const json& declared() const { return declared_; }
+
+private:
+    ExerciseHost& host_;
+    ScenarioScript& script_;
+    const char* which_;
+    json value_;
+    json declared_;
+    std::size_t logged_ = 0;
+};
+
+class Play {
+public:
+    Play(ExerciseHost host, Session session, ScenarioScript script, const char* which, json value)
+        : host_(std::move(host)),
+          session_(std::move(session)),
+          script_(std::move(script)),
+          hand_(host_, script_, which, std::move(value)) {}
+
+    /// To its last line, whatever the exercise says.
+    Status run() {
+        LiveTimeline timeline(session_);
+        const Result<TrialOutcome> played = Trial(timeline, &host_, hand_, {}, {.beyond_the_exercise = true}).run();
+        if (!played) {
+            return played.error();
+        }
+        return played.value().error ? Status(*played.value().error) : success();
     }
 
     /// What the exercise made of the scenario is part of what is expected of it.
@@ -105,7 +132,7 @@ public:
     }
 
     void fill(ScenarioResult& result, const ScenarioFile& file, const Status& status) {
-        result.declared = declared_;
+        result.declared = hand_.declared();
         result.simulated_s = session_.time_s();
         const Result<json> outcome = script_.outcome();
         if (!status || !outcome) {
@@ -140,31 +167,10 @@ public:
     [[nodiscard]] Session take_session() { return std::move(session_); }
 
 private:
-    Status step(const ScenarioStep& wanted, std::vector<Command> commands) {
-        commands.insert(commands.end(), wanted.commands.begin(), wanted.commands.end());
-        given_ = std::move(commands);
-        const StepOutcome outcome = session_.step(wanted.samples, given_);
-        if (outcome.failure != StepFailure::none) {
-            return script_.refused("the step could not be solved; nothing moved in it");
-        }
-        for (; logged_ < session_.log().size(); ++logged_) {
-            const std::string& text = session_.log()[logged_].text;
-            if (text.starts_with("sample refused") || text.starts_with("command refused")) {
-                Status said = script_.refused(text);
-                if (!said) {
-                    return said;
-                }
-            }
-        }
-        return success();
-    }
-
     ExerciseHost host_;
     Session session_;
     ScenarioScript script_;
-    json declared_;
-    std::vector<Command> given_;  ///< in the last step
-    std::size_t logged_ = 0;
+    ScenarioHand hand_;
 };
 
 }  // namespace
@@ -180,9 +186,8 @@ StartRequest start_of(const ScenarioFile& file, const json& scenario, const std:
 }
 
 Result<Session> play_start(ExerciseHost host, Session session, ScenarioScript script, const std::string& start) {
-    Play play(std::move(host), std::move(session), std::move(script));
-    Status status = play.begin("start", start);
-    status = status ? play.run() : status;
+    Play play(std::move(host), std::move(session), std::move(script), "start", start);
+    Status status = play.run();
     status = status ? play.first_failure() : status;
     if (!status) {
         return status.error();
@@ -225,9 +230,8 @@ ScenarioResult run_scenario(const ScenarioFile& file, std::size_t number, const 
     if (!script) {
         return failed(script.error());
     }
-    Play play(std::move(host).value(), std::move(session).value(), std::move(script).value());
-    Status status = play.begin("number", number + 1);
-    status = status ? play.run() : status;
+    Play play(std::move(host).value(), std::move(session).value(), std::move(script).value(), "number", number + 1);
+    Status status = play.run();
     status = status ? play.judge() : status;
     play.fill(result, file, status);
     result.cpu_s = thread_cpu_seconds() - cpu_start;

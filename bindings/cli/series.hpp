@@ -6,14 +6,22 @@
 #include <vector>
 
 #include "cli/spectrum.hpp"
-#include "flow/observation.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis::cli {
 
-class Series {
+class Series final : public TrialObserver {
 public:
     explicit Series(const ObservationSchema& schema) : schema_(schema), spectra_(schema) {}
 
+    Status begun(Timeline& timeline) override {
+        add(timeline.observation());
+        return success();
+    }
+    Status stepped(const TrialStep& step) override {
+        add(step.session.observation());
+        return success();
+    }
     /// Takes every step's observation and keeps some of them, evenly spread: never more than `most`.
     void add(const Observation& observation);
 

@@ -13,6 +13,7 @@
 #include "cli/places.hpp"
 #include "cli/progress.hpp"
 #include "cli/scenario_run.hpp"
+#include "cli/virtual_surgeon.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/scenario_script.hpp"
@@ -116,76 +117,69 @@ RecordingHeader header_of(const Recipe& recipe, json identity, const Session& se
     return header;
 }
 
-/// One attempt by the recipe's surgeon, until its moment comes.
-class Making {
+/// Stops a trial at the moment that a recipe waits for.
+class UntilItsMoment final : public TrialObserver {
 public:
-    Making(const Recipe& recipe, ExerciseHost host, Session session, bool quiet)
+    UntilItsMoment(const Recipe& recipe, ExerciseHost& host, bool quiet)
         : recipe_(recipe),
-          host_(std::move(host)),
-          session_(std::move(session)),
+          host_(host),
           limit_s_(recipe.text.at("limit_s")),
           progress_("preparing " + recipe.name, quiet) {}
 
-    Result<Session> run() {
-        Status status = host_.start(session_.schema(), session_.scene().instruments);
-        if (status) {
-            status = host_.watch(recipe_.text.at("when"), recipe_.text.at("where"));
-        }
-        while (status) {
-            const Result<bool> reached = look();
-            if (!reached) {
-                return reached.error();
-            }
-            if (reached.value()) {
-                return std::move(session_);
-            }
-            status = host_.finished() || session_.time_s() >= limit_s_ ? too_late() : advance();
-        }
-        return status.error();
-    }
-
-private:
-    Result<bool> look() {
-        Result<std::vector<Command>> commands = host_.observe(session_.observation(), commands_);
-        if (!commands) {
-            return commands.error();
-        }
-        commands_ = std::move(commands).value();
-        return host_.reached();
-    }
-
-    Status advance() {
-        const Result<SurgeonStep> done = host_.operate(session_.percept());
-        if (!done) {
-            return done.error();
-        }
-        commands_.insert(commands_.end(), done.value().requests.begin(), done.value().requests.end());
-        session_.step(done.value().samples, commands_);
-        char note[64];
-        std::snprintf(note, sizeof note, "%.1f s simulated", session_.time_s());
-        progress_.show(session_.time_s() / limit_s_, note);
+    Status begun(Timeline&) override {
+        watched_ = host_.watch(recipe_.text.at("when"), recipe_.text.at("where"));
         return success();
     }
-
-    [[nodiscard]] Status too_late() const {
-        char time[32];
-        std::snprintf(time, sizeof time, "%.1f s", session_.time_s());
-        return Error{"start " + recipe_.name + ": its moment did not come in " + time, recipe_.text.at("where"),
-                     "when = \"" + recipe_.text.at("when").get<std::string>() + "\""};
+    Status look(Moment& moment) override {
+        const Result<bool> now = watched_ ? host_.reached() : watched_.error();
+        if (!now) {
+            return now.error();
+        }
+        came_ = now.value();
+        moment.stop = came_;
+        return success();
     }
+    Status stepped(const TrialStep& step) override {
+        char note[64];
+        std::snprintf(note, sizeof note, "%.1f s simulated", step.session.time_s());
+        progress_.show(step.session.time_s() / limit_s_, note);
+        return success();
+    }
+    [[nodiscard]] bool came() const { return came_; }
 
+private:
     const Recipe& recipe_;
-    ExerciseHost host_;
-    Session session_;
+    ExerciseHost& host_;
     double limit_s_;
     Progress progress_;
-    std::vector<Command> commands_;
+    Status watched_ = success();
+    bool came_ = false;
 };
+
+Error too_late(const Recipe& recipe, double time_s) {
+    char time[32];
+    std::snprintf(time, sizeof time, "%.1f s", time_s);
+    return Error{"start " + recipe.name + ": its moment did not come in " + time, recipe.text.at("where"),
+                 "when = \"" + recipe.text.at("when").get<std::string>() + "\""};
+}
+
+/// The session as the recipe's surgeon leaves it at that moment.
+Result<Session> play_until(const Recipe& recipe, ExerciseHost& host, Session session, bool quiet) {
+    LiveTimeline timeline(session);
+    VirtualSurgeon surgeon(host);
+    UntilItsMoment until(recipe, host, quiet);
+    const Result<TrialOutcome> played =
+        Trial(timeline, &host, surgeon, {&until}, {recipe.text.at("limit_s").get<double>()}).run();
+    if (!played || played.value().error) {
+        return played ? *played.value().error : played.error();
+    }
+    return until.came() ? Result<Session>(std::move(session)) : too_late(recipe, session.time_s());
+}
 
 /// The session as the hand or the surgeon of the recipe leaves it.
 Result<Session> play(const Recipe& recipe, ExerciseHost host, Session session, const StartRequest& request) {
     if (!recipe.text.at("by_hand").get<bool>()) {
-        return Making(recipe, std::move(host), std::move(session), request.quiet).run();
+        return play_until(recipe, host, std::move(session), request.quiet);
     }
     Result<ScenarioScript> script = ScenarioScript::load(recipe.files.folder + "/starts.lua", "starts", request.root);
     if (!script) {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/clock.hpp"
-
 namespace rhexis::cli {
 namespace {
 
@@ -34,15 +32,11 @@ std::size_t elements_of(const WorldModel& world, const std::string& part) {
 
 }  // namespace
 
-StepOutcome Timing::step(Session& session, std::span<const DeviceSample> samples, std::span<const Command> commands) {
-    const double wall = wall_seconds();
-    const bool alone = session.scene().threads == 1;
-    const double cpu = alone ? thread_cpu_seconds() : process_cpu_seconds();
-    StepOutcome outcome = session.step(samples, commands);
-    cpu_s_ += (alone ? thread_cpu_seconds() : process_cpu_seconds()) - cpu;
-    wall_ms_.push_back(static_cast<float>((wall_seconds() - wall) * 1e3));
-    rollbacks_ += outcome.rollbacks;
-    return outcome;
+Status Timing::stepped(const TrialStep& step) {
+    cpu_s_ += step.cpu_s;
+    wall_ms_.push_back(static_cast<float>(step.wall_s * 1e3));
+    rollbacks_ += step.outcome.rollbacks;
+    return success();
 }
 
 nlohmann::json Timing::performance(double simulated_s) const {

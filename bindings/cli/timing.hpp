@@ -5,15 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "flow/step_outcome.hpp"
-#include "session/session.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis::cli {
 
-class Timing {
+class Timing final : public TrialObserver {
 public:
-    /// Runs one step and takes its time.
-    StepOutcome step(Session& session, std::span<const DeviceSample> samples, std::span<const Command> commands);
+    Status stepped(const TrialStep& step) override;
 
     /// {"steps","cpu_s_per_s","mean_step_ms","p99_step_ms","rollbacks"} of report.json; times of the kernel's step, all
     /// threads, without scripts and pictures.

@@ -172,9 +172,9 @@ Result<std::vector<Command>> ExerciseHost::observe(const Observation& observatio
     return parts_->exercise.observe(observation, asked);
 }
 
-Result<SurgeonStep> ExerciseHost::operate(const Percept& percept) {
+Result<OperatorStep> ExerciseHost::operate(const Percept& percept) {
     if (!parts_->surgeon) {
-        return SurgeonStep{};
+        return OperatorStep{};
     }
     return parts_->surgeon->operate(percept);
 }

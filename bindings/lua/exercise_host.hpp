@@ -17,7 +17,7 @@
 #include "flow/observation.hpp"
 #include "flow/percept.hpp"
 #include "flow/scene.hpp"
-#include "lua/surgeon_step.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis {
 
@@ -43,11 +43,11 @@ struct ExerciseOptions {
 /// none.
 std::string find_rubric(const std::string& name, const std::string& root);
 
-class ExerciseHost {
+class ExerciseHost final : public Exercise {
 public:
     /// Loads and checks the script; errors name file:line, and near names for an unknown curriculum or surgeon.
     static Result<ExerciseHost> load(const ExerciseOptions& options);
-    ~ExerciseHost();
+    ~ExerciseHost() override;
     ExerciseHost(ExerciseHost&&) noexcept;
 
     [[nodiscard]] const SceneDescription& scene() const;
@@ -70,17 +70,17 @@ public:
     static Result<nlohmann::json> mistakes_in_spite(const ExerciseOptions& options);
 
     /// Once, before the first step.
-    Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments);
+    Status start(const ObservationSchema& schema, const std::vector<std::string>& instruments) override;
 
     /// Stage 6: the curriculum sees the observation, and hears the requests among the commands of the step that led to
     /// it; what it wants comes back as commands. A script error (file, line, step) ends the exercise, not the session.
-    Result<std::vector<Command>> observe(const Observation& observation, std::span<const Command> given = {});
+    Result<std::vector<Command>> observe(const Observation& observation, std::span<const Command> given = {}) override;
 
     /// The virtual surgeon sees the percept, with this person's delay and noise, and moves the instruments
     /// and asks the staff.
-    Result<SurgeonStep> operate(const Percept& percept);
+    Result<OperatorStep> operate(const Percept& percept);
 
-    [[nodiscard]] bool finished() const;
+    [[nodiscard]] bool finished() const override;
     [[nodiscard]] bool has_surgeon() const;
 
     /// Named numbers of the exercise, after --set.

@@ -88,8 +88,8 @@ Status ScenarioScript::start(const nlohmann::json& setup) {
     });
 }
 
-Result<ScenarioStep> ScenarioScript::step(const Observation& observation, const nlohmann::json& events) {
-    ScenarioStep step;
+Result<OperatorStep> ScenarioScript::step(const Observation& observation, const nlohmann::json& events) {
+    OperatorStep step;
     const Status status = state_.run([&](lua_State* L) {
         row_.push(L);
         lua::fill_row(L, observation);

@@ -8,19 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/result.hpp"
-#include "flow/command.hpp"
-#include "flow/device_sample.hpp"
-#include "flow/observation.hpp"
 #include "lua/lua_state.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis {
-
-/// What a scenario does in one step.
-struct ScenarioStep {
-    bool done = false;
-    std::vector<DeviceSample> samples;
-    std::vector<Command> commands;  ///< settings and requests only
-};
 
 class ScenarioScript {
 public:
@@ -37,8 +28,8 @@ public:
     /// "goals", "events", "requests", "settings", "instruments", "landmarks", "step_s"}, as
     /// scripts/scenario/test.lua reads them.
     Status start(const nlohmann::json& setup);
-    /// events: as ExerciseHost::events gives them.
-    Result<ScenarioStep> step(const Observation& observation, const nlohmann::json& events);
+    /// events: as ExerciseHost::events gives them. Its commands are settings and requests.
+    Result<OperatorStep> step(const Observation& observation, const nlohmann::json& events);
     /// The kernel did not take what the last step asked for: the scenario fails on the line that runs.
     Status refused(const std::string& why);
     /// result: of the exercise at the end, as ExerciseHost::result gives it. An item with more points than its errors

@@ -140,13 +140,13 @@ Status SurgeonScript::start(const std::vector<std::string>& instruments, double 
     });
 }
 
-Result<SurgeonStep> SurgeonScript::operate(const Percept& percept) {
-    SurgeonStep step;
+Result<OperatorStep> SurgeonScript::operate(const Percept& percept) {
+    OperatorStep step;
     const Status status = state_.run([&](lua_State* L) {
         operate_.push(L);
         push_percept(L, percept);
         lua_call(L, 1, 2);
-        step.requests = lua::commands_from(L);
+        step.commands = lua::commands_from(L);
         lua_pop(L, 1);
         step.samples = lua::samples_from(L);
     });

@@ -11,7 +11,7 @@
 #include "flow/percept.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/lua_state.hpp"
-#include "lua/surgeon_step.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis {
 
@@ -25,7 +25,7 @@ public:
 
     /// requests: what may be asked of the staff, [{"id", "title", "name"}].
     Status start(const std::vector<std::string>& instruments, double step_s, const nlohmann::json& requests);
-    Result<SurgeonStep> operate(const Percept& percept);
+    Result<OperatorStep> operate(const Percept& percept);
 
 private:
     explicit SurgeonScript(LuaState state) : state_(std::move(state)) {}

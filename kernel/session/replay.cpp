@@ -37,17 +37,41 @@ bool same_schema(const ObservationSchema& a, const ObservationSchema& b) {
                       [](const MeasureInfo& x, const MeasureInfo& y) { return x.name == y.name && x.unit == y.unit; });
 }
 
-void compare(const ObservationSchema& schema, std::uint64_t step, std::uint64_t hash, const Observation& recorded,
-             const Session& session, Verification& result) {
-    if (session.state_hash() == hash && !result.divergence) {
-        return;
+/// Holds each step against the one that was recorded.
+class Comparison final : public TrialObserver {
+public:
+    Comparison(const Recording& recording, const ReplayProgress& progress)
+        : recording_(recording), progress_(progress) {}
+
+    Status begun(Timeline& timeline) override {
+        compare(0, recording_.start.hash, recording_.start.observation, *timeline.session());
+        return success();
     }
-    const WorstMeasure worst = worst_measure(schema, recorded, session.observation());
-    result.worst_measure = std::max(result.worst_measure, worst.relative);
-    if (!result.divergence) {
-        result.divergence = Divergence{step, hash, session.state_hash(), worst.name, worst.relative};
+    Status stepped(const TrialStep& step) override {
+        const RecordedStep& recorded = recording_.steps[result_.steps];
+        compare(recorded.step, recorded.hash, recorded.observation, step.session);
+        ++result_.steps;
+        progress_(recorded.step, recording_.steps.size());
+        return success();
     }
-}
+    [[nodiscard]] const Verification& result() const { return result_; }
+
+private:
+    void compare(std::uint64_t step, std::uint64_t hash, const Observation& recorded, const Session& session) {
+        if (session.state_hash() == hash && !result_.divergence) {
+            return;
+        }
+        const WorstMeasure worst = worst_measure(session.schema(), recorded, session.observation());
+        result_.worst_measure = std::max(result_.worst_measure, worst.relative);
+        if (!result_.divergence) {
+            result_.divergence = Divergence{step, hash, session.state_hash(), worst.name, worst.relative};
+        }
+    }
+
+    const Recording& recording_;
+    const ReplayProgress& progress_;
+    Verification result_;
+};
 
 }  // namespace
 
@@ -83,11 +107,10 @@ Result<Session> session_at(const Recording& recording, std::uint64_t step) {
             return status.error();
         }
     }
-    while (session.value().step_count() < step) {
-        const RecordedStep& recorded = recording.steps[session.value().step_count()];
-        session.value().step(recorded.samples, recorded.commands);
-    }
-    return session;
+    LiveTimeline timeline(session.value());
+    RecordedHand hand(recording, RecordedHand::Gives::all, step);
+    const Result<TrialOutcome> played = Trial(timeline, nullptr, hand).run();
+    return played ? std::move(session) : Result<Session>(played.error());
 }
 
 Result<Verification> verify(const Recording& recording, const ReplayProgress& progress) {
@@ -95,16 +118,24 @@ Result<Verification> verify(const Recording& recording, const ReplayProgress& pr
     if (!created) {
         return created.error();
     }
-    Session& session = created.value();
-    Verification result;
-    compare(session.schema(), 0, recording.start.hash, recording.start.observation, session, result);
-    for (const RecordedStep& recorded : recording.steps) {
-        session.step(recorded.samples, recorded.commands);
-        compare(session.schema(), recorded.step, recorded.hash, recorded.observation, session, result);
-        ++result.steps;
-        progress(recorded.step, recording.steps.size());
+    LiveTimeline timeline(created.value());
+    RecordedHand hand(recording);
+    Comparison comparison(recording, progress);
+    const Result<TrialOutcome> played = Trial(timeline, nullptr, hand, {&comparison}).run();
+    return played ? Result<Verification>(comparison.result()) : played.error();
+}
+
+Result<OperatorStep> RecordedHand::operate(Timeline& timeline) {
+    const std::uint64_t step = timeline.step_count();
+    if (step >= std::min<std::uint64_t>(last_, recording_.steps.size())) {
+        return OperatorStep{.done = true};
     }
-    return result;
+    const RecordedStep& recorded = recording_.steps[step];
+    OperatorStep again{recorded.samples, recorded.commands};
+    if (gives_ == Gives::requests) {
+        std::erase_if(again.commands, [](const Command& command) { return command.kind != CommandKind::request; });
+    }
+    return again;
 }
 
 }  // namespace rhexis

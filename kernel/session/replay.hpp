@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "session/recording.hpp"
+#include "session/trial.hpp"
 
 namespace rhexis {
 
@@ -22,6 +23,23 @@ struct Verification {
     std::optional<Divergence> divergence;
     /// Greatest relative difference of any measure in any step; only filled after a divergence.
     double worst_measure = 0.0;
+};
+
+/// Does again what was recorded, up to a step; past the last one, all.
+class RecordedHand final : public Operator {
+public:
+    enum class Gives {
+        all,      ///< samples and commands: nothing judges
+        requests  ///< samples and what was asked of the staff: the exercise says the rest anew
+    };
+    explicit RecordedHand(const Recording& recording, Gives gives = Gives::all, std::uint64_t last = ~std::uint64_t{0})
+        : recording_(recording), gives_(gives), last_(last) {}
+    Result<OperatorStep> operate(Timeline& timeline) override;
+
+private:
+    const Recording& recording_;
+    Gives gives_;
+    std::uint64_t last_;
 };
 
 /// Called after each step.

@@ -42,7 +42,7 @@ public:
             return false;
         }
         if (host_->has_surgeon()) {
-            Result<SurgeonStep> own = host_->operate(session_->percept());
+            Result<OperatorStep> own = host_->operate(session_->percept());
             REQUIRE_MESSAGE(own.ok(), (own ? std::string() : own.error().text()));
             samples = std::move(own.value().samples);
             for (DeviceSample& sample : samples) {

@@ -52,7 +52,7 @@ Result<Base> make_base(const std::string& root, const std::string& name, int ste
     for (int step = 0; step < steps; ++step) {
         base.seen.push_back(session.value().observation());
         const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
-        const Result<SurgeonStep> done = host.value().operate(session.value().percept());
+        const Result<OperatorStep> done = host.value().operate(session.value().percept());
         if (!commands || !done) {
             return commands ? done.error() : commands.error();
         }
@@ -145,7 +145,7 @@ std::string simulate(const std::string& folder, const CurriculaPlan& plan, std::
     const Status started = host.value().start(session.value().schema(), session.value().scene().instruments);
     for (int step = 0; started && step < simulated_steps; ++step) {
         const Result<std::vector<Command>> commands = host.value().observe(session.value().observation());
-        const Result<SurgeonStep> done = host.value().operate(session.value().percept());
+        const Result<OperatorStep> done = host.value().operate(session.value().percept());
         if (!commands || !done) {
             break;
         }

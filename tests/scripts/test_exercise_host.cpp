@@ -210,7 +210,7 @@ TEST_CASE("a virtual surgeon moves its instrument, the same way for the same see
         std::vector<DeviceSample> samples;
         for (int i = 0; i < 600; ++i) {
             percept.time_s = 0.01 * i;
-            const Result<SurgeonStep> now = host.value().operate(percept);
+            const Result<OperatorStep> now = host.value().operate(percept);
             REQUIRE(now.ok());
             REQUIRE(now.value().samples.size() == 1);
             samples.push_back(now.value().samples[0]);
@@ -241,7 +241,7 @@ TEST_CASE("a plan with a mistake names its file and line") {
     Result<ExerciseHost> host = ExerciseHost::load(options);
     REQUIRE(host.ok());
     REQUIRE(host.value().start(schema, {"phaco"}).ok());
-    const Result<SurgeonStep> samples = host.value().operate(Percept{});
+    const Result<OperatorStep> samples = host.value().operate(Percept{});
     REQUIRE(!samples.ok());
     CHECK(holds(samples.error().text(), "demo/surgeon.lua:2:"));
 }
