@@ -11,7 +11,7 @@
 
 #include "base/near_names.hpp"
 #include "cli/command.hpp"
-#include "cli/progress.hpp"
+#include "trial/progress.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -6,12 +6,12 @@
 #include <map>
 
 #include "cli/command.hpp"
-#include "cli/scenario_files.hpp"
-#include "cli/scenario_run.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/operation_script.hpp"
 #include "session/trial.hpp"
+#include "trial/scenario_files.hpp"
+#include "trial/scenario_run.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "base/near_names.hpp"
-#include "cli/places.hpp"
 #include "lua/curriculum_files.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 

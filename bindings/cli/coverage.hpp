@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/scenario_run.hpp"
+#include "trial/scenario_run.hpp"
 
 namespace rhexis::cli {
 

@@ -9,11 +9,11 @@
 #include "base/index.hpp"
 #include "base/numbers.hpp"
 #include "cli/command.hpp"
-#include "cli/places.hpp"
-#include "cli/progress.hpp"
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
 #include "session/implant_fold.hpp"
+#include "trial/places.hpp"
+#include "trial/progress.hpp"
 
 namespace rhexis::cli {
 namespace {

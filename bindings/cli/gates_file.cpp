@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/gates_file.hpp"
 
-#include "cli/places.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/scenario_run.hpp"
+#include "trial/scenario_run.hpp"
 
 namespace rhexis::cli {
 

@@ -7,13 +7,13 @@
 
 #include "cli/course_file.hpp"
 #include "cli/gates_file.hpp"
-#include "cli/places.hpp"
 #include "cli/run_folder.hpp"
 #include "records/history.hpp"
 #include "records/identity.hpp"
 #include "records/process_mark.hpp"
 #include "records/pseudonym.hpp"
 #include "records/store.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

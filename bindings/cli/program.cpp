@@ -10,7 +10,7 @@
 
 #include "base/near_names.hpp"
 #include "cli/command.hpp"
-#include "cli/places.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

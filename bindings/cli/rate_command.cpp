@@ -10,15 +10,15 @@
 #include "base/rng.hpp"
 #include "cli/command.hpp"
 #include "cli/counted.hpp"
-#include "cli/film.hpp"
 #include "cli/language.hpp"
-#include "cli/places.hpp"
 #include "cli/rated_case.hpp"
 #include "cli/rating_answers.hpp"
 #include "lua/report_script.hpp"
 #include "records/identity.hpp"
 #include "records/pseudonym.hpp"
 #include "records/store.hpp"
+#include "trial/film.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

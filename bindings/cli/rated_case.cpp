@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "cli/exercise_title.hpp"
-#include "cli/places.hpp"
 #include "records/report_fields.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 

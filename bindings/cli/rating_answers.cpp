@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/near_names.hpp"
-#include "cli/places.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "cli/counted.hpp"
 #include "cli/exercise_title.hpp"
-#include "cli/places.hpp"
 #include "cli/records_command.hpp"
 #include "lua/report_script.hpp"
 #include "records/comparison.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

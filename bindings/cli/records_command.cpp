@@ -8,9 +8,9 @@
 #include "base/numbers.hpp"
 #include "base/output_file.hpp"
 #include "cli/gates_file.hpp"
-#include "cli/places.hpp"
 #include "cli/run_folder.hpp"
 #include "lua/report_script.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include "cli/counted.hpp"
 #include "cli/course_file.hpp"
 #include "cli/exercise_title.hpp"
-#include "cli/places.hpp"
 #include "cli/records_command.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

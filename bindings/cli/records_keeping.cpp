@@ -7,12 +7,12 @@
 #include "base/folder_lock.hpp"
 #include "base/output_file.hpp"
 #include "cli/counted.hpp"
-#include "cli/places.hpp"
 #include "cli/records_command.hpp"
 #include "cli/run_folder.hpp"
 #include "records/csv.hpp"
 #include "records/identity.hpp"
 #include "records/pseudonym.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -8,14 +8,14 @@
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "cli/command.hpp"
-#include "cli/film.hpp"
-#include "cli/pictures.hpp"
-#include "cli/places.hpp"
-#include "cli/progress.hpp"
-#include "cli/report_json.hpp"
-#include "cli/rescore.hpp"
 #include "lua/operation_script.hpp"
 #include "session/replay.hpp"
+#include "trial/film.hpp"
+#include "trial/pictures.hpp"
+#include "trial/places.hpp"
+#include "trial/progress.hpp"
+#include "trial/report_json.hpp"
+#include "trial/rescore.hpp"
 
 namespace rhexis::cli {
 namespace {

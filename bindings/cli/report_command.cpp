@@ -6,10 +6,10 @@
 #include "base/folder_lock.hpp"
 #include "base/output_file.hpp"
 #include "cli/command.hpp"
-#include "cli/html.hpp"
 #include "cli/language.hpp"
-#include "cli/places.hpp"
-#include "cli/rescore.hpp"
+#include "trial/html.hpp"
+#include "trial/places.hpp"
+#include "trial/rescore.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -10,15 +10,15 @@
 
 #include "base/folder_lock.hpp"
 #include "base/numbers.hpp"
-#include "cli/attempt.hpp"
 #include "cli/command.hpp"
 #include "cli/kept_attempt.hpp"
 #include "cli/language.hpp"
-#include "cli/operation.hpp"
-#include "cli/report_json.hpp"
 #include "cli/run_folder.hpp"
-#include "cli/starts.hpp"
 #include "eye/patient.hpp"
+#include "trial/attempt.hpp"
+#include "trial/operation.hpp"
+#include "trial/report_json.hpp"
+#include "trial/starts.hpp"
 
 namespace rhexis::cli {
 namespace {

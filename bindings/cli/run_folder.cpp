@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "base/output_file.hpp"
-#include "cli/places.hpp"
 #include "records/identity.hpp"
 #include "records/report_fields.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -13,17 +13,17 @@
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "base/output_file.hpp"
-#include "cli/attempt.hpp"
 #include "cli/command.hpp"
-#include "cli/operation.hpp"
-#include "cli/places.hpp"
-#include "cli/progress.hpp"
-#include "cli/rescore.hpp"
 #include "cli/study_cohort.hpp"
 #include "cli/study_gates.hpp"
 #include "cli/study_result.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/operation_script.hpp"
+#include "trial/attempt.hpp"
+#include "trial/operation.hpp"
+#include "trial/places.hpp"
+#include "trial/progress.hpp"
+#include "trial/rescore.hpp"
 
 namespace rhexis::cli {
 namespace {

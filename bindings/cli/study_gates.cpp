@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "cli/gates_file.hpp"
-#include "cli/places.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/operation_script.hpp"
 #include "records/report_fields.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
-#include "cli/places.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/operation_script.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {

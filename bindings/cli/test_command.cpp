@@ -13,9 +13,9 @@
 #include "cli/command.hpp"
 #include "cli/coverage.hpp"
 #include "cli/junit.hpp"
-#include "cli/places.hpp"
-#include "cli/progress.hpp"
-#include "cli/starts.hpp"
+#include "trial/places.hpp"
+#include "trial/progress.hpp"
+#include "trial/starts.hpp"
 
 namespace rhexis::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "input/sample_check.hpp"
+#include "input/step_input.hpp"
 #include "observe/observer.hpp"
 #include "physics/physics.hpp"
 #include "physics/shell/shell_carry.hpp"
@@ -77,7 +77,6 @@ struct Session::Parts {
     void observe();
 
     void set(const Command& command);
-    void take_sample(const DeviceSample& sample);
     void refuse(int instrument, const std::string& why);
     void keep_state_of_failed_step(StepFailure failure);
     [[nodiscard]] ObserveInput observe_input() const { return {eye, *world, state, tools, contacts, scene.step_s}; }
@@ -218,19 +217,11 @@ void Session::Parts::refuse(int instrument, const std::string& why) {
     }
 }
 
-void Session::Parts::take_sample(const DeviceSample& sample) {
-    const Result<DeviceSample> checked = checked_sample(sample, static_cast<int>(samples.size()));
-    if (checked) {
-        samples[sample.instrument] = checked.value();
-    } else {
-        refuse(sample.instrument, checked.error().text());
-    }
-}
-
 void Session::Parts::read_input(std::span<const DeviceSample> given) {
-    std::fill(samples.begin(), samples.end(), std::nullopt);
-    for (const DeviceSample& sample : given) {
-        take_sample(sample);
+    StepInput input = read_samples(given, static_cast<int>(samples.size()));
+    samples = std::move(input.samples);
+    for (const RefusedSample& refused : input.refused) {
+        refuse(refused.instrument, refused.why);
     }
 }
 

@@ -16,6 +16,10 @@ MAY_INCLUDE = {name: BELOW_STAGES[: i + 1] for i, name in enumerate(BELOW_STAGES
 MAY_INCLUDE.update({stage: BELOW_STAGES + [stage] for stage in STAGES})
 MAY_INCLUDE["session"] = BELOW_STAGES + STAGES + ["session"]
 
+# Likewise of bindings/: the command line and the station are two users of trials and know nothing of each other.
+BINDINGS = {"lua": ["lua"], "records": ["records"], "trial": ["lua", "trial"],
+            "station": ["lua", "trial", "station"], "cli": ["lua", "records", "trial", "cli"]}
+
 # A library may be included only where these prefixes say.
 WALLS = {
     r"opencv2/": ["kernel/tracking/", "kernel/render/", "tests/"],
@@ -50,10 +54,13 @@ def include_offences(name, line_number, line):
         if re.match(pattern, target) and not any(name.startswith(prefix) for prefix in allowed):
             yield f"{name}:{line_number}: includes {target}, allowed only in {', '.join(allowed)}"
     parts = name.split("/")
-    if parts[0] != "kernel" or match.group(1) != '"' or "/" not in target:
+    if parts[0] not in ("kernel", "bindings") or match.group(1) != '"' or "/" not in target:
         return
     folder, other = parts[1], target.split("/")[0]
-    if other in ("bindings", "tests", "lua", "cli"):
+    if parts[0] == "bindings":
+        if other in BINDINGS and folder in BINDINGS and other not in BINDINGS[folder]:
+            yield f"{name}:{line_number}: {folder}/ includes {target}; it may include {', '.join(BINDINGS[folder])}"
+    elif other in ("bindings", "tests", *BINDINGS):
         yield f"{name}:{line_number}: the kernel includes {target}"
     elif other in MAY_INCLUDE and other not in MAY_INCLUDE[folder]:
         yield f"{name}:{line_number}: {folder}/ includes {target}; it may include {', '.join(MAY_INCLUDE[folder])}"

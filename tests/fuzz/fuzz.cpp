@@ -9,9 +9,9 @@
 #include <functional>
 #include <map>
 
-#include "cli/places.hpp"
 #include "fuzz/curricula.hpp"
 #include "fuzz/recordings.hpp"
+#include "trial/places.hpp"
 
 namespace rhexis::fuzz {
 namespace {
@@ -86,7 +86,7 @@ int timed(const char* what, const std::function<std::vector<Told>()>& cases) {
 }
 
 int run(const Options& options) {
-    const std::string root = fs::absolute(cli::find_root()).string();
+    const std::string root = fs::absolute(find_root()).string();
     char pattern[] = "/tmp/rhexis-fuzz-XXXXXX";
     const std::string place = mkdtemp(pattern);
     const std::string work = place + "/work";

@@ -4,11 +4,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "cli/attempt.hpp"
 #include "fuzz/mutate.hpp"
 #include "session/chunk.hpp"
 #include "session/recording.hpp"
 #include "session/replay.hpp"
+#include "trial/attempt.hpp"
 
 namespace rhexis::fuzz {
 namespace {
@@ -73,17 +73,17 @@ std::string recording_fault(const Error& error) {
 Result<std::vector<std::string>> make_recordings(const std::string& root, const std::string& work) {
     std::vector<std::string> recordings;
     for (const char* name : {"groove", "capsulorhexis", "iol_injection"}) {
-        cli::AttemptOptions options;
+        AttemptOptions options;
         options.exercise = {name,
                             "random",
                             1,
                             {{"patient.tetrahedra", "500"}, {"capsule.triangles", "200"}, {"implant.triangles", "400"}},
                             root};
         options.folder = work + "/recorded";
-        options.drawing = cli::Drawing::none;
+        options.drawing = Drawing::none;
         options.limit_s = 0.3;
         options.quiet = true;
-        const Result<cli::AttemptResult> made = cli::attempt(options);
+        const Result<AttemptResult> made = attempt(options);
         if (!made) {
             return Error{std::string(name) + ": " + made.error().text(), "", ""};
         }

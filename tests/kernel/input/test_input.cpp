@@ -3,8 +3,7 @@
 
 #include <limits>
 
-#include "input/device.hpp"
-#include "input/sample_check.hpp"
+#include "input/step_input.hpp"
 
 using namespace rhexis;
 
@@ -39,28 +38,25 @@ TEST_SUITE("input") {
         CHECK(checked_sample(sample, 1).value().pose.orientation.norm() == doctest::Approx(1.0).epsilon(1e-15));
     }
 
-    TEST_CASE("a scripted device is silent before its first keyframe, moves evenly and stays at its last") {
-        DeviceSample a;
-        a.present = true;
-        DeviceSample b = a;
-        b.pose.position = Vec3(2.0, 0.0, 0.0);
-        b.pedal = 3.0;
-        ScriptedDevice device({{1.0, a}, {2.0, b}});
-        CHECK(device.read(50, 0.5).empty());
-        REQUIRE(device.read(125, 1.25).size() == 1);
-        CHECK(device.read(125, 1.25)[0].pose.position.x() == doctest::Approx(0.5));
-        CHECK(device.read(125, 1.25)[0].pedal == doctest::Approx(0.75));
-        CHECK(device.read(900, 9.0)[0].pose.position.x() == 2.0);
-    }
-
-    TEST_CASE("a recorded device gives each step its samples and is silent afterwards") {
-        DeviceSample sample;
-        sample.pedal = 1.0;
-        RecordedDevice device({{sample}, {}, {sample, sample}});
-        CHECK(device.read(1, 0.01).size() == 1);
-        CHECK(device.read(2, 0.02).empty());
-        CHECK(device.read(3, 0.03).size() == 2);
-        CHECK(device.read(4, 0.04).empty());
-        CHECK(device.read(0, 0.0).empty());
+    TEST_CASE("a step takes the last sample of an instrument that makes sense, and says which did not") {
+        DeviceSample first;
+        first.present = true;
+        first.pedal = 1.0;
+        DeviceSample second = first;
+        second.pedal = 2.0;
+        DeviceSample broken = first;
+        broken.jaw = 7.0;
+        DeviceSample nobodys = first;
+        nobodys.instrument = 5;
+        const StepInput input = read_samples(std::vector<DeviceSample>{first, second, broken, nobodys}, 2);
+        REQUIRE(input.samples.size() == 2);
+        REQUIRE(input.samples[0].has_value());
+        CHECK(input.samples[0]->pedal == 2.0);
+        CHECK_FALSE(input.samples[1].has_value());
+        REQUIRE(input.refused.size() == 2);
+        CHECK(input.refused[0].instrument == 0);
+        CHECK(input.refused[0].why == "device sample: jaw is 7 (0 to 1)");
+        CHECK(input.refused[1].instrument == 5);
+        CHECK(read_samples({}, 3).samples.size() == 3);
     }
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "input/device.hpp"
 #include "kernel/session/sessions.hpp"
 
 namespace rhexis::test {

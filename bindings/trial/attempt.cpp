@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trial/attempt.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/output_file.hpp"
+#include "session/prepared_state.hpp"
+#include "trial/hot_reload.hpp"
+#include "trial/html.hpp"
+#include "trial/pictures.hpp"
+#include "trial/places.hpp"
+#include "trial/progress.hpp"
+#include "trial/recorder.hpp"
+#include "trial/report_json.hpp"
+#include "trial/series.hpp"
+#include "trial/timing.hpp"
+#include "trial/virtual_surgeon.hpp"
+
+namespace rhexis {
+namespace {
+
+RecordingHeader header_of(const AttemptOptions& options, const ExerciseHost& host, const Session& session) {
+    RecordingHeader header = rhexis::header_of(session);
+    header.seed = options.exercise.seed;
+    header.curriculum = options.exercise.curriculum;
+    header.identity = host.identity().dump();
+    header.surgeon = options.exercise.surgeon;
+    header.set = options.exercise.set;
+    return header;
+}
+
+/// Pictures of the moments that the exercise asks for, of the first and the last, and the film in between.
+class PictureObserver final : public TrialObserver {
+public:
+    explicit PictureObserver(PictureBook& book) : book_(book) {}
+
+    Status begun(Timeline& timeline) override {
+        return book_.keep(timeline.session()->frame(), "start", "Before the first step.");
+    }
+    Status look(Moment& moment) override {
+        for (const Command& command : moment.commands) {
+            if (command.kind != CommandKind::picture) {
+                continue;
+            }
+            end_pictured_ = end_pictured_ || command.name == "end";
+            if (Status kept = book_.keep(moment.timeline.session()->frame(), command.name, command.text); !kept) {
+                return kept;
+            }
+        }
+        return success();
+    }
+    Status stepped(const TrialStep& step) override {
+        return book_.wants_film(step.session.time_s()) ? book_.film(step.session.frame()) : success();
+    }
+    Status ended(Timeline& timeline) override {
+        const Status kept = end_pictured_ ? success() : book_.keep(timeline.session()->frame(), "end", "At the end.");
+        return kept ? book_.finish() : kept;
+    }
+
+private:
+    PictureBook& book_;
+    bool end_pictured_ = false;
+};
+
+class ProgressObserver final : public TrialObserver {
+public:
+    ProgressObserver(const std::string& label, bool quiet, double limit_s)
+        : progress_(label, quiet), limit_s_(limit_s) {}
+
+    Status stepped(const TrialStep& step) override {
+        char note[64];
+        std::snprintf(note, sizeof note, "%.1f s simulated", step.session.time_s());
+        progress_.show(step.session.time_s() / limit_s_, note);
+        return success();
+    }
+
+private:
+    Progress progress_;
+    double limit_s_;
+};
+
+/// What a trial and those who looked on leave for the report.
+struct Seen {
+    const TrialOutcome& outcome;
+    const Series& series;
+    const Timing& timing;
+    const Recorder& recorder;
+    const StateKeeper& keeper;
+    const HotReload& reload;
+    const PictureBook* book;
+};
+
+Log full_log(const AttemptOptions& options, const Session& session, TrialEnd end) {
+    Log log = session.log();
+    if (!options.start.opening_note.empty()) {
+        log.insert(log.begin(),
+                   {LogLevel::warning, 0.0,
+                    "this part begins with a round opening, not with what was torn: " + options.start.opening_note});
+    }
+    if (end == TrialEnd::time_up) {
+        log.push_back({LogLevel::warning, session.time_s(), "the run was ended at its limit of simulated time"});
+    }
+    return log;
+}
+
+ReportInput report_input(const AttemptOptions& options, const ExerciseHost& host, const Session& session,
+                         const Seen& seen) {
+    ReportInput input;
+    input.identity = host.identity();
+    input.surgeon = options.exercise.surgeon;
+    input.set = options.exercise.set;
+    input.seed = options.exercise.seed;
+    input.start = options.start.state;
+    input.begun_at = options.start.chosen;
+    input.opening = session.scene().opening;
+    input.opening_note = options.start.opening_note;
+    input.patient = session.scene().patient;
+    input.duration_s = session.time_s();
+    input.state_hash = session.state_hash();
+    if (seen.book != nullptr) {
+        input.pictures = seen.book->pictures();
+        input.video = seen.book->has_video();
+    }
+    input.log = full_log(options, session, seen.outcome.end);
+    input.simulated = simulated_parts(session);
+    input.performance = seen.timing.performance(session.time_s());
+    return input;
+}
+
+Result<AttemptResult> write_results(const AttemptOptions& options, ExerciseHost& host, const Session& session,
+                                    const Seen& seen) {
+    AttemptResult result;
+    const std::optional<Error>& failed = seen.outcome.error ? seen.outcome.error : seen.keeper.error();
+    result.script_error = failed ? failed->text() : "";
+    Result<nlohmann::json> judged = host.result();
+    if (!judged && result.script_error.empty()) {
+        result.script_error = judged.error().text();
+    }
+    ReportInput input = report_input(options, host, session, seen);
+    input.result = judged ? judged.value() : nlohmann::json::object();
+    if (input.result.contains("operation")) {
+        result.operation = std::move(input.result["operation"]);
+        input.result.erase("operation");
+    }
+    if (!seen.reload.reloads().empty()) {
+        input.result["reloads"] = seen.reload.reloads();
+    }
+    input.script_error = result.script_error;
+    result.report = make_report(input);
+    result.report.update(options.comparison);
+    result.recording = seen.recorder.file();
+    result.saved = seen.keeper.kept();
+    // the report last: where it stands, all that it speaks of is there
+    Status status = write_file(options.folder + "/series.json", seen.series.json().dump() + "\n");
+    if (status) {
+        status = write_file(options.folder + "/report.json", result.report.dump(2) + "\n");
+    }
+    return status ? Result<AttemptResult>(std::move(result)) : status.error();
+}
+
+/// The trial itself: by the virtual surgeon of the exercise, or by nobody.
+Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host, Session& session,
+                              RecordingWriter writer, PictureBook* book) {
+    Series series(session.schema());
+    Timing timing;
+    Recorder recorder(std::move(writer), options.start.state.empty());
+    StateKeeper keeper(options.save, host, header_of(options, host, session));
+    HotReload reload(host);
+    ProgressObserver progress(options.exercise.curriculum, options.quiet,
+                              std::min(options.limit_s, host.identity().value("time_limit_s", options.limit_s)));
+    std::optional<PictureObserver> pictures;
+    std::vector<TrialObserver*> observers = {&timing, &series, &recorder};
+    if (options.watch) {
+        observers.push_back(&reload);
+    }
+    if (book != nullptr) {
+        observers.push_back(&pictures.emplace(*book));
+    }
+    if (!options.save.path.empty()) {
+        observers.push_back(&keeper);
+    }
+    observers.push_back(&progress);
+    LiveTimeline timeline(session);
+    VirtualSurgeon surgeon(host);
+    const Result<TrialOutcome> outcome = Trial(timeline, &host, surgeon, std::move(observers), {options.limit_s}).run();
+    if (!outcome) {
+        return outcome.error();
+    }
+    return write_results(options, host, session, {outcome.value(), series, timing, recorder, keeper, reload, book});
+}
+
+/// The session that the exercise asks for, in the state that the attempt starts from.
+Result<Session> make_session(const AttemptOptions& options, const ExerciseHost& host) {
+    SceneDescription scene = host.scene();
+    scene.threads = options.threads;
+    scene.instruction_set = options.instruction_set;
+    scene.opening = options.start.opening;
+    return create_session(scene, options.exercise.seed, options.start.state);
+}
+
+Result<std::optional<PictureBook>> open_book(const AttemptOptions& options, std::string& note) {
+    if (options.drawing == Drawing::none) {
+        return std::optional<PictureBook>();
+    }
+    Result<PictureBook> book = PictureBook::create(options.folder, options.drawing == Drawing::video);
+    if (book) {
+        return std::optional<PictureBook>(std::move(book).value());
+    }
+    if (options.drawing == Drawing::video) {
+        return book.error();
+    }
+    note = book.error().text();
+    return std::optional<PictureBook>();
+}
+
+/// The page is for reading; a run without it is still a run.
+void write_html(const AttemptOptions& options, AttemptResult& result) {
+    const Result<std::string> html = report_page(options.exercise.root, options.folder);
+    const Status written = html ? write_file(options.folder + "/report.html", html.value()) : html.error();
+    result.html_error = written ? "" : written.error().text();
+}
+
+}  // namespace
+
+Result<AttemptResult> attempt(const AttemptOptions& options) {
+    Result<ExerciseHost> host = ExerciseHost::load(options.exercise);
+    if (!host) {
+        return host.error();
+    }
+    Result<Session> session = make_session(options, host.value());
+    if (!session) {
+        return session.error();
+    }
+    const Status prepared = prepare_folder(options.folder);
+    if (!prepared) {
+        return prepared.error();
+    }
+    std::string drawing_note;
+    Result<std::optional<PictureBook>> book = open_book(options, drawing_note);
+    if (!book) {
+        return book.error();
+    }
+    const RecordingHeader header = header_of(options, host.value(), session.value());
+    Result<RecordingWriter> writer = RecordingWriter::create(options.folder + "/recording.rhx", header);
+    if (!writer) {
+        return writer.error();
+    }
+    PictureBook* pictures = book.value() ? &*book.value() : nullptr;
+    Result<AttemptResult> result = operate(options, host.value(), session.value(), std::move(writer).value(), pictures);
+    if (!result) {
+        return result;
+    }
+    result.value().drawing_note = drawing_note;
+    write_html(options, result.value());
+    return result;
+}
+
+}  // namespace rhexis

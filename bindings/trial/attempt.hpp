@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One attempt at an exercise: session, exercise and surgeon side by side, with recorder, pictures and report.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "base/result.hpp"
+#include "lua/exercise_host.hpp"
+#include "trial/starts.hpp"
+#include "trial/state_keeper.hpp"
+
+namespace rhexis {
+
+enum class Drawing {
+    if_possible,  ///< pictures where there is a device to draw with
+    none,
+    video,  ///< pictures and a video, or no run
+};
+
+struct AttemptOptions {
+    ExerciseOptions exercise;
+    std::string folder;  ///< receives everything
+    int threads = 1;
+    std::string instruction_set;  ///< as SceneDescription has it
+    Start start;
+    SaveOptions save;
+    Drawing drawing = Drawing::if_possible;
+    double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
+    bool quiet = false;      ///< no progress
+    nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
+    bool watch = false;  ///< the exercise is read again between two steps when its files have changed
+};
+
+struct AttemptResult {
+    nlohmann::json report;     ///< as written to report.json
+    nlohmann::json operation;  ///< of a part: the operation as far as it has come, see ExerciseHost::result
+    std::string script_error;  ///< the exercise ended with this; empty: it did not
+    std::string drawing_note;  ///< why there are no pictures; empty: there are
+    std::string recording;     ///< path
+    std::string html_error;    ///< why there is no report.html; empty: there is one
+    bool saved = false;        ///< the state that was to be kept is
+};
+
+/// Runs the exercise to its end and leaves everything in the folder. An error means bad input or a disk that cannot be
+/// written; a recording that was begun stays, readable to its last whole step.
+Result<AttemptResult> attempt(const AttemptOptions& options);
+
+}  // namespace rhexis

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trial/pictures.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "render/image_file.hpp"
+#include "render/renderer.hpp"
+#include "trial/places.hpp"
+
+namespace rhexis {
+namespace {
+
+constexpr int width = 640;
+constexpr int height = 480;
+
+/// Letters, digits and dashes of a name, for a file.
+std::string file_word(const std::string& name) {
+    std::string word;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        word += plain ? c : '-';
+    }
+    return word.substr(0, 40);
+}
+
+/// Pictures of an earlier run in the same folder do not belong to this one.
+void remove_old_pictures(const std::string& folder) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        if (entry.path().extension() == ".png") {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+}
+
+}  // namespace
+
+bool FilmClock::wants(double time_s) const {
+    return time_s * pictures_per_second_ + 1e-6 >= static_cast<double>(frames_);
+}
+
+void FilmClock::advance_beyond(double time_s) {
+    while (wants(time_s)) {
+        advance();
+    }
+}
+
+struct PictureBook::Parts {
+    std::string folder;
+    Renderer renderer;
+    std::optional<VideoFile> video;
+    FilmClock clock;
+    std::vector<Picture> pictures;
+};
+
+PictureBook::PictureBook(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+PictureBook::~PictureBook() = default;
+PictureBook::PictureBook(PictureBook&&) noexcept = default;
+
+Result<PictureBook> PictureBook::create(const std::string& folder, bool video, double pictures_per_second) {
+    Result<Renderer> renderer = Renderer::create(width, height);
+    if (!renderer) {
+        return renderer.error();
+    }
+    const Status made = prepare_folder(folder + "/frames");
+    if (!made) {
+        return made.error();
+    }
+    remove_old_pictures(folder + "/frames");
+    std::unique_ptr<Parts> parts(
+        new Parts{folder, std::move(renderer).value(), std::nullopt, FilmClock(pictures_per_second), {}});
+    if (video) {
+        Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, pictures_per_second);
+        if (!file) {
+            return file.error();
+        }
+        parts->video.emplace(std::move(file).value());
+    }
+    return PictureBook(std::move(parts));
+}
+
+Status PictureBook::keep(const Frame& frame, const std::string& name, const std::string& caption) {
+    char number[16];
+    std::snprintf(number, sizeof number, "%02zu", parts_->pictures.size() + 1);
+    const std::string file = std::string("frames/") + number + "-" + file_word(name) + ".png";
+    Status status = write_png(parts_->renderer.draw(frame, microscope_camera(frame)), parts_->folder + "/" + file);
+    if (status) {
+        parts_->pictures.push_back({file, name, caption, frame.time_s});
+    }
+    return status;
+}
+
+bool PictureBook::wants_film(double time_s) const { return parts_->video && parts_->clock.wants(time_s); }
+
+Status PictureBook::film(const Frame& frame) {
+    if (!wants_film(frame.time_s)) {
+        return success();
+    }
+    const Image image = parts_->renderer.draw(frame, microscope_camera(frame));
+    while (wants_film(frame.time_s)) {
+        Status status = parts_->video->add(image);
+        if (!status) {
+            return status;
+        }
+        parts_->clock.advance();
+    }
+    return success();
+}
+
+Status PictureBook::finish() { return parts_->video ? parts_->video->finish() : success(); }
+
+const std::vector<Picture>& PictureBook::pictures() const { return parts_->pictures; }
+bool PictureBook::has_video() const { return parts_->video.has_value(); }
+FilmClock PictureBook::clock() const { return parts_->clock; }
+
+}  // namespace rhexis
