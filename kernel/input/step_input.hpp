@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The input stage: whatever gives samples (a virtual surgeon, a recording, a test, a person's devices), they are checked
-// here and nowhere else.
+// The input stage: whatever gives samples (a virtual surgeon, a recording, a test, a person's devices), they are
+// checked here and nowhere else.
 #pragma once
 
 #include <optional>
