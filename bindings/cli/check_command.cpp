@@ -83,9 +83,9 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
     LiveTimeline timeline(session.value());
     Nobody nobody;
     const double dry_s = dry_steps * session.value().scene().step_s;
-    const Result<TrialOutcome> played = Trial(timeline, &host.value(), nobody, {}, {dry_s}).run();
-    if (!played || played.value().error) {
-        return played ? *played.value().error : played.error();
+    const Status played = status_of(Trial(timeline, &host.value(), nobody, {}, {dry_s}).run());
+    if (!played) {
+        return played.error();
     }
     const Result<nlohmann::json> result = host.value().result();
     Result<Findings> found = result ? review(host.value()) : Result<Findings>(result.error());

@@ -10,11 +10,11 @@
 #include "trial/html.hpp"
 #include "trial/pictures.hpp"
 #include "trial/places.hpp"
-#include "trial/progress.hpp"
 #include "trial/recorder.hpp"
 #include "trial/report_json.hpp"
 #include "trial/series.hpp"
 #include "trial/timing.hpp"
+#include "trial/trial_progress.hpp"
 #include "trial/virtual_surgeon.hpp"
 
 namespace rhexis {
@@ -61,23 +61,6 @@ public:
 private:
     PictureBook& book_;
     bool end_pictured_ = false;
-};
-
-class ProgressObserver final : public TrialObserver {
-public:
-    ProgressObserver(const std::string& label, bool quiet, double limit_s)
-        : progress_(label, quiet), limit_s_(limit_s) {}
-
-    Status stepped(const TrialStep& step) override {
-        char note[64];
-        std::snprintf(note, sizeof note, "%.1f s simulated", step.session.time_s());
-        progress_.show(step.session.time_s() / limit_s_, note);
-        return success();
-    }
-
-private:
-    Progress progress_;
-    double limit_s_;
 };
 
 /// What a trial and those who looked on leave for the report.
@@ -167,8 +150,8 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
     Recorder recorder(std::move(writer), options.start.state.empty());
     StateKeeper keeper(options.save, host, header_of(options, host, session));
     HotReload reload(host);
-    ProgressObserver progress(options.exercise.curriculum, options.quiet,
-                              std::min(options.limit_s, host.identity().value("time_limit_s", options.limit_s)));
+    TrialProgress progress(options.exercise.curriculum, options.quiet,
+                           std::min(options.limit_s, host.identity().value("time_limit_s", options.limit_s)));
     std::optional<PictureObserver> pictures;
     std::vector<TrialObserver*> observers = {&timing, &series, &recorder};
     if (options.watch) {

@@ -118,11 +118,7 @@ public:
     /// To its last line, whatever the exercise says.
     Status run() {
         LiveTimeline timeline(session_);
-        const Result<TrialOutcome> played = Trial(timeline, &host_, hand_, {}, {.beyond_the_exercise = true}).run();
-        if (!played) {
-            return played.error();
-        }
-        return played.value().error ? Status(*played.value().error) : success();
+        return status_of(Trial(timeline, &host_, hand_, {}, {.beyond_the_exercise = true}).run());
     }
 
     /// What the exercise made of the scenario is part of what is expected of it.

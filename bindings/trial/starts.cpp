@@ -17,8 +17,8 @@
 #include "trial/kept_states.hpp"
 #include "trial/opening_files.hpp"
 #include "trial/places.hpp"
-#include "trial/progress.hpp"
 #include "trial/scenario_run.hpp"
+#include "trial/trial_progress.hpp"
 #include "trial/virtual_surgeon.hpp"
 
 namespace rhexis {
@@ -120,11 +120,7 @@ RecordingHeader header_of(const Recipe& recipe, json identity, const Session& se
 /// Stops a trial at the moment that a recipe waits for.
 class UntilItsMoment final : public TrialObserver {
 public:
-    UntilItsMoment(const Recipe& recipe, ExerciseHost& host, bool quiet)
-        : recipe_(recipe),
-          host_(host),
-          limit_s_(recipe.text.at("limit_s")),
-          progress_("preparing " + recipe.name, quiet) {}
+    UntilItsMoment(const Recipe& recipe, ExerciseHost& host) : recipe_(recipe), host_(host) {}
 
     Status begun(Timeline&) override {
         watched_ = host_.watch(recipe_.text.at("when"), recipe_.text.at("where"));
@@ -139,19 +135,11 @@ public:
         moment.stop = came_;
         return success();
     }
-    Status stepped(const TrialStep& step) override {
-        char note[64];
-        std::snprintf(note, sizeof note, "%.1f s simulated", step.session.time_s());
-        progress_.show(step.session.time_s() / limit_s_, note);
-        return success();
-    }
     [[nodiscard]] bool came() const { return came_; }
 
 private:
     const Recipe& recipe_;
     ExerciseHost& host_;
-    double limit_s_;
-    Progress progress_;
     Status watched_ = success();
     bool came_ = false;
 };
@@ -167,11 +155,12 @@ Error too_late(const Recipe& recipe, double time_s) {
 Result<Session> play_until(const Recipe& recipe, ExerciseHost& host, Session session, bool quiet) {
     LiveTimeline timeline(session);
     VirtualSurgeon surgeon(host);
-    UntilItsMoment until(recipe, host, quiet);
-    const Result<TrialOutcome> played =
-        Trial(timeline, &host, surgeon, {&until}, {recipe.text.at("limit_s").get<double>()}).run();
-    if (!played || played.value().error) {
-        return played ? *played.value().error : played.error();
+    UntilItsMoment until(recipe, host);
+    const double limit_s = recipe.text.at("limit_s");
+    TrialProgress progress("preparing " + recipe.name, quiet, limit_s);
+    const Status played = status_of(Trial(timeline, &host, surgeon, {&until, &progress}, {limit_s}).run());
+    if (!played) {
+        return played.error();
     }
     return until.came() ? Result<Session>(std::move(session)) : too_late(recipe, session.time_s());
 }

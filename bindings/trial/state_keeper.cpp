@@ -4,12 +4,6 @@
 #include "session/prepared_state.hpp"
 
 namespace rhexis {
-namespace {
-
-constexpr double time_rounding_s = 1e-9;
-
-}  // namespace
-
 Status StateKeeper::begun(Timeline&) {
     const Status watched = options_.when.empty() ? success() : host_.watch(options_.when, "--save-state");
     if (!watched) {
@@ -31,7 +25,7 @@ Status StateKeeper::look(Moment& moment) {
 
 bool StateKeeper::reached(const Moment& moment) {
     if (options_.at_s >= 0.0) {
-        return moment.timeline.observation().time_s + time_rounding_s >= options_.at_s;
+        return moment.timeline.has_come_to(options_.at_s);
     }
     if (options_.when.empty()) {
         return moment.last;

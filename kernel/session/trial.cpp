@@ -23,6 +23,15 @@ double cpu_seconds(const Timeline& timeline) {
 
 }  // namespace
 
+bool Timeline::has_come_to(double time_s) const { return observation().time_s + time_rounding_s >= time_s; }
+
+Status status_of(const Result<TrialOutcome>& outcome) {
+    if (!outcome) {
+        return outcome.error();
+    }
+    return outcome.value().error ? Status(*outcome.value().error) : success();
+}
+
 Trial::Trial(Timeline& timeline, Exercise* exercise, Operator& whoever, std::vector<TrialObserver*> observers,
              TrialLimits limits)
     : timeline_(timeline), exercise_(exercise), operator_(whoever), observers_(std::move(observers)), limits_(limits) {}
@@ -93,8 +102,7 @@ TrialEnd Trial::ended() const {
     if (exercise_ != nullptr && !limits_.beyond_the_exercise && (exercise_->finished() || asks_to_finish(commands_))) {
         return TrialEnd::finished;
     }
-    const bool time_up = timeline_.observation().time_s + time_rounding_s >= limits_.time_s;
-    return time_up ? TrialEnd::time_up : TrialEnd::none;
+    return timeline_.has_come_to(limits_.time_s) ? TrialEnd::time_up : TrialEnd::none;
 }
 
 Status Trial::show() {

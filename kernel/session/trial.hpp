@@ -28,6 +28,8 @@ public:
     [[nodiscard]] virtual const ObservationSchema& schema() const = 0;
     [[nodiscard]] virtual const Observation& observation() const = 0;
     [[nodiscard]] virtual std::uint64_t step_count() const = 0;
+    /// Whether simulated time has come to time_s, but for rounding.
+    [[nodiscard]] bool has_come_to(double time_s) const;
     /// Null while nothing is simulated.
     [[nodiscard]] virtual Session* session() = 0;
     /// Fails where it cannot go on at all; a step that could not be solved is an outcome.
@@ -123,6 +125,9 @@ struct TrialOutcome {
     TrialEnd end = TrialEnd::none;
     std::optional<Error> error{};  ///< of exercise or operator
 };
+
+/// For whom a script that fails is a failure like any other.
+Status status_of(const Result<TrialOutcome>& outcome);
 
 struct TrialLimits {
     double time_s = std::numeric_limits<double>::infinity();  ///< simulated
