@@ -5,6 +5,7 @@
   scripts/dev/study.py phaco_sculpt --groups d a --seeds 101-106
   scripts/dev/study.py phaco_sculpt --groups a --seeds 101-120 --jobs 2 --set surgeon.recovery=0
   scripts/dev/study.py phaco_sculpt --groups d a --seeds 101-106 --keep FOLDER    an attempt that is in FOLDER is not run again
+  scripts/dev/study.py capsulorhexis --item T5    its measures, and how many attempts have five points for each of them
 
 Seeds from 9000 on are kept for acceptance: they are not run while anything is tuned.
 """
@@ -42,6 +43,34 @@ def events_of(report):
     return ", ".join(f"{title} {raised} ({recovered})" for title, (raised, recovered) in counts.items()) or "none"
 
 
+def item_of(report, name):
+    """Score of an item and its judged measures, {id: (value, score)}; None and {} where it was not scored."""
+    for item in report["osacss"]["items"]:
+        if item["id"] == name:
+            return item.get("score"), {m["id"]: (m["value"], m["score"]) for m in item["measures"]}
+    return None, {}
+
+
+def item_summary(group, reports, name):
+    judged = [item_of(report, name) for report in reports]
+    scores = [score for score, _ in judged if score is not None]
+    full = sum(1 for _, measures in judged if measures and all(points >= 5 for _, points in measures.values()))
+    median = f"{statistics.median(scores):.2f}" if scores else "none"
+    print(f"{group}: {name} median {median} of 5; five points for each of its measures in {full} of {len(reports)}")
+
+
+def print_item(group, reports, options):
+    judged = [item_of(report, options.item) for report in reports]
+    names = sorted({name for _, measures in judged for name in measures})
+    print()
+    attempts.table_head(["surgeon", "seed", options.item, *names])
+    for seed, (score, measures) in zip(options.seeds, judged):
+        cells = [f"{measures[name][0]:.3f}" if name in measures else "-" for name in names]
+        attempts.table_row([group, seed, "-" if score is None else f"{score:.2f}", *cells])
+    print()
+    item_summary(group, reports, options.item)
+
+
 def row(group, seed, report, place, shown):
     last = {name: values[-1] for name, values in attempts.series(place).items()}
     cells = [f"{last[name]:.2f}" if isinstance(last.get(name), float) else "-" for name in shown]
@@ -68,6 +97,7 @@ def main():
     parser.add_argument("--seeds", type=seeds_of, default=seeds_of("101-103"))
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
     parser.add_argument("--show", nargs="*", default=[], metavar="MEASURE", help="at the end of each attempt")
+    parser.add_argument("--item", help="of the rubric: its measures, as judged")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the attempts")
     parser.add_argument("--rhexis", default=attempts.PROGRAM)
@@ -87,6 +117,8 @@ def main():
         print()
         for group, found in reports.items():
             summary(group, found)
+            if options.item:
+                print_item(group, found, options)
     return 0
 
 
