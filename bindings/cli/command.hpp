@@ -32,6 +32,7 @@ Result<std::pair<std::string, std::string>> key_and_value(const std::string& pai
 void add_instruction_set(CLI::App& command, std::string& instruction_set);
 
 void add_run(CLI::App& app, Context& context);
+void add_train(CLI::App& app, Context& context);
 void add_lua(CLI::App& app, Context& context);
 void add_words(CLI::App& app, Context& context);
 void add_check(CLI::App& app, Context& context);

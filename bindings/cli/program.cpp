@@ -21,6 +21,7 @@ constexpr const char* description =
     "Start here:\n"
     "  rhexis run groove                     a virtual expert sculpts a groove; report, pictures, recording in runs/\n"
     "  rhexis run groove --surgeon novice    the same by a beginner\n"
+    "  rhexis train groove                   you do it, with mouse and keys\n"
     "  rhexis replay runs/groove-expert-1 --verify\n"
     "                                        simulate that again and compare every step, bit for bit\n"
     "  rhexis check my_exercise/             find the mistakes in an exercise of your own, by file and line\n"
@@ -158,7 +159,7 @@ int run_program(int argc, const char* const* argv) {
     app.set_version_flag("--version", std::string("rhexis ") + RHEXIS_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
-    for (auto* add : {add_run, add_lua, add_check, add_words, add_test, add_replay, add_report, add_fold, add_study}) {
+    for (auto* add : {add_run, add_train, add_lua, add_check, add_words, add_test, add_replay, add_report, add_fold, add_study}) {
         add(app, context);
     }
 #ifdef RHEXIS_WITH_RECORDS

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/output_file.hpp"
+#include "flow/microscope.hpp"
 #include "session/prepared_state.hpp"
 #include "trial/hot_reload.hpp"
 #include "trial/html.hpp"
@@ -20,12 +21,16 @@
 namespace rhexis {
 namespace {
 
+std::string who_operates(const AttemptOptions& options) {
+    return options.guest != nullptr ? options.guest->name() : options.exercise.surgeon;
+}
+
 RecordingHeader header_of(const AttemptOptions& options, const ExerciseHost& host, const Session& session) {
     RecordingHeader header = rhexis::header_of(session);
     header.seed = options.exercise.seed;
     header.curriculum = options.exercise.curriculum;
     header.identity = host.identity().dump();
-    header.surgeon = options.exercise.surgeon;
+    header.surgeon = who_operates(options);
     header.set = options.exercise.set;
     return header;
 }
@@ -91,7 +96,7 @@ ReportInput report_input(const AttemptOptions& options, const ExerciseHost& host
                          const Seen& seen) {
     ReportInput input;
     input.identity = host.identity();
-    input.surgeon = options.exercise.surgeon;
+    input.surgeon = who_operates(options);
     input.set = options.exercise.set;
     input.seed = options.exercise.seed;
     input.start = options.start.state;
@@ -164,13 +169,33 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
         observers.push_back(&keeper);
     }
     observers.push_back(&progress);
+    if (options.guest != nullptr) {
+        options.guest->meet(host);
+        observers.push_back(options.guest);
+    }
     LiveTimeline timeline(session);
     VirtualSurgeon surgeon(host);
-    const Result<TrialOutcome> outcome = Trial(timeline, &host, surgeon, std::move(observers), {options.limit_s}).run();
+    Operator& whoever = options.guest != nullptr ? static_cast<Operator&>(*options.guest) : surgeon;
+    const Result<TrialOutcome> outcome = Trial(timeline, &host, whoever, std::move(observers), {options.limit_s}).run();
     if (!outcome) {
         return outcome.error();
     }
     return write_results(options, host, session, {outcome.value(), series, timing, recorder, keeper, reload, book});
+}
+
+/// Where a person operates there is a microscope to look through, centred and in focus unless the exercise is about
+/// that. It is centred on a pupil.
+void add_microscope(SceneDescription& scene) {
+    const bool has_pupil = std::find(scene.tissues.begin(), scene.tissues.end(), "iris") != scene.tissues.end();
+    const bool has_one =
+        std::find(scene.instruments.begin(), scene.instruments.end(), microscope_name) != scene.instruments.end();
+    if (!has_pupil || has_one) {
+        return;
+    }
+    scene.instruments.emplace_back(microscope_name);
+    for (const char* setting : {"microscope.x_mm", "microscope.y_mm", "microscope.focus_mm"}) {
+        scene.settings.emplace(setting, 0.0);
+    }
 }
 
 /// The session that the exercise asks for, in the state that the attempt starts from.
@@ -179,6 +204,9 @@ Result<Session> make_session(const AttemptOptions& options, const ExerciseHost& 
     scene.threads = options.threads;
     scene.instruction_set = options.instruction_set;
     scene.opening = options.start.opening;
+    if (options.guest != nullptr) {
+        add_microscope(scene);
+    }
     return create_session(scene, options.exercise.seed, options.start.state);
 }
 

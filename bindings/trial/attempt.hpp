@@ -20,6 +20,16 @@ enum class Drawing {
     video,  ///< pictures and a video, or no run
 };
 
+/// Somebody from outside who operates in place of a virtual surgeon: a person at the station. The microscope is in the
+/// scene of such an attempt.
+class Guest : public Operator, public TrialObserver {
+public:
+    /// Before the trial begins: what there is to be known of the exercise.
+    virtual void meet(ExerciseHost& host) = 0;
+    /// As report and recording call whoever operated: "person".
+    [[nodiscard]] virtual std::string name() const = 0;
+};
+
 struct AttemptOptions {
     ExerciseOptions exercise;
     std::string folder;  ///< receives everything
@@ -31,6 +41,7 @@ struct AttemptOptions {
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress
     nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
+    Guest* guest = nullptr;  ///< null: the virtual surgeon of the exercise, or nobody
     bool watch = false;  ///< the exercise is read again between two steps when its files have changed
 };
 

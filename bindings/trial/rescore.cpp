@@ -97,7 +97,7 @@ private:
 
 Result<Rescore> judge(const Recording& recording, ExerciseHost& host) {
     RecordedTimeline timeline(recording);
-    RecordedHand hand(recording, RecordedHand::Gives::requests);
+    RecordedHand hand(recording, RecordedHand::Gives::input);
     const Result<TrialOutcome> outcome = Trial(timeline, &host, hand).run();
     if (!outcome) {
         return outcome.error();

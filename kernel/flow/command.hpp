@@ -13,6 +13,7 @@ enum class CommandKind {
     finish,   ///< end the exercise; text is the reason
     request,  ///< whoever operates asks the staff for something, or declares it; name is its id in the exercise. Input
               ///< as samples are: the exercise, not the session, says what follows
+    adjust    ///< whoever operates turns a dial of the machine: as `set`, but input, as samples are
 };
 
 struct Command {
@@ -21,5 +22,10 @@ struct Command {
     double value = 0.0;
     std::string text;
 };
+
+/// Of whoever operates, not of the exercise.
+inline bool is_input(const Command& command) {
+    return command.kind == CommandKind::request || command.kind == CommandKind::adjust;
+}
 
 }  // namespace rhexis

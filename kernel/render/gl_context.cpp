@@ -114,6 +114,15 @@ Result<GlContext> GlContext::create() {
     return missing("no EGL device gives an OpenGL 3.3 context");
 }
 
+Result<GlContext> GlContext::current() {
+    if (epoxy_gl_version() < 33) {
+        return missing("the window's OpenGL is older than 3.3");
+    }
+    GlContext context;
+    context.device_ = text_of(GL_RENDERER) + ", OpenGL " + text_of(GL_VERSION);
+    return context;
+}
+
 GlContext::GlContext(GlContext&& other) noexcept
     : display_(other.display_), context_(std::exchange(other.context_, nullptr)), device_(std::move(other.device_)) {}
 
@@ -124,10 +133,16 @@ GlContext::~GlContext() {
 }
 
 GlContext::Use::Use(const GlContext& context) : context_(context) {
-    eglBindAPI(EGL_OPENGL_API);
-    eglMakeCurrent(context.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_);
+    if (context.context_ != nullptr) {
+        eglBindAPI(EGL_OPENGL_API);
+        eglMakeCurrent(context.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_);
+    }
 }
 
-GlContext::Use::~Use() { eglMakeCurrent(context_.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+GlContext::Use::~Use() {
+    if (context_.context_ != nullptr) {
+        eglMakeCurrent(context_.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+}
 
 }  // namespace rhexis

@@ -108,6 +108,8 @@ struct Renderer::Parts {
     Parts& operator=(const Parts&) = delete;
 
     void look_at(const Frame& frame);
+    /// camera: in the eye's frame.
+    const Target& paint(const Frame& frame, const Camera& camera);
 };
 
 void Renderer::Parts::look_at(const Frame& frame) {
@@ -125,10 +127,17 @@ void Renderer::Parts::look_at(const Frame& frame) {
 }
 
 Result<Renderer> Renderer::create(int width, int height) {
+    return create_with(GlContext::create(), width, height);
+}
+
+Result<Renderer> Renderer::create_in_window(int width, int height) {
+    return create_with(GlContext::current(), width, height);
+}
+
+Result<Renderer> Renderer::create_with(Result<GlContext> context, int width, int height) {
     if (const Status status = check_size(width, height); !status.ok()) {
         return status.error();
     }
-    Result<GlContext> context = GlContext::create();
     if (!context.ok()) {
         return context.error();
     }
@@ -148,52 +157,71 @@ Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
+Camera camera_in_eye(const Camera& room, const GlobeModel& model, const GlobeState& globe) {
+    Camera camera = room;
+    camera.eye = to_eye(model, globe, room.eye);
+    camera.target = to_eye(model, globe, room.target);
+    camera.up = rotation_of(globe).conjugate() * room.up;
+    return camera;
+}
+
 namespace {
 
 /// The camera stands in the room, what is drawn in the eye's frame.
-Camera in_eye(const Frame& frame, Camera camera) {
-    if (frame.eye && frame.globe && frame.model->globe) {
-        const Quat back = rotation_of(*frame.globe).conjugate();
-        camera.eye = to_eye(*frame.model->globe, *frame.globe, camera.eye);
-        camera.target = to_eye(*frame.model->globe, *frame.globe, camera.target);
-        camera.up = back * camera.up;
-    }
-    return camera;
+Camera in_eye(const Frame& frame, const Camera& camera) {
+    return frame.eye && frame.globe && frame.model->globe ? camera_in_eye(camera, *frame.model->globe, *frame.globe)
+                                                          : camera;
 }
 
 }  // namespace
 
+const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera) {
+    look_at(frame);
+    const View outer = view_in_air(camera, width, height);
+    if (!frame.eye) {
+        passes->bare.draw(passes->painter, frame, tools, outer, passes->detail);
+        return passes->bare.picture();
+    }
+    const View inner = view_into(frame, camera, width, height);
+    const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
+    passes->depth.draw(frame, tools, inner, areas.cornea, areas.pupil);
+    passes->microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail);
+    return passes->microscope.picture();
+}
+
 Image Renderer::draw(const Frame& frame, const Camera& room) {
     const Camera camera = in_eye(frame, room);
     const GlContext::Use use(parts_->context);
-    parts_->look_at(frame);
-    Passes& passes = *parts_->passes;
-    const View outer = view_in_air(camera, parts_->width, parts_->height);
-    if (!frame.eye) {
-        passes.bare.draw(passes.painter, frame, parts_->tools, outer, passes.detail);
-        return picture_of(passes.bare.picture());
+    Image image = picture_of(parts_->paint(frame, camera));
+    if (frame.eye) {
+        look_through_eyepiece(camera, image);
     }
-    const View inner = view_into(frame, camera, parts_->width, parts_->height);
-    const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
-    passes.depth.draw(frame, parts_->tools, inner, areas.cornea, areas.pupil);
-    passes.microscope.draw(passes.painter, frame, parts_->tools, outer, inner, passes.depth, passes.detail);
-    Image image = picture_of(passes.microscope.picture());
-    look_through_eyepiece(camera, image);
     return image;
 }
 
-Camera microscope_camera(const Frame& frame) {
-    if (!frame.eye) {
-        return camera_around(frame);
-    }
+void Renderer::show(const Frame& frame, const Camera& room, const ScreenArea& area) {
+    const Target& picture = parts_->paint(frame, in_eye(frame, room));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, *picture.name);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, picture.width, picture.height, area.left, area.bottom, area.left + area.width,
+                      area.bottom + area.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Camera microscope_camera(const EyeAnatomy& eye, const WorldModel& world,
+                         const std::optional<MicroscopeState>& microscope) {
     Camera camera;
-    camera.target = Vec3(0.0, 0.0, frame.eye->iris_z);
+    camera.target = Vec3(0.0, 0.0, eye.iris_z);
     camera.eye = camera.target + Vec3(0.0, 0.0, 200.0);
     camera.field_mm = 14.6;
-    if (frame.microscope) {
-        look_with(*frame.model->microscope, *frame.microscope, camera);
+    if (microscope) {
+        look_with(*world.microscope, *microscope, camera);
     }
     return camera;
+}
+
+Camera microscope_camera(const Frame& frame) {
+    return frame.eye ? microscope_camera(*frame.eye, *frame.model, frame.microscope) : camera_around(frame);
 }
 
 OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of a frame, without a window. One renderer per thread.
+// Pictures of a frame, for files or in a window. One renderer per thread.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,8 @@
 
 namespace rhexis {
 
+class GlContext;
+
 /// Optical depth along the ray of each pixel, row by row from the top, red, green, blue.
 struct OpticalDepth {
     int width = 0;
@@ -17,25 +19,44 @@ struct OpticalDepth {
     std::vector<float> tau;  ///< 3 * width * height
 };
 
+/// Of a window, pixels from its lower left corner.
+struct ScreenArea {
+    int left = 0;
+    int bottom = 0;
+    int width = 0;
+    int height = 0;
+};
+
 class Renderer {
 public:
     /// EGL surfaceless context; the error says what is missing when there is none.
     static Result<Renderer> create(int width, int height);
+    /// Draws in the context that is current on this thread, a window's, which outlives it.
+    static Result<Renderer> create_in_window(int width, int height);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
     /// The microscope view: eye, instruments, semi-opaque lens over the red reflex; bare bodies when frame.eye is null.
     Image draw(const Frame& frame, const Camera& camera);
+    /// The same into the framebuffer that is bound to 0, scaled to a rectangle of it. Only in a window.
+    void show(const Frame& frame, const Camera& camera, const ScreenArea& area);
     /// The lens part alone.
     OpticalDepth optical_depth(const Frame& frame, const Camera& camera);
 
 private:
     struct Parts;
+    static Result<Renderer> create_with(Result<GlContext> context, int width, int height);
     explicit Renderer(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };
 
 /// Camera of the operating microscope over this eye (or framing the bodies of a bare scene).
 Camera microscope_camera(const Frame& frame);
+/// The same of an eye, from what it depends on.
+Camera microscope_camera(const EyeAnatomy& eye, const WorldModel& world,
+                         const std::optional<MicroscopeState>& microscope);
+
+/// A camera of the room, where the frame of an eye that has rolled has it.
+Camera camera_in_eye(const Camera& room, const GlobeModel& model, const GlobeState& globe);
 
 }  // namespace rhexis

@@ -132,8 +132,8 @@ Result<OperatorStep> RecordedHand::operate(Timeline& timeline) {
     }
     const RecordedStep& recorded = recording_.steps[step];
     OperatorStep again{recorded.samples, recorded.commands};
-    if (gives_ == Gives::requests) {
-        std::erase_if(again.commands, [](const Command& command) { return command.kind != CommandKind::request; });
+    if (gives_ == Gives::input) {
+        std::erase_if(again.commands, [](const Command& command) { return !is_input(command); });
     }
     return again;
 }

@@ -30,7 +30,7 @@ class RecordedHand final : public Operator {
 public:
     enum class Gives {
         all,      ///< samples and commands: nothing judges
-        requests  ///< samples and what was asked of the staff: the exercise says the rest anew
+        input  ///< samples, what was asked of the staff and the dials turned: the exercise says the rest anew
     };
     explicit RecordedHand(const Recording& recording, Gives gives = Gives::all, std::uint64_t last = ~std::uint64_t{0})
         : recording_(recording), gives_(gives), last_(last) {}

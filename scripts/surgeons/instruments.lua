@@ -60,4 +60,11 @@ function instruments.shaft(hold, wound, tip)
     return vector.unit(vector.mix(entry, vector.unit(back), turned))
 end
 
+--- Orientation of an instrument with its tip at a place, rolled between the fingers: degrees from how hands hold it.
+--- wound: where its shaft goes through; nil: there is none.
+function instruments.orientation(hold, wound, tip, turned)
+    local shaft = wound and instruments.shaft(hold, wound, tip) or vector.unit({ 0, -1, 0.5 })
+    return vector.turned(hold.orientation(shaft), turned)
+end
+
 return instruments

@@ -257,9 +257,8 @@ local function move(self, side, landmarks, pedal)
     local tip = vector.add(side.hand:advance(self.dt), side.tremble())
     side.jaw = towards(side.jaw, side.jaw_target, side.jaw_rate * self.dt)
     side.turned = towards(side.turned, side.turn_target, turn_rate * self.dt)
-    local shaft = wound and instruments.shaft(hold, wound.position, tip) or vector.unit({ 0, -1, 0.5 })
     return { present = side.present, position = tip, jaw = side.jaw,
-        orientation = vector.turned(hold.orientation(shaft), side.turned), pedal = pedal }
+        orientation = instruments.orientation(hold, wound and wound.position, tip, side.turned), pedal = pedal }
 end
 
 local function put_away()

@@ -16,9 +16,10 @@ MAY_INCLUDE = {name: BELOW_STAGES[: i + 1] for i, name in enumerate(BELOW_STAGES
 MAY_INCLUDE.update({stage: BELOW_STAGES + [stage] for stage in STAGES})
 MAY_INCLUDE["session"] = BELOW_STAGES + STAGES + ["session"]
 
-# Likewise of bindings/: the command line and the station are two users of trials and know nothing of each other.
+# Likewise of bindings/: the command line and the station are two users of trials; the station knows nothing of the
+# command line, which loads it.
 BINDINGS = {"lua": ["lua"], "records": ["records"], "trial": ["lua", "trial"],
-            "station": ["lua", "trial", "station"], "cli": ["lua", "records", "trial", "cli"]}
+            "station": ["lua", "trial", "station"], "cli": ["lua", "records", "trial", "station", "cli"]}
 
 # A library may be included only where these prefixes say.
 WALLS = {

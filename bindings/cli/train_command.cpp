@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis train: a person operates, in a window.
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "base/folder_lock.hpp"
+#include "cli/attempt_arguments.hpp"
+#include "cli/command.hpp"
+#include "station/station.hpp"
+#include "trial/places.hpp"
+#include "trial/starts.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+constexpr const char* train_help =
+    "Opens the microscope's view: you operate. Report, pictures and recording come as of any run.\n"
+    "\n"
+    "  rhexis train capsulorhexis\n"
+    "  rhexis train groove --full-screen --trainee P07\n"
+    "  rhexis train groove --events mine.jsonl            what you do is kept too, event by event\n"
+    "  rhexis train groove --events mine.jsonl --again    the same done again, step by step\n"
+    "\n"
+    "F1 shows what each key and button does; E takes an instrument, the cursor moves its tip, the wheel lifts it,\n"
+    "1, 2 and 3 press the pedal, P stops the clock, Escape ends. docs/station.md has the rest.";
+
+constexpr const char* library = "rhexis-window.so";
+
+struct TrainOptions : AttemptArguments {
+    std::string mapping;
+    std::string events;
+    bool again = false;
+    int width = 1280;
+    int height = 960;
+    bool full_screen = false;
+    int picture_every = 4;
+};
+
+/// Beside the program, or where it is installed. It stays loaded: threads of its libraries may not end with it.
+Result<station::Entry*> load_station() {
+    std::error_code unknown;
+    const std::filesystem::path folder = std::filesystem::canonical(program_path(), unknown).parent_path();
+    std::string tried;
+    for (const std::filesystem::path& path : {folder / library, folder / "../lib/rhexis" / library}) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) {
+            tried += (tried.empty() ? "" : ", ") + path.string();
+            continue;
+        }
+        void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+        void* entry = opened == nullptr ? nullptr : ::dlsym(opened, station::entry_name);
+        if (entry == nullptr) {
+            return Error{std::string("the window cannot be loaded: ") + ::dlerror(), path.string(),
+                         "the Debian packages of deps.txt, or of this program's documents"};
+        }
+        return reinterpret_cast<station::Entry*>(entry);
+    }
+    return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
+}
+
+int train(TrainOptions given, const Context& context) {
+    given.keep.root = context.root;
+    given.surgeon = "none";
+    const Status status = check_attempt_arguments(given);
+    if (!status) {
+        return complain(status.error());
+    }
+    const Result<station::Entry*> entry = load_station();
+    if (!entry) {
+        return complain(entry.error());
+    }
+    Result<std::map<std::string, std::string>> set = given_settings(given, context.root);
+    if (!set) {
+        return complain(set.error());
+    }
+    station::StationOptions options;
+    options.attempt = attempt_options(given, set.value(), context.root);
+    if (given.out.empty()) {
+        const std::string who = given.keep.trainee.empty() ? "person" : given.keep.trainee;
+        options.attempt.folder = "runs/" + folder_name_of(exercise_name(given.curriculum), who);
+    } else if (const Status free = check_folder(given.out, false); !free) {
+        return complain(free.error());
+    }
+    options.mapping = given.mapping;
+    options.events = given.events;
+    options.again = given.again;
+    options.width = given.width;
+    options.height = given.height;
+    options.full_screen = given.full_screen;
+    options.picture_every = given.picture_every;
+    const Result<FolderLock> lock = FolderLock::take(options.attempt.folder);
+    if (!lock) {
+        return complain(lock.error());
+    }
+    Result<Start> start = find_start({given.curriculum, given.start, set.value(), context.root, false, given.opening});
+    if (!start) {
+        return complain(start.error());
+    }
+    options.attempt.start = std::move(start).value();
+    Result<KeptAttempt> kept = begin_kept(given, options.attempt);
+    if (!kept) {
+        return complain(kept.error());
+    }
+    options.attempt.comparison = kept.value().comparison();
+    Result<station::StationResult> result = Error{"nothing was done", "", ""};
+    (*entry.value())(options, result);
+    if (!result) {
+        kept.value().give_up();
+        return complain(result.error());
+    }
+    const AttemptResult& attempt = result.value().attempt;
+    const Status stored = kept.value().finish(attempt.report);
+    print_summary(given, "person", options.attempt.folder, attempt);
+    if (!stored) {
+        return complain(stored.error());
+    }
+    if (!attempt.script_error.empty()) {
+        return complain({attempt.script_error, "", "the exercise ended there; its recording is kept"}, found_failures);
+    }
+    return attempt.html_error.empty() ? done : complain({"no report.html: " + attempt.html_error, "", ""});
+}
+
+}  // namespace
+
+void add_train(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("train", "Operate yourself, in a window");
+    command->footer(train_help);
+    auto given = std::make_shared<TrainOptions>();
+    command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
+    add_attempt_arguments(*command, *given);
+    command->add_option("--mapping", given->mapping, "What each key and button does [assets/station/mapping.json]");
+    CLI::Option* events = command->add_option("--events", given->events, "File to keep what you do in, event by event");
+    command->add_flag("--again", given->again, "Do what that file holds again, step by step")->needs(events);
+    command->add_option("--width", given->width, "Of the window [pixels]")
+        ->check(CLI::Range(160, 4096))
+        ->capture_default_str();
+    command->add_option("--height", given->height, "Of the window [pixels]")
+        ->check(CLI::Range(120, 4096))
+        ->capture_default_str();
+    command->add_flag("--full-screen", given->full_screen, "Without borders, on the whole screen");
+    command->add_option("--picture-every", given->picture_every, "With --again: steps from picture to picture")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    command->callback([given, &context] { context.status = train(*given, context); });
+}
+
+}  // namespace rhexis::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "station/desk.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/clock.hpp"
+
+namespace rhexis::station {
+namespace {
+
+std::chrono::duration<double> seconds(double value) { return std::chrono::duration<double>(std::max(0.0, value)); }
+
+}  // namespace
+
+void Desk::post(const UserEvent& event, double at_s) {
+    const std::lock_guard lock(mutex_);
+    events_.push_back({event, at_s, ++last_number_});
+    posted_.notify_all();
+}
+
+std::shared_ptr<Shown> Desk::newest() const {
+    const std::lock_guard lock(mutex_);
+    taken_ = true;
+    return newest_;
+}
+
+std::shared_ptr<Shown> Desk::wait_for(std::uint64_t step, double longest_s) {
+    std::unique_lock lock(mutex_);
+    shown_.wait_for(lock, seconds(longest_s), [&] { return ended_ || (newest_ && newest_->step > step); });
+    taken_ = true;
+    return newest_;
+}
+
+void Desk::drawn(std::uint64_t step) {
+    const std::lock_guard lock(mutex_);
+    drawn_step_ = step;
+    any_drawn_ = true;
+    drawn_.notify_all();
+}
+
+bool Desk::ended() const {
+    const std::lock_guard lock(mutex_);
+    return ended_;
+}
+
+void Desk::close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    drawn_.notify_all();
+}
+
+std::vector<PostedEvent> Desk::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(events_, {});
+}
+
+void Desk::wait_for_event(double until_s) {
+    std::unique_lock lock(mutex_);
+    posted_.wait_for(lock, seconds(until_s - wall_seconds()), [&] { return !events_.empty(); });
+}
+
+void Desk::show(std::shared_ptr<Shown> shown) {
+    const std::lock_guard lock(mutex_);
+    newest_ = std::move(shown);
+    taken_ = false;
+    shown_.notify_all();
+}
+
+bool Desk::wants_picture() const {
+    const std::lock_guard lock(mutex_);
+    return taken_;
+}
+
+void Desk::wait_until_drawn(std::uint64_t step) {
+    std::unique_lock lock(mutex_);
+    drawn_.wait(lock, [&] { return closed_ || (any_drawn_ && drawn_step_ >= step); });
+}
+
+void Desk::end() {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    shown_.notify_all();
+}
+
+}  // namespace rhexis::station

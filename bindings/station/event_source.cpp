@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "station/event_source.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "base/clock.hpp"
+#include "trial/places.hpp"
+
+namespace rhexis::station {
+namespace {
+
+constexpr double may_catch_up_s = 0.05;  ///< what runs later than that slows the clock
+constexpr double waits_s = 0.05;         ///< between two looks for events while the clock stands
+constexpr double smoothing = 0.02;       ///< of the rate that is shown
+constexpr const char* version = "rhexis_events";
+
+}  // namespace
+
+Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const Hands&, const Surroundings&,
+                                               const Session&) {
+    const double now = wall_seconds();
+    if (waits) {
+        desk_.wait_for_event(now + waits_s);
+        due_s_ = 0.0;
+    } else {
+        const double begun = due_s_ == 0.0 ? now : due_s_;
+        const double late = now - begun;
+        if (late < 0.0) {
+            std::this_thread::sleep_for(std::chrono::duration<double>(-late));
+        }
+        const double lost = late > may_catch_up_s ? late - may_catch_up_s : 0.0;
+        due_s_ = begun + lost + step_s_;
+        slowed_ += smoothing * (step_s_ / (step_s_ + lost) - slowed_);
+    }
+    std::vector<UserEvent> events;
+    for (PostedEvent& posted : desk_.take()) {
+        number_ = posted.number;
+        events.push_back(std::move(posted.event));
+    }
+    return events;
+}
+
+Result<EventFile> read_events(const std::string& path) {
+    const Result<std::string> text = read_whole_file(path);
+    if (!text) {
+        return text.error();
+    }
+    EventFile file;
+    std::uint64_t before = 0;
+    int number = 0;
+    std::size_t at = 0;
+    while (at < text.value().size()) {
+        const std::size_t end = std::min(text.value().find('\n', at), text.value().size());
+        const std::string line = text.value().substr(at, end - at);
+        at = end + 1;
+        ++number;
+        const std::string where = path + ":" + std::to_string(number);
+        const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+        if (!json.is_object()) {
+            return Error{"this line is no JSON object", where, "a file that rhexis train --events wrote"};
+        }
+        if (number == 1) {
+            if (json.value(version, nlohmann::json()) != 1) {
+                return Error{"these are no events, or of another version", where, R"({"rhexis_events":1, ...})"};
+            }
+            file.header = json;
+            continue;
+        }
+        const nlohmann::json step = json.value("step", nlohmann::json());
+        const Result<UserEvent> event = event_from(json);
+        if (!event || !step.is_number_unsigned() || step.get<std::uint64_t>() < before) {
+            Error error = event ? Error{"the step " + step.dump(), "", "a whole number, none below the line before"}
+                                : event.error();
+            error.where = where;
+            return error;
+        }
+        before = step.get<std::uint64_t>();
+        file.lines.push_back({before, event.value()});
+    }
+    if (number == 0) {
+        return Error{"the file is empty", path, "a file that rhexis train --events wrote"};
+    }
+    return file;
+}
+
+Result<EventWriter> EventWriter::create(const std::string& path, const nlohmann::json& header) {
+    Result<OutputFile> file = OutputFile::create(path);
+    if (!file) {
+        return file.error();
+    }
+    nlohmann::json first = header;
+    first[version] = 1;
+    EventWriter writer(std::move(file).value());
+    const Status begun = writer.file_.write(first.dump() + "\n");
+    return begun ? Result<EventWriter>(std::move(writer)) : begun.error();
+}
+
+Status EventWriter::add(std::uint64_t step, const UserEvent& event) {
+    nlohmann::json line = to_json(event);
+    line["step"] = step;
+    return file_.write(line.dump() + "\n");
+}
+
+Result<std::vector<UserEvent>> Steps::take(std::uint64_t step, bool waits, const Hands&, const Surroundings&,
+                                           const Session&) {
+    std::vector<UserEvent> events;
+    while (next_ < file_.lines.size() && file_.lines[next_].step <= step) {
+        events.push_back(file_.lines[next_++].event);
+    }
+    if (events.empty() && waits) {
+        next_ = file_.lines.size();  // nothing of this step will end the wait
+    }
+    return events;
+}
+
+}  // namespace rhexis::station

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "station/hands.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/microscope.hpp"
+
+namespace rhexis::station {
+namespace {
+
+constexpr double fastest_tip = 200.0;   ///< of a tip that follows a cursor [mm/s]
+constexpr double meets_within = 0.3;    ///< of a cursor and the tip that it is to move [mm]
+constexpr double funnel_mm = 1.0;       ///< beyond its wound, over which a tip gets the freedom of the eye
+constexpr double sill_mm = 0.6;         ///< over the wound, from which a tip still goes in through it
+constexpr double foot_per_s = 8.0;      ///< positions of the pedal, where the foot goes to one: as virtual surgeons
+constexpr double microscope_mm_s = 4.0; ///< under keys, at most: as its motors
+constexpr double zoom_per_s = 0.7;
+constexpr double light_per_s = 0.6;
+constexpr double least_zoom = 0.6;
+constexpr double most_zoom = 3.0;
+constexpr double least_light = 0.1;
+constexpr double most_light = 2.0;
+
+constexpr double down = 0.5;  ///< from which a button or trigger is pressed
+
+double step_towards(double value, double goal, double most) { return value + std::clamp(goal - value, -most, most); }
+
+/// The share of a pedal's travel as the machine takes it: nothing up to the first position, then travel within each.
+double pedal_of(double share, const Tuning& tuning) {
+    if (share < tuning.pedal_first) {
+        return 0.0;
+    }
+    if (share < tuning.pedal_second) {
+        return 1.0;
+    }
+    if (share < tuning.pedal_third) {
+        return 1.0 + (share - tuning.pedal_second) / (tuning.pedal_third - tuning.pedal_second);
+    }
+    return 2.0 + std::min(1.0, (share - tuning.pedal_third) / (1.0 - tuning.pedal_third));
+}
+
+/// A wound as a way: how far out along it a place is, how far beside it, and how high it runs there.
+struct Way {
+    Vec2 outward = Vec2::Zero();
+    double out = 0.0;     ///< from the wound [mm]
+    double beside = 0.0;  ///< [mm]
+    double height = 0.0;  ///< of the tunnel there [mm]
+
+    Way(const Vec3& wound, const Vec3& place) : outward(wound.head<2>().normalized()) {
+        const Vec2 from = place.head<2>() - wound.head<2>();
+        out = outward.dot(from);
+        beside = outward.x() * from.y() - outward.y() * from.x();
+        height = wound.z() + 0.5 * out;
+    }
+};
+
+}  // namespace
+
+Hands::Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds)
+    : mapping_(&mapping), tray_(&tray), holds_(&holds) {
+    for (const TrayInstrument& instrument : tray.instruments) {
+        const Result<std::string> wound = holds.wound_of(instrument.name);
+        wounds_.push_back(wound ? wound.value() : "incision");
+    }
+    for (const Dial& dial : tray.dials) {
+        state_.dials.push_back(dial.value);
+    }
+}
+
+std::optional<Vec3> Hands::wound_of(int instrument, const Surroundings& around) const {
+    const auto found = std::find_if(around.landmarks.begin(), around.landmarks.end(), [&](const Landmark& mark) {
+        return mark.visible && mark.name == wounds_[static_cast<std::size_t>(instrument)];
+    });
+    return found == around.landmarks.end() ? std::nullopt : std::optional<Vec3>(found->position);
+}
+
+bool Hands::in_eye(int instrument) const {
+    const std::string& wound = wounds_[static_cast<std::size_t>(instrument)];
+    return wound == "incision" || wound == "side_port";
+}
+
+bool Hands::met() const {
+    const HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
+    return hand.instrument < 0 || !state_.cursor_moves || state_.cursor.has_value();
+}
+
+void Hands::lose() { state_.cursor.reset(); }
+
+double Hands::level(ControlId id) const {
+    double sum = 0.0;
+    for (const auto& [source, value] : state_.held) {
+        const Binding* binding = mapping_->find(source);
+        if (binding != nullptr && binding->control->id == id) {
+            sum += binding->sign * value;
+        }
+    }
+    return std::clamp(sum, control(id).kind == ControlKind::rate ? -1.0 : 0.0, 1.0);
+}
+
+double Hands::speed_share() const { return level(ControlId::fine) > down ? mapping_->tuning().fine : 1.0; }
+
+void Hands::take(const UserEvent& event, const Surroundings& around) {
+    if (event.kind == EventKind::quit) {
+        state_.stop = true;
+        return;
+    }
+    if (event.kind == EventKind::focus || event.kind == EventKind::device) {
+        if (event.value < down) {
+            const std::string prefix = event.kind == EventKind::device ? event.name + "." : "";
+            std::erase_if(state_.held, [&](const auto& one) { return one.first.starts_with(prefix); });
+            state_.pedal = 0.0;
+            state_.pedal_goal.reset();
+            state_.paused = true;
+            lose();
+        }
+        return;
+    }
+    if (event.kind == EventKind::control) {
+        if (const Control* chosen = find_control(event.name)) {
+            press(chosen->id, event.value, around);
+        }
+        return;
+    }
+    const std::string source = source_of(event);
+    const Binding* binding = mapping_->find(source);
+    if (binding == nullptr) {
+        return;
+    }
+    switch (binding->control->kind) {
+        case ControlKind::place:
+            follow_cursor({event.x, event.y}, around);
+            break;
+        case ControlKind::notch:
+            if (event.kind == EventKind::wheel || event.value > down) {
+                press(binding->control->id, binding->sign * (event.kind == EventKind::wheel ? event.value : 1.0),
+                      around);
+            }
+            break;
+        case ControlKind::press: {
+            double& before = state_.held[source];
+            if (before <= down && event.value > down) {
+                press(binding->control->id, 1.0, around);
+            }
+            before = event.value;
+            break;
+        }
+        case ControlKind::rate:
+        case ControlKind::level: {
+            const bool stick = event.kind == EventKind::axis && binding->control->kind == ControlKind::rate;
+            const double dead = stick ? mapping_->tuning().dead_zone : 0.0;
+            const double size = std::max(0.0, (std::abs(event.value) - dead) / (1.0 - dead));
+            state_.held[source] = std::copysign(size, event.value);
+            if (binding->control->id == ControlId::pedal) {
+                const Tuning& tuning = mapping_->tuning();
+                const double travel = (event.value - tuning.pedal_rest) / (tuning.pedal_full - tuning.pedal_rest);
+                state_.pedal_goal = pedal_of(std::clamp(travel, 0.0, 1.0), tuning);
+            }
+            break;
+        }
+    }
+}
+
+/// The cursor leads: the tip goes as far as it does, from where they met.
+void Hands::follow_cursor(const Cursor& cursor, const Surroundings& around) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
+    state_.cursor_moves = true;
+    state_.last_cursor = cursor;
+    if (hand.instrument < 0) {
+        return;
+    }
+    if (!state_.cursor) {
+        const Vec3 place = around.sight.under(cursor, hand.tip.z(), hand.inside);
+        if ((place - hand.tip).head<2>().norm() <= meets_within) {
+            state_.cursor = cursor;
+        }
+        return;
+    }
+    const double share = speed_share();
+    const Vec3 from = around.sight.under(*state_.cursor, hand.tip.z(), hand.inside);
+    const Vec3 to = around.sight.under(cursor, hand.tip.z(), hand.inside);
+    hand.wanted.head<2>() += share * (to - from).head<2>();
+    state_.cursor = cursor;
+}
+
+void Hands::press(ControlId id, double notches, const Surroundings& around) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
+    const int dials = static_cast<int>(tray_->dials.size());
+    const int requests = static_cast<int>(tray_->requests.size());
+    switch (id) {
+        case ControlId::depth:
+            hand.wanted.z() += notches * speed_share() * mapping_->tuning().notch_mm;
+            break;
+        case ControlId::swap:
+            state_.moving = 1 - state_.moving;
+            lose();
+            break;
+        case ControlId::next_instrument:
+            next_instrument(around);
+            break;
+        case ControlId::put_down:
+            put_down(state_.moving);
+            break;
+        case ControlId::meet:
+            state_.cursor = state_.last_cursor;
+            break;
+        case ControlId::pedal_up:
+        case ControlId::pedal_1:
+        case ControlId::pedal_2:
+        case ControlId::pedal_3:
+            state_.pedal_goal = static_cast<double>(id) - static_cast<double>(ControlId::pedal_up);
+            break;
+        case ControlId::dial_next:
+            state_.dial = dials > 0 ? (state_.dial + 1) % dials : 0;
+            break;
+        case ControlId::dial_turn:
+            if (dials > 0) {
+                turn_dial(state_.dial, notches);
+            }
+            break;
+        case ControlId::request_next:
+            state_.request = requests > 0 ? (state_.request + 1) % requests : 0;
+            break;
+        case ControlId::request:
+            if (requests > 0) {
+                state_.requests.push_back(state_.request);
+            }
+            break;
+        case ControlId::pause:
+            state_.paused = !state_.paused;
+            lose();
+            break;
+        case ControlId::keep_moment:
+            state_.keep_moment = true;
+            break;
+        case ControlId::try_again:
+            state_.try_again = true;
+            break;
+        case ControlId::ghost:
+            state_.ghost = !state_.ghost;
+            break;
+        case ControlId::help:
+            state_.help = !state_.help;
+            break;
+        case ControlId::stop:
+            state_.stop = true;
+            break;
+        default:
+            break;
+    }
+}
+
+void Hands::turn_dial(int which, double notches) {
+    const Dial& dial = tray_->dials[static_cast<std::size_t>(which)];
+    double& value = state_.dials[static_cast<std::size_t>(which)];
+    const double turned = std::round((value + notches * dial.notch) / dial.notch) * dial.notch;
+    value = std::clamp(turned, dial.low, dial.high);
+    if (std::find(state_.turned.begin(), state_.turned.end(), which) == state_.turned.end()) {
+        state_.turned.push_back(which);
+    }
+}
+
+void Hands::take_up(int which, int instrument, const Surroundings& around) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(which)];
+    hand = HandState{};
+    hand.instrument = instrument;
+    const std::optional<Vec3> wound = wound_of(instrument, around);
+    const Result<Vec3> place = holds_->outside(wound.value_or(Vec3(0.0, -6.0, 2.0)));
+    hand.tip = hand.wanted = place ? place.value() : Vec3(0.0, -8.0, 3.0);
+    hand.jaw = tray_->instruments[static_cast<std::size_t>(instrument)].squeeze == Squeeze::closes ? 1.0 : 0.0;
+    lose();
+}
+
+void Hands::put_down(int which) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(which)];
+    if (hand.instrument >= 0 && hand.inside) {
+        state_.word = "first out of the eye, then put it down";
+        return;
+    }
+    hand = HandState{};
+}
+
+void Hands::next_instrument(const Surroundings& around) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
+    if (hand.inside) {
+        state_.word = "first out of the eye, then another instrument";
+        return;
+    }
+    const int count = static_cast<int>(tray_->instruments.size());
+    const int elsewhere = state_.hands[static_cast<std::size_t>(1 - state_.moving)].instrument;
+    for (int i = 1; i <= count; ++i) {
+        const int next = (hand.instrument + i + count) % count;
+        if (next != elsewhere && tray_->instruments[static_cast<std::size_t>(next)].hand_held) {
+            take_up(state_.moving, next, around);
+            return;
+        }
+    }
+}
+
+void Hands::squeeze(int which, double dt) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(which)];
+    const TrayInstrument& instrument = tray_->instruments[static_cast<std::size_t>(hand.instrument)];
+    double pressed = level(which == leading ? ControlId::leading_squeeze : ControlId::other_squeeze);
+    double drawn = 0.0;
+    if (which == state_.moving) {
+        pressed = std::max(pressed, level(ControlId::squeeze));
+        drawn = level(ControlId::release);
+    }
+    const double most = instrument.squeeze_per_s * speed_share() * dt;
+    switch (instrument.squeeze) {
+        case Squeeze::closes:
+            hand.jaw = step_towards(hand.jaw, 1.0 - pressed, most);
+            break;
+        case Squeeze::presses:
+            hand.jaw = step_towards(hand.jaw, pressed, most);
+            break;
+        case Squeeze::pushes:
+            hand.jaw = std::clamp(hand.jaw + (pressed - drawn) * most, 0.0, 1.0);
+            break;
+        case Squeeze::nothing:
+            break;
+    }
+}
+
+Status Hands::move(int which, const Surroundings& around, double dt) {
+    HandState& hand = state_.hands[static_cast<std::size_t>(which)];
+    if (hand.instrument < 0) {
+        return success();
+    }
+    const bool first = which == leading;
+    const bool moves = which == state_.moving;
+    const auto rate = [&](ControlId own, ControlId of_other, ControlId of_moving) {
+        return std::clamp(level(first ? own : of_other) + (moves ? level(of_moving) : 0.0), -1.0, 1.0);
+    };
+    const double share = speed_share();
+    const double way = share * mapping_->tuning().tip_mm_s * dt;
+    hand.wanted += way * Vec3(rate(ControlId::leading_x, ControlId::other_x, ControlId::hand_x),
+                              rate(ControlId::leading_y, ControlId::other_y, ControlId::hand_y),
+                              rate(ControlId::leading_z, ControlId::other_z, ControlId::hand_z));
+    hand.roll += share * mapping_->tuning().roll_deg_s * dt *
+                 rate(ControlId::leading_roll, ControlId::other_roll, ControlId::hand_roll);
+    squeeze(which, dt);
+    const std::optional<Vec3> wound = wound_of(hand.instrument, around);
+    Vec3 goal = hand.wanted;
+    if (wound && in_eye(hand.instrument)) {
+        const Way now(*wound, goal);
+        if (hand.inside) {
+            hand.inside = now.out <= 0.0;
+        } else {
+            hand.inside = now.out <= 0.0 && goal.z() <= now.height + sill_mm && std::abs(now.beside) < funnel_mm;
+        }
+        if (hand.inside) {
+            const double share_of_tunnel = std::clamp(1.0 + now.out / funnel_mm, 0.0, 1.0);
+            goal.z() += share_of_tunnel * (wound->z() - goal.z());
+        } else if (now.out > 0.0) {
+            goal.z() = hand.wanted.z() = std::max(goal.z(), now.height);
+        }
+    }
+    const Vec3 left = goal - hand.tip;
+    const double longest = fastest_tip * dt;
+    hand.tip += left.norm() > longest ? Vec3(longest * left.normalized()) : left;
+    const Result<Quat> orientation = holds_->orientation(
+        tray_->instruments[static_cast<std::size_t>(hand.instrument)].name, wound, hand.tip, hand.roll);
+    if (!orientation) {
+        return orientation.error();
+    }
+    hand.orientation = orientation.value();
+    return success();
+}
+
+void Hands::press_pedal(double dt) {
+    const double travel = level(ControlId::pedal_travel);
+    if (travel != 0.0) {
+        state_.pedal_goal.reset();
+        state_.pedal += travel * speed_share() * mapping_->tuning().pedal_per_s * dt;
+    } else if (state_.pedal_goal) {
+        state_.pedal = step_towards(state_.pedal, *state_.pedal_goal, foot_per_s * dt);
+    }
+    state_.pedal = std::clamp(state_.pedal, 0.0, 3.0);
+}
+
+Status Hands::advance(const Surroundings& around, double dt) {
+    press_pedal(dt);
+    state_.zoom = std::clamp(state_.zoom * std::exp(level(ControlId::microscope_zoom) * zoom_per_s * dt), least_zoom,
+                             most_zoom);
+    state_.light = std::clamp(state_.light + level(ControlId::microscope_light) * light_per_s * dt, least_light,
+                              most_light);
+    for (const int which : {leading, other}) {
+        if (Status moved = move(which, around, dt); !moved) {
+            return moved;
+        }
+    }
+    return success();
+}
+
+std::vector<DeviceSample> Hands::samples(const Surroundings& around, double dt) const {
+    std::vector<DeviceSample> list(tray_->instruments.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i].instrument = static_cast<int>(i);
+    }
+    for (const HandState& hand : state_.hands) {
+        if (hand.instrument >= 0) {
+            DeviceSample& sample = list[static_cast<std::size_t>(hand.instrument)];
+            sample.present = true;
+            sample.pose = {hand.tip, hand.orientation};
+            sample.jaw = hand.jaw;
+            sample.pedal = state_.pedal;
+        }
+    }
+    if (around.microscope) {
+        DeviceSample& sample = list.back();
+        const Vec3 way(level(ControlId::microscope_x), level(ControlId::microscope_y),
+                       level(ControlId::microscope_focus));
+        sample.present = !way.isZero();
+        sample.pose.position = *around.microscope + microscope_mm_s * speed_share() * dt * way;
+    }
+    return list;
+}
+
+std::vector<Command> Hands::take_commands() {
+    std::vector<Command> commands;
+    for (const int request : std::exchange(state_.requests, {})) {
+        commands.push_back({CommandKind::request, tray_->requests[static_cast<std::size_t>(request)].id, 0.0, ""});
+    }
+    for (const int dial : std::exchange(state_.turned, {})) {
+        commands.push_back({CommandKind::adjust, tray_->dials[static_cast<std::size_t>(dial)].setting,
+                            state_.dials[static_cast<std::size_t>(dial)], ""});
+    }
+    return commands;
+}
+
+}  // namespace rhexis::station

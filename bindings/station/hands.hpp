@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person's hands and foot do: from controls to samples. A value that is copied: the picture runs ahead of the
+// simulation with a copy of its own, so that an instrument shows where the hand is now.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flow/device_sample.hpp"
+#include "flow/percept.hpp"
+#include "lua/hold_script.hpp"
+#include "station/mapping.hpp"
+#include "station/sight.hpp"
+#include "station/tray.hpp"
+
+namespace rhexis::station {
+
+/// What hands need to know of the scene as it is now.
+struct Surroundings {
+    Sight sight;
+    std::vector<Landmark> landmarks;
+    std::optional<Vec3> microscope;  ///< its position; none: the scene has none
+};
+
+inline constexpr int leading = 0;
+inline constexpr int other = 1;
+
+struct HandState {
+    int instrument = -1;             ///< index in the scene; -1: empty
+    Vec3 wanted = Vec3::Zero();      ///< where the tip is to be, as far as its wound lets it [mm]
+    Vec3 tip = Vec3::Zero();         ///< [mm]
+    Quat orientation = Quat::Identity();
+    bool inside = false;             ///< its tip has gone in through its wound
+    double roll = 0.0;               ///< [deg]
+    double jaw = 0.0;                ///< as of a sample
+};
+
+/// Changes with each event and step.
+struct HandsState {
+    std::array<HandState, 2> hands{};
+    int moving = leading;                ///< the hand that the cursor moves
+    std::map<std::string, double> held;  ///< by source, what is down or pushed
+    std::optional<Cursor> cursor;        ///< none: it has not met its instrument
+    Cursor last_cursor = Cursor::Zero();
+    bool cursor_moves = false;  ///< a cursor is what moves the hand: it must meet the instrument
+    double pedal = 0.0;         ///< 0 to 3
+    std::optional<double> pedal_goal;
+    bool paused = false;
+    double light = 1.0;     ///< of the microscope
+    double zoom = 1.0;      ///< of the picture
+    int dial = 0;           ///< chosen
+    int request = 0;        ///< chosen
+    bool help = false;      ///< the list of controls shows
+    bool ghost = false;
+    bool stop = false;
+    bool try_again = false;
+    bool keep_moment = false;
+    std::vector<double> dials;  ///< their values
+    std::vector<int> turned;    ///< dials since the last step
+    std::vector<int> requests;  ///< made since the last step
+    std::string word;              ///< why something could not be done; empty: nothing to say
+};
+
+class Hands {
+public:
+    /// All outlive the hands; instruments: of the scene.
+    Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds);
+
+    void take(const UserEvent& event, const Surroundings& around);
+    /// Time goes on by dt [s]. Fails where the scripts that say how instruments are held do.
+    Status advance(const Surroundings& around, double dt);
+
+    /// What each instrument of the scene does.
+    [[nodiscard]] std::vector<DeviceSample> samples(const Surroundings& around, double dt) const;
+    /// Commands since this was asked last.
+    std::vector<Command> take_commands();
+
+    /// The clock stands: paused, or the hand has yet to meet its instrument.
+    [[nodiscard]] bool waits() const { return state_.paused || !met(); }
+    [[nodiscard]] bool met() const;
+    /// From here on the hand has to meet its instrument again.
+    void lose();
+    [[nodiscard]] const HandsState& state() const { return state_; }
+    HandsState& state() { return state_; }
+    void set_mapping(const Mapping& mapping) { mapping_ = &mapping; }
+
+private:
+    void press(ControlId id, double notches, const Surroundings& around);
+    void follow_cursor(const Cursor& cursor, const Surroundings& around);
+    void turn_dial(int dial, double notches);
+    void take_up(int hand, int instrument, const Surroundings& around);
+    void put_down(int hand);
+    void next_instrument(const Surroundings& around);
+    Status move(int hand, const Surroundings& around, double dt);
+    void squeeze(int hand, double dt);
+    void press_pedal(double dt);
+    [[nodiscard]] double level(ControlId id) const;
+    [[nodiscard]] double speed_share() const;
+    [[nodiscard]] std::optional<Vec3> wound_of(int instrument, const Surroundings& around) const;
+    [[nodiscard]] bool in_eye(int instrument) const;
+
+    const Mapping* mapping_;
+    const Tray* tray_;
+    HoldScript* holds_;
+    std::vector<std::string> wounds_;  ///< by instrument, name of the landmark that it is held through
+    HandsState state_;
+};
+
+}  // namespace rhexis::station

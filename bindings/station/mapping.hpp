@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which key, button or axis works which control: a file that a person may change, also while the station runs.
+//
+//   {"key": {"Tab": "swap", "W": "hand.y", "S": "-hand.y"}, "mouse": {"move": "tip", "wheel": "depth"},
+//    "pad": {"leftx": "other.x"}, "pedal": {"0": "pedal"}, "tuning": {"tip_mm_s": 4}}
+//
+// A minus before a control turns it round.
+#pragma once
+
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/result.hpp"
+#include "station/controls.hpp"
+#include "station/user_event.hpp"
+
+namespace rhexis::station {
+
+struct Binding {
+    const Control* control = nullptr;
+    double sign = 1.0;
+};
+
+/// How fast things go. Ranges: mapping.cpp.
+struct Tuning {
+    double tip_mm_s = 4.0;       ///< of a tip under keys or a stick, at most
+    double notch_mm = 0.05;      ///< of depth, per notch
+    double roll_deg_s = 90.0;    ///< of an instrument between the fingers
+    double fine = 0.2;           ///< of all that, while `fine` is held
+    double pedal_per_s = 4.0;    ///< positions of the pedal under keys
+    double dead_zone = 0.12;     ///< of a stick
+    double pedal_rest = -1.0;    ///< what the axis of the pedal says when the foot is off it
+    double pedal_full = 1.0;     ///< and when it is pressed down
+    double pedal_first = 0.08;   ///< share of its travel from which it is at position 1,
+    double pedal_second = 0.33;  ///< 2
+    double pedal_third = 0.66;   ///< and 3
+};
+
+class Mapping {
+public:
+    /// Fails on what the file may not say, with the nearest that it may.
+    static Result<Mapping> from(const nlohmann::json& json);
+    static Result<Mapping> read(const std::string& path);
+
+    /// Null: nothing is on it. source: "key.Tab", "mouse.left", "pad.a", "pedal.0".
+    [[nodiscard]] const Binding* find(const std::string& source) const;
+    [[nodiscard]] const std::map<std::string, Binding>& bindings() const { return bindings_; }
+    [[nodiscard]] const Tuning& tuning() const { return tuning_; }
+    [[nodiscard]] nlohmann::json to_json() const;
+
+    /// What works a control: "Tab, pad.y"; empty: nothing does.
+    [[nodiscard]] std::string inputs_of(ControlId id) const;
+
+private:
+    std::map<std::string, Binding> bindings_;
+    Tuning tuning_;
+};
+
+/// Of an event: "key.Tab", "mouse.move"; empty: it is of no input.
+std::string source_of(const UserEvent& event);
+
+/// Where the file lies that is taken where none is named.
+std::string standard_mapping(const std::string& root);
+
+}  // namespace rhexis::station

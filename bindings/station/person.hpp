@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person operates: events of a step make what hands and foot do in it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "station/desk.hpp"
+#include "station/event_source.hpp"
+#include "station/hands.hpp"
+#include "trial/attempt.hpp"
+
+namespace rhexis::station {
+
+struct PersonOptions {
+    Mapping mapping;
+    std::string root;              ///< folder of scripts/
+    std::uint64_t show_every = 1;  ///< steps per picture
+    bool wait_for_pictures = false;  ///< each is drawn before the next step: stepped
+};
+
+class Person final : public Guest {
+public:
+    /// writer: null, the events are not kept. Everything outlives the person.
+    Person(PersonOptions options, EventSource& source, Desk& desk, EventWriter* writer)
+        : options_(std::move(options)), source_(source), desk_(desk), writer_(writer) {}
+
+    void meet(ExerciseHost& host) override { host_ = &host; }
+    [[nodiscard]] std::string name() const override { return "person"; }
+
+    Status begin(Timeline& timeline) override;
+    Result<OperatorStep> operate(Timeline& timeline) override;
+    Status look(Moment& moment) override;
+
+private:
+    Result<bool> take_events(const Session& session);
+    void show(const Session& session, bool waits);
+
+    PersonOptions options_;
+    EventSource& source_;
+    Desk& desk_;
+    EventWriter* writer_;
+    ExerciseHost* host_ = nullptr;
+    std::optional<HoldScript> holds_;
+    std::shared_ptr<const Tray> tray_;
+    std::optional<Hands> hands_;
+    std::optional<Surroundings> around_;
+    std::vector<std::string> said_;
+};
+
+/// A camera whose picture is so many times larger; what the eyepiece shows stays as wide.
+Camera zoomed(Camera camera, double zoom);
+
+/// As they are now.
+Surroundings surroundings_of(const Session& session, double zoom);
+
+}  // namespace rhexis::station

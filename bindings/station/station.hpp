@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command line asks of the station, which it loads when it is wanted.
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+#include "trial/attempt.hpp"
+
+namespace rhexis::station {
+
+struct StationOptions {
+    AttemptOptions attempt;
+    std::string mapping;     ///< file; empty: the standard one
+    std::string events;      ///< file: done again if it is there, else written; empty: neither
+    bool again = false;      ///< `events` is done again, step by step
+    int width = 1280;        ///< of the window [pixels]
+    int height = 960;
+    bool full_screen = false;
+    int picture_every = 4;  ///< steps, where events are done again
+};
+
+struct StationResult {
+    AttemptResult attempt;
+    std::string device;        ///< what drew
+    double pictures_per_s = 0.0;
+    double slowest_rate = 1.0;  ///< simulated seconds per second
+};
+
+/// The one function that the shared object shows.
+inline constexpr const char* entry_name = "rhexis_station_train";
+using Entry = void(const StationOptions& options, Result<StationResult>& result);
+
+}  // namespace rhexis::station

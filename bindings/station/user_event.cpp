@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "station/user_event.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/near_names.hpp"
+#include "base/numbers.hpp"
+
+namespace rhexis::station {
+namespace {
+
+constexpr std::array kind_names = {"key",   "pointer", "button", "wheel",  "axis",
+                                   "press", "control", "focus",  "device", "quit"};
+constexpr double farthest = 20.0;  ///< a pointer or wheel beyond is no person's
+
+Result<double> number_in(const nlohmann::json& json, const char* field) {
+    if (!json.contains(field)) {
+        return 0.0;
+    }
+    const nlohmann::json& value = json.at(field);
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(std::abs(number) <= farthest)) {
+        return Error{std::string("the event's ") + field + " is " + value.dump(), "",
+                     "a number, -" + short_number(farthest) + " to " + short_number(farthest)};
+    }
+    return number;
+}
+
+}  // namespace
+
+nlohmann::json to_json(const UserEvent& event) {
+    nlohmann::json json = {{"event", kind_names[static_cast<std::size_t>(event.kind)]}};
+    if (!event.name.empty()) {
+        json["name"] = event.name;
+    }
+    if (event.kind == EventKind::pointer) {
+        json["x"] = event.x;
+        json["y"] = event.y;
+    } else if (event.kind != EventKind::quit) {
+        json["value"] = event.value;
+    }
+    return json;
+}
+
+Result<UserEvent> event_from(const nlohmann::json& json) {
+    const std::string kind = json.is_object() ? json.value("event", nlohmann::json("")).dump() : "\"\"";
+    const auto found = std::find_if(kind_names.begin(), kind_names.end(), [&kind](const char* name) {
+        return kind == '"' + std::string(name) + '"';
+    });
+    if (found == kind_names.end()) {
+        return Error{"there is no event " + kind, "",
+                     suggestion(kind, std::vector<std::string>(kind_names.begin(), kind_names.end()))};
+    }
+    UserEvent event;
+    event.kind = static_cast<EventKind>(found - kind_names.begin());
+    const nlohmann::json name = json.value("name", nlohmann::json(""));
+    if (!name.is_string()) {
+        return Error{"the event's name is " + name.dump(), "", "a text"};
+    }
+    event.name = name.get<std::string>();
+    for (const auto& [field, to] : {std::pair("value", &event.value), {"x", &event.x}, {"y", &event.y}}) {
+        const Result<double> number = number_in(json, field);
+        if (!number) {
+            return number.error();
+        }
+        *to = number.value();
+    }
+    return event;
+}
+
+}  // namespace rhexis::station

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// window, event file -> station: what a person does with the devices on the desk, before anything is made of it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+
+namespace rhexis::station {
+
+enum class EventKind {
+    key,      ///< name: of the key, as SDL says it; value 1 down, 0 up
+    pointer,  ///< x, y: where the cursor is, heights of the picture from its middle, to the right and up
+    button,   ///< of the mouse: "left", "middle", "right", "back", "forward"; value 1 down, 0 up
+    wheel,    ///< value: notches, away from the hand positive
+    axis,     ///< of a pad or pedal: name "pad.leftx", "pedal.0"; value -1 to 1, of a trigger 0 to 1
+    press,    ///< a button of a pad or pedal: name "pad.a", "pedal.1"; value 1 down, 0 up
+    control,  ///< from a panel: name of a control (controls.hpp), value
+    focus,    ///< value 1: the window has the keyboard; 0: it has lost it, and with it all keys that were held
+    device,   ///< name "pad" or "pedal"; value 1: it is there; 0: it has gone, and with it all that it held
+    quit      ///< the window is closed
+};
+
+struct UserEvent {
+    EventKind kind = EventKind::key;
+    std::string name;
+    double value = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+};
+
+/// One line of an event file, without its end: {"event":"key","name":"Tab","value":1}.
+nlohmann::json to_json(const UserEvent& event);
+/// The error names the field, its value and what is allowed.
+Result<UserEvent> event_from(const nlohmann::json& json);
+
+}  // namespace rhexis::station

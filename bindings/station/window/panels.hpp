@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is written and clicked over the picture.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "station/desk.hpp"
+#include "station/mapping.hpp"
+#include "station/window/window.hpp"
+
+namespace rhexis::station {
+
+class Panels {
+public:
+    explicit Panels(const Window& window);
+    ~Panels();
+    Panels(const Panels&) = delete;
+    Panels& operator=(const Panels&) = delete;
+
+    /// Over the picture that is drawn; what is clicked comes back as events.
+    std::vector<UserEvent> draw(const Shown& shown, const Tray& tray, const Mapping& mapping, double pictures_per_s);
+};
+
+}  // namespace rhexis::station

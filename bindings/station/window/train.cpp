@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person operates in a window: the simulation on a thread of its own, the picture and the devices on this one.
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "base/clock.hpp"
+#include "render/renderer.hpp"
+#include "station/mapping.hpp"
+#include "station/person.hpp"
+#include "station/station.hpp"
+#include "station/window/panels.hpp"
+#include "station/window/window.hpp"
+
+namespace rhexis::station {
+namespace {
+
+constexpr double longest_wait_s = 0.02;  ///< for a picture, before events are looked for again
+
+/// Draws the newest state, with the instruments where the hands are by now.
+class Picture {
+public:
+    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping)
+        : window_(window),
+          renderer_(std::move(renderer)),
+          holds_(std::move(holds)),
+          mapping_(mapping),
+          panels_(window),
+          begun_s_(wall_seconds()) {}
+
+    void posted(const UserEvent& event) { ahead_.push_back({++posted_, event}); }
+
+    std::vector<UserEvent> draw(Shown& shown, double step_s) {
+        run_ahead(shown, step_s);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, window_.width(), window_.height());
+        renderer_.show(shown.frame, zoomed(microscope_camera(shown.frame), shown.hands.zoom),
+                       {0, 0, window_.width(), window_.height()});
+        std::vector<UserEvent> clicked = panels_.draw(shown, *shown.tray, mapping_, rate_);
+        window_.show_cursor(shown.hands.paused);
+        window_.present();
+        ++count_;
+        const double now = wall_seconds();
+        if (now - begun_s_ >= 1.0) {
+            rate_ = count_ / (now - begun_s_);
+            begun_s_ = now;
+            count_ = 0;
+        }
+        return clicked;
+    }
+
+    [[nodiscard]] double rate() const { return rate_; }
+
+private:
+    /// What the hands have done since this state was made.
+    void run_ahead(Shown& shown, double step_s) {
+        while (!ahead_.empty() && ahead_.front().first <= shown.events) {
+            ahead_.pop_front();
+        }
+        Hands hands(mapping_, *shown.tray, holds_);
+        hands.state() = shown.hands;
+        for (const auto& [number, event] : ahead_) {
+            hands.take(event, shown.around);
+        }
+        if (shown.waits || !hands.advance(shown.around, step_s)) {
+            return;
+        }
+        for (const DeviceSample& sample : hands.samples(shown.around, step_s)) {
+            const auto at = static_cast<std::size_t>(sample.instrument);
+            if (at < shown.frame.tools.size() && sample.present) {
+                ToolState& tool = shown.frame.tools[at];
+                tool.present = true;
+                tool.jaw = sample.jaw;
+                tool.pose = shown.frame.globe ? to_eye(*shown.frame.model->globe, *shown.frame.globe, sample.pose)
+                                              : sample.pose;
+            }
+        }
+    }
+
+    Window& window_;
+    Renderer renderer_;
+    HoldScript holds_;
+    const Mapping& mapping_;
+    Panels panels_;
+    std::deque<std::pair<std::uint64_t, UserEvent>> ahead_;
+    std::uint64_t posted_ = 0;
+    double begun_s_;
+    double rate_ = 0.0;
+    int count_ = 0;
+};
+
+/// Until the trial has ended.
+void look_on(const StationOptions& options, Desk& desk, Window& window, Picture& picture, double step_s) {
+    std::uint64_t seen = 0;
+    bool any = false;
+    while (!desk.ended()) {
+        for (const TimedEvent& timed : window.poll()) {
+            if (!options.again) {
+                desk.post(timed.event, timed.at_s);
+                picture.posted(timed.event);
+            } else if (timed.event.kind == EventKind::quit) {
+                desk.close();
+            }
+        }
+        const std::shared_ptr<Shown> shown = any ? desk.wait_for(seen, longest_wait_s) : desk.newest();
+        if (!shown) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            continue;
+        }
+        any = true;
+        const std::vector<UserEvent> clicked = picture.draw(*shown, step_s);
+        seen = shown->step;
+        desk.drawn(seen);
+        for (const UserEvent& event : clicked) {
+            if (!options.again) {
+                desk.post(event, wall_seconds());
+                picture.posted(event);
+            }
+        }
+    }
+}
+
+struct Prepared {
+    Mapping mapping;
+    std::optional<EventFile> file;
+    std::optional<EventWriter> writer;
+};
+
+nlohmann::json events_header(const StationOptions& options, const Mapping& mapping) {
+    return {{"curriculum", options.attempt.exercise.curriculum},
+            {"seed", options.attempt.exercise.seed},
+            {"set", options.attempt.exercise.set},
+            {"mapping", mapping.to_json()}};
+}
+
+Result<Prepared> prepare(const StationOptions& options) {
+    Prepared prepared;
+    const std::string path =
+        options.mapping.empty() ? standard_mapping(options.attempt.exercise.root) : options.mapping;
+    Result<Mapping> mapping = Mapping::read(path);
+    if (options.again) {
+        Result<EventFile> file = read_events(options.events);
+        if (!file) {
+            return file.error();
+        }
+        prepared.file = std::move(file).value();
+        mapping = Mapping::from(prepared.file->header.value("mapping", nlohmann::json::object()));
+    }
+    if (!mapping) {
+        return mapping.error();
+    }
+    prepared.mapping = std::move(mapping).value();
+    if (!options.events.empty() && !options.again) {
+        Result<EventWriter> writer = EventWriter::create(options.events, events_header(options, prepared.mapping));
+        if (!writer) {
+            return writer.error();
+        }
+        prepared.writer.emplace(std::move(writer).value());
+    }
+    return prepared;
+}
+
+Result<StationResult> train(const StationOptions& options) {
+    Result<Prepared> made = prepare(options);
+    if (!made) {
+        return made.error();
+    }
+    Prepared& prepared = made.value();
+    const Result<ExerciseHost> host = ExerciseHost::load(options.attempt.exercise);
+    if (!host) {
+        return host.error();
+    }
+    const double step_s = host.value().scene().step_s;
+    Result<Window> window = Window::open("rhexis: " + host.value().identity().value("title", std::string()),
+                                         options.width, options.height, options.full_screen);
+    if (!window) {
+        return window.error();
+    }
+    Result<Renderer> renderer =
+        Renderer::create_in_window(window.value().width(), window.value().height());
+    if (!renderer) {
+        return renderer.error();
+    }
+    Result<HoldScript> holds = HoldScript::load(options.attempt.exercise.root);
+    if (!holds) {
+        return holds.error();
+    }
+    Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping);
+    Desk desk;
+    std::unique_ptr<EventSource> source;
+    if (options.again) {
+        source = std::make_unique<Steps>(*prepared.file);
+    } else {
+        source = std::make_unique<WallClock>(desk, step_s);
+    }
+    const PersonOptions of_person{prepared.mapping, options.attempt.exercise.root,
+                                  static_cast<std::uint64_t>(options.picture_every), options.again};
+    Person person(of_person, *source, desk, prepared.writer ? &*prepared.writer : nullptr);
+    AttemptOptions of_attempt = options.attempt;
+    of_attempt.guest = &person;
+    of_attempt.quiet = true;
+    std::optional<Result<AttemptResult>> result;
+    std::thread simulation([&] {
+        result.emplace(attempt(of_attempt));
+        desk.end();
+    });
+    look_on(options, desk, window.value(), picture, step_s);
+    desk.close();
+    simulation.join();
+    if (!result->ok()) {
+        return result->error();
+    }
+    const Status kept = prepared.writer ? prepared.writer->finish() : success();
+    if (!kept) {
+        return kept.error();
+    }
+    return StationResult{std::move(*result).value(), "", picture.rate(), source->slowed()};
+}
+
+}  // namespace
+}  // namespace rhexis::station
+
+extern "C" __attribute__((visibility("default"))) void rhexis_station_train(
+    const rhexis::station::StationOptions& options, rhexis::Result<rhexis::station::StationResult>& result) {
+    result = rhexis::station::train(options);
+}
