@@ -77,6 +77,8 @@ json attempt_json(const records::Attempt& a) {
                 {"max", number_or_null(a.max)},
                 {"scaled", number_or_null(a.scaled)},
                 {"begun_at", a.begun_at},
+                {"input", a.input},
+                {"aids", a.aids},
                 {"error", a.error},
                 {"folder", a.folder},
                 {"recording_sha256", a.recording_sha256}};

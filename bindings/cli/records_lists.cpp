@@ -33,7 +33,7 @@ std::string what_became(const Attempt& a) {
         return a.state == AttemptState::interrupted ? a.folder : "";
     }
     return std::string(a.completed ? "completed" : "not completed") +
-           (a.begun_at.empty() ? "" : ", begun at " + a.begun_at);
+           (a.begun_at.empty() ? "" : ", begun at " + a.begun_at) + (a.aids.empty() ? "" : ", with aids: " + a.aids);
 }
 
 void print_line(const Attempt& a) {

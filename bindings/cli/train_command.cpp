@@ -33,6 +33,9 @@ struct TrainOptions : AttemptArguments {
     std::string mapping;
     std::string events;
     bool again = false;
+    std::string by;
+    std::string input = "mouse";
+    bool live = false;
     int width = 1280;
     int height = 960;
     bool full_screen = false;
@@ -87,6 +90,9 @@ int train(TrainOptions given, const Context& context) {
     options.mapping = given.mapping;
     options.events = given.events;
     options.again = given.again;
+    options.by = given.by;
+    options.pad = given.input == "gamepad";
+    options.live = given.live;
     options.width = given.width;
     options.height = given.height;
     options.full_screen = given.full_screen;
@@ -131,9 +137,14 @@ void add_train(CLI::App& app, Context& context) {
     auto given = std::make_shared<TrainOptions>();
     command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
     add_attempt_arguments(*command, *given);
-    command->add_option("--mapping", given->mapping, "What each key and button does [assets/station/mapping.json]");
+    command->add_option("--mapping", given->mapping, "What each key and button does [assets/station/mouse.json, or gamepad.json]");
     CLI::Option* events = command->add_option("--events", given->events, "File to keep what you do in, event by event");
     command->add_flag("--again", given->again, "Do what that file holds again, step by step")->needs(events);
+    command->add_option("--input", given->input, "What you operate with")
+        ->check(CLI::IsMember({"mouse", "gamepad"}))
+        ->capture_default_str();
+    CLI::Option* by = command->add_option("--by", given->by, "A virtual surgeon works the devices in your place: a, b, c or d");
+    command->add_flag("--live", given->live, "With --by: by the wall clock")->needs(by);
     command->add_option("--width", given->width, "Of the window [pixels]")
         ->check(CLI::Range(160, 4096))
         ->capture_default_str();

@@ -163,13 +163,7 @@ Status ExerciseHost::start(const ObservationSchema& schema, const std::vector<st
 }
 
 Result<std::vector<Command>> ExerciseHost::observe(const Observation& observation, std::span<const Command> given) {
-    std::vector<std::string> asked;
-    for (const Command& command : given) {
-        if (command.kind == CommandKind::request) {
-            asked.push_back(command.name);
-        }
-    }
-    return parts_->exercise.observe(observation, asked);
+    return parts_->exercise.observe(observation, given);
 }
 
 Result<OperatorStep> ExerciseHost::operate(const Percept& percept) {

@@ -343,8 +343,41 @@ Status ExerciseScript::start(const ObservationSchema& schema) {
     });
 }
 
-Result<std::vector<Command>> ExerciseScript::observe(const Observation& observation,
-                                                     const std::vector<std::string>& asked) {
+namespace {
+
+/// Ids of the requests, or nil.
+void push_requests(lua_State* L, std::span<const Command> given) {
+    std::vector<std::string> asked;
+    for (const Command& command : given) {
+        if (command.kind == CommandKind::request) {
+            asked.push_back(command.name);
+        }
+    }
+    if (asked.empty()) {
+        lua_pushnil(L);
+    } else {
+        lua::push(L, asked);
+    }
+}
+
+/// Aids as { { name, value }, ... }, or nil.
+void push_aids(lua_State* L, std::span<const Command> given) {
+    json aids = json::array();
+    for (const Command& command : given) {
+        if (command.kind == CommandKind::aid) {
+            aids.push_back({{"name", command.name}, {"value", command.value}});
+        }
+    }
+    if (aids.empty()) {
+        lua_pushnil(L);
+    } else {
+        lua::push_json(L, aids);
+    }
+}
+
+}  // namespace
+
+Result<std::vector<Command>> ExerciseScript::observe(const Observation& observation, std::span<const Command> given) {
     std::vector<Command> commands;
     const Status status = state_.run([&](lua_State* L) {
         row_.push(L);
@@ -352,12 +385,9 @@ Result<std::vector<Command>> ExerciseScript::observe(const Observation& observat
         lua_pop(L, 1);
         observe_.push(L);
         lua_pushnumber(L, observation.time_s);
-        if (asked.empty()) {
-            lua_pushnil(L);
-        } else {
-            lua::push(L, asked);
-        }
-        lua_call(L, 2, 1);
+        push_requests(L, given);
+        push_aids(L, given);
+        lua_call(L, 3, 1);
         commands = lua::commands_from(L);
         push_function(L, "finished");
         lua_call(L, 0, 1);

@@ -53,8 +53,8 @@ public:
     [[nodiscard]] const std::string& plan() const { return plan_; }
 
     Status start(const ObservationSchema& schema);
-    /// asked: ids of the requests made in the step that led there.
-    Result<std::vector<Command>> observe(const Observation& observation, const std::vector<std::string>& asked);
+    /// given: commands of the step that led there; requests and aids among them are heard.
+    Result<std::vector<Command>> observe(const Observation& observation, std::span<const Command> given);
     [[nodiscard]] bool finished() const { return finished_; }
     /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "declared_requests",
     /// "watch", "reached", "review", "vocabulary", "vocabulary_of", "mistakes_of".

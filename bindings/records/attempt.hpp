@@ -74,6 +74,8 @@ struct Attempt {
     std::optional<double> max;
     std::optional<double> scaled;  ///< 0: every item at its least, 1: at its most
     std::string begun_at;          ///< moment, state file or part that it began at; "": the beginning
+    std::string input;             ///< device that a person operated with: "mouse", "gamepad"; "": no person did
+    std::string aids;              ///< ids of those that were given, with blanks between; "": none
     std::string error;             ///< of the exercise's script; "": none
     std::string recording_sha256;
     std::vector<ItemScore> items;

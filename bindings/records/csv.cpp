@@ -59,7 +59,7 @@ std::string attempts_csv(const std::vector<Attempt>& attempts, const CsvStyle& s
                 {"attempt", "trainee",   "cohort",          "arm",   "exercise",  "version",    "sha256",   "surgeon",
                  "seed",    "begun_utc", "ended_utc",       "state", "completed", "duration_s", "rubric",   "total",
                  "max",     "scaled",    "level",           "mode",  "language",  "patient",    "settings", "begun_at",
-                 "error",   "folder",    "recording_sha256"});
+                 "input",   "aids",      "error",   "folder",    "recording_sha256"});
     for (const Attempt& a : attempts) {
         table.line({table.cell(a.id),
                     table.cell(a.trainee.pseudonym),
@@ -85,6 +85,8 @@ std::string attempts_csv(const std::vector<Attempt>& attempts, const CsvStyle& s
                     table.cell(a.patient),
                     table.cell(a.settings),
                     table.cell(a.begun_at),
+                    table.cell(a.input),
+                    table.cell(a.aids),
                     table.cell(a.error),
                     table.cell(a.folder),
                     table.cell(a.recording_sha256)});

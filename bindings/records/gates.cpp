@@ -92,6 +92,9 @@ std::string why_no_pass(const Attempt& attempt, const Gate& gate) {
     if (gate.from_the_beginning && !attempt.begun_at.empty()) {
         return "it began at a later moment";
     }
+    if (!attempt.aids.empty()) {
+        return "with aids";
+    }
     if (!gate.mode.empty() && attempt.mode != gate.mode) {
         return "in another mode than the gate asks for";
     }

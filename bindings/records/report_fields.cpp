@@ -95,6 +95,11 @@ Status take_report(const json& report, Attempt& attempt) {
     attempt.language = text_in(report, "language");
     attempt.error = text_in(report, "error");
     attempt.begun_at = text_in(report, "begun_at");
+    attempt.input = text_in(report, "input");
+    attempt.aids.clear();
+    for (const json& aid : list_in(report, "aids")) {
+        attempt.aids += (attempt.aids.empty() ? "" : " ") + text_in(aid, "id");
+    }
     const json osacss = report.value("osacss", json());
     attempt.rubric = text_in(osacss, "rubric");
     attempt.total = number_in(osacss, "total");

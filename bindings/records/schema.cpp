@@ -20,7 +20,7 @@ std::vector<const char*> schema_statements() {
         "  level TEXT NOT NULL DEFAULT '', mode TEXT NOT NULL DEFAULT '', language TEXT NOT NULL DEFAULT '',"
         "  rubric TEXT NOT NULL DEFAULT '', total REAL, max REAL, scaled REAL,"
         "  error TEXT NOT NULL DEFAULT '', recording_sha256 TEXT NOT NULL DEFAULT '',"
-        "  begun_at TEXT NOT NULL DEFAULT '')",
+        "  begun_at TEXT NOT NULL DEFAULT '', input TEXT NOT NULL DEFAULT '', aids TEXT NOT NULL DEFAULT '')",
         "CREATE INDEX attempts_of_trainee ON attempts (trainee, exercise, begun)",
 
         "CREATE TABLE items ("
@@ -56,6 +56,10 @@ std::vector<const char*> upgrade_statements(int from_version) {
     std::vector<const char*> statements;
     if (from_version < 2) {  // where an attempt began was not kept: all count as begun at the beginning
         statements.push_back("ALTER TABLE attempts ADD COLUMN begun_at TEXT NOT NULL DEFAULT ''");
+    }
+    if (from_version < 3) {  // virtual surgeons had no devices, and nobody aids
+        statements.push_back("ALTER TABLE attempts ADD COLUMN input TEXT NOT NULL DEFAULT ''");
+        statements.push_back("ALTER TABLE attempts ADD COLUMN aids TEXT NOT NULL DEFAULT ''");
     }
     return statements;
 }

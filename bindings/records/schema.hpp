@@ -6,7 +6,7 @@
 
 namespace rhexis::records {
 
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 inline constexpr int application_id = 0x72687872;  ///< "rhxr", in the file's header
 
 /// Statements that make the tables of a new store.

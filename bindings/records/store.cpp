@@ -44,10 +44,10 @@ void write_result(soci::session& sql, const Attempt& a) {
     sql << "UPDATE attempts SET finished = 1, ended = :ended, completed = :completed, duration_s = :duration, "
            "patient = :patient, settings = :settings, level = :level, mode = :mode, language = :language, "
            "rubric = :rubric, total = :total, max = :max, scaled = :scaled, error = :error, "
-           "recording_sha256 = :recording, begun_at = :begun_at WHERE attempt = :id",
+           "recording_sha256 = :recording, begun_at = :begun_at, input = :input, aids = :aids WHERE attempt = :id",
         use(a.ended), use(completed), use(a.duration_s), use(a.patient), use(a.settings), use(a.level), use(a.mode),
         use(a.language), use(a.rubric), use(total, has_total), use(max, has_max), use(scaled, has_scaled), use(a.error),
-        use(a.recording_sha256), use(a.begun_at), use(a.id);
+        use(a.recording_sha256), use(a.begun_at), use(a.input), use(a.aids), use(a.id);
 }
 
 void write_items(soci::session& sql, const Attempt& a) {

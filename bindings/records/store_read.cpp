@@ -73,6 +73,8 @@ Attempt attempt_in(const row& r) {
     a.error = text("error");
     a.recording_sha256 = text("recording_sha256");
     a.begun_at = text("begun_at");
+    a.input = text("input");
+    a.aids = text("aids");
     return a;
 }
 

@@ -61,6 +61,12 @@ constexpr auto table = std::to_array<Control>({
 
 std::span<const Control> control_table() { return table; }
 
+bool moves_instrument(ControlId id) {
+    const auto within = [id](Id first, Id last) { return id >= first && id <= last; };
+    return within(Id::hand_x, Id::hand_roll) || within(Id::leading_x, Id::leading_roll) ||
+           within(Id::other_x, Id::other_roll);
+}
+
 const Control* find_control(std::string_view name) {
     const auto* found = std::find_if(table.begin(), table.end(), [&](const Control& one) { return one.name == name; });
     return found == table.end() ? nullptr : found;

@@ -72,6 +72,9 @@ struct Control {
     const char* meaning = "";  ///< one sentence, without its end
 };
 
+/// Whether it moves or rolls an instrument, which keys do more slowly than a stick.
+bool moves_instrument(ControlId id);
+
 std::span<const Control> control_table();
 /// Null: there is none of this name.
 const Control* find_control(std::string_view name);

@@ -18,8 +18,8 @@ namespace rhexis::station {
 class EventSource {
 public:
     virtual ~EventSource() = default;
-    /// Events of the step after `step`, which is due now; more than once where the clock waits. hands, around: as
-    /// they are.
+    /// Events of the step after `step` others, which is due now; more than once where the clock waits. hands, around:
+    /// as they are.
     virtual Result<std::vector<UserEvent>> take(std::uint64_t step, bool waits, const Hands& hands,
                                                 const Surroundings& around, const Session& session) = 0;
     /// Nothing comes any more, so that waiting is in vain.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "flow/microscope.hpp"
 
@@ -14,7 +15,6 @@ constexpr double meets_within = 0.3;    ///< of a cursor and the tip that it is 
 constexpr double funnel_mm = 1.0;       ///< beyond its wound, over which a tip gets the freedom of the eye
 constexpr double sill_mm = 0.6;         ///< over the wound, from which a tip still goes in through it
 constexpr double foot_per_s = 8.0;      ///< positions of the pedal, where the foot goes to one: as virtual surgeons
-constexpr double microscope_mm_s = 4.0; ///< under keys, at most: as its motors
 constexpr double zoom_per_s = 0.7;
 constexpr double light_per_s = 0.6;
 constexpr double least_zoom = 0.6;
@@ -22,23 +22,11 @@ constexpr double most_zoom = 3.0;
 constexpr double least_light = 0.1;
 constexpr double most_light = 2.0;
 
+constexpr double degrees = 180.0 / std::numbers::pi;
+
 constexpr double down = 0.5;  ///< from which a button or trigger is pressed
 
 double step_towards(double value, double goal, double most) { return value + std::clamp(goal - value, -most, most); }
-
-/// The share of a pedal's travel as the machine takes it: nothing up to the first position, then travel within each.
-double pedal_of(double share, const Tuning& tuning) {
-    if (share < tuning.pedal_first) {
-        return 0.0;
-    }
-    if (share < tuning.pedal_second) {
-        return 1.0;
-    }
-    if (share < tuning.pedal_third) {
-        return 1.0 + (share - tuning.pedal_second) / (tuning.pedal_third - tuning.pedal_second);
-    }
-    return 2.0 + std::min(1.0, (share - tuning.pedal_third) / (1.0 - tuning.pedal_third));
-}
 
 /// A wound as a way: how far out along it a place is, how far beside it, and how high it runs there.
 struct Way {
@@ -56,6 +44,24 @@ struct Way {
 };
 
 }  // namespace
+
+double pedal_of(double share, const Tuning& tuning) {
+    if (share < tuning.pedal_first) {
+        return 0.0;
+    }
+    if (share < tuning.pedal_second) {
+        return 1.0;
+    }
+    if (share < tuning.pedal_third) {
+        return 1.0 + (share - tuning.pedal_second) / (tuning.pedal_third - tuning.pedal_second);
+    }
+    return 2.0 + std::min(1.0, (share - tuning.pedal_third) / (1.0 - tuning.pedal_third));
+}
+
+double rate_of_stick(double value, const Tuning& tuning) {
+    const double size = std::clamp((std::abs(value) - tuning.dead_zone) / (1.0 - tuning.dead_zone), 0.0, 1.0);
+    return std::copysign(size * size, value);
+}
 
 Hands::Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds)
     : mapping_(&mapping), tray_(&tray), holds_(&holds) {
@@ -148,9 +154,8 @@ void Hands::take(const UserEvent& event, const Surroundings& around) {
         case ControlKind::rate:
         case ControlKind::level: {
             const bool stick = event.kind == EventKind::axis && binding->control->kind == ControlKind::rate;
-            const double dead = stick ? mapping_->tuning().dead_zone : 0.0;
-            const double size = std::max(0.0, (std::abs(event.value) - dead) / (1.0 - dead));
-            state_.held[source] = std::copysign(size, event.value);
+            const double key = !stick && moves_instrument(binding->control->id) ? mapping_->tuning().key_share : 1.0;
+            state_.held[source] = stick ? rate_of_stick(event.value, mapping_->tuning()) : key * event.value;
             if (binding->control->id == ControlId::pedal) {
                 const Tuning& tuning = mapping_->tuning();
                 const double travel = (event.value - tuning.pedal_rest) / (tuning.pedal_full - tuning.pedal_rest);
@@ -359,8 +364,8 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
     const Vec3 left = goal - hand.tip;
     const double longest = fastest_tip * dt;
     hand.tip += left.norm() > longest ? Vec3(longest * left.normalized()) : left;
-    const Result<Quat> orientation = holds_->orientation(
-        tray_->instruments[static_cast<std::size_t>(hand.instrument)].name, wound, hand.tip, hand.roll);
+    const Result<Quat> orientation =
+        holds_->orientation(tool_name(hand.instrument), wound, hand.tip, hand.roll);
     if (!orientation) {
         return orientation.error();
     }
@@ -389,6 +394,39 @@ Status Hands::advance(const Surroundings& around, double dt) {
         if (Status moved = move(which, around, dt); !moved) {
             return moved;
         }
+    }
+    return success();
+}
+
+Status Hands::take_over(const Session& session, const Surroundings& around) {
+    for (std::size_t i = 0; i < session.tools().size(); ++i) {
+        const ToolState& tool = session.tools()[i];
+        if (!tool.present) {
+            continue;
+        }
+        const int instrument = static_cast<int>(i);
+        int which = through_side_port(instrument) ? other : leading;
+        which = state_.hands[static_cast<std::size_t>(which)].instrument < 0 ? which : 1 - which;
+        take_up(which, instrument, around);
+        HandState& hand = state_.hands[static_cast<std::size_t>(which)];
+        const WorldState& world = session.state();
+        const Pose pose = world.globe ? to_room(*session.world().globe, *world.globe, tool.pose) : tool.pose;
+        hand.tip = hand.wanted = pose.position;
+        hand.orientation = pose.orientation;
+        hand.jaw = tool.jaw;
+        const std::optional<Vec3> wound = wound_of(instrument, around);
+        hand.inside = wound && in_eye(instrument) && Way(*wound, hand.tip).out <= 0.0;
+        const Result<Quat> unrolled = holds_->orientation(tool_name(instrument), wound, hand.tip, 0.0);
+        if (!unrolled) {
+            return unrolled.error();
+        }
+        const Quat turn = unrolled.value().conjugate() * pose.orientation;
+        hand.roll = std::remainder(2.0 * std::atan2(turn.z(), turn.w()) * degrees, 360.0);
+        state_.pedal = std::max(state_.pedal, tool.pedal);
+    }
+    const std::map<std::string, double>& settings = session.settings();
+    for (std::size_t i = 0; i < tray_->dials.size(); ++i) {
+        state_.dials[i] = settings.at(tray_->dials[i].setting);
     }
     return success();
 }

@@ -25,6 +25,8 @@ struct Surroundings {
     std::optional<Vec3> microscope;  ///< its position; none: the scene has none
 };
 
+inline constexpr double microscope_mm_s = 4.0;  ///< of the microscope under keys, at most: as its motors
+
 inline constexpr int leading = 0;
 inline constexpr int other = 1;
 
@@ -64,12 +66,19 @@ struct HandsState {
     std::string word;              ///< why something could not be done; empty: nothing to say
 };
 
+/// From what an axis says: fine near the middle, beyond the dead zone. -1 to 1.
+double rate_of_stick(double value, const Tuning& tuning);
+/// The share of a pedal's travel as the machine takes it: 0, 1 up to the second position, then travel within each. 0 to 3.
+double pedal_of(double share, const Tuning& tuning);
+
 class Hands {
 public:
     /// All outlive the hands; instruments: of the scene.
     Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds);
 
     void take(const UserEvent& event, const Surroundings& around);
+    /// Holds what the session's instruments show to be held, where they are; dials as they are set.
+    Status take_over(const Session& session, const Surroundings& around);
     /// Time goes on by dt [s]. Fails where the scripts that say how instruments are held do.
     Status advance(const Surroundings& around, double dt);
 
@@ -81,10 +90,15 @@ public:
     /// The clock stands: paused, or the hand has yet to meet its instrument.
     [[nodiscard]] bool waits() const { return state_.paused || !met(); }
     [[nodiscard]] bool met() const;
+    /// Its shaft goes through the side port, where a hand takes it up.
+    [[nodiscard]] bool through_side_port(int instrument) const {
+        return wounds_[static_cast<std::size_t>(instrument)] == "side_port";
+    }
     /// From here on the hand has to meet its instrument again.
     void lose();
     [[nodiscard]] const HandsState& state() const { return state_; }
     HandsState& state() { return state_; }
+    [[nodiscard]] const Tray& tray() const { return *tray_; }
     void set_mapping(const Mapping& mapping) { mapping_ = &mapping; }
 
 private:
@@ -97,6 +111,9 @@ private:
     Status move(int hand, const Surroundings& around, double dt);
     void squeeze(int hand, double dt);
     void press_pedal(double dt);
+    [[nodiscard]] const std::string& tool_name(int instrument) const {
+        return tray_->instruments[static_cast<std::size_t>(instrument)].name;
+    }
     [[nodiscard]] double level(ControlId id) const;
     [[nodiscard]] double speed_share() const;
     [[nodiscard]] std::optional<Vec3> wound_of(int instrument, const Surroundings& around) const;

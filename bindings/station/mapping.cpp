@@ -21,6 +21,7 @@ struct TuningField {
 
 constexpr auto tuning_fields = std::to_array<TuningField>({
     {"tip_mm_s", &Tuning::tip_mm_s, 0.1, 50.0},
+    {"key_share", &Tuning::key_share, 0.01, 1.0},
     {"notch_mm", &Tuning::notch_mm, 0.005, 1.0},
     {"roll_deg_s", &Tuning::roll_deg_s, 1.0, 720.0},
     {"fine", &Tuning::fine, 0.02, 1.0},
@@ -193,6 +194,8 @@ std::string source_of(const UserEvent& event) {
     }
 }
 
-std::string standard_mapping(const std::string& root) { return root + "/assets/station/mapping.json"; }
+std::string standard_mapping(const std::string& root, bool pad) {
+    return root + "/assets/station/" + (pad ? "gamepad" : "mouse") + ".json";
+}
 
 }  // namespace rhexis::station

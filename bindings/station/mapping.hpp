@@ -25,9 +25,10 @@ struct Binding {
 
 /// How fast things go. Ranges: mapping.cpp.
 struct Tuning {
-    double tip_mm_s = 4.0;       ///< of a tip under keys or a stick, at most
+    double tip_mm_s = 12.0;      ///< of a tip under a stick, at most; half way it is a quarter as fast
+    double key_share = 0.25;     ///< of that, and of rolling, under a key
     double notch_mm = 0.05;      ///< of depth, per notch
-    double roll_deg_s = 90.0;    ///< of an instrument between the fingers
+    double roll_deg_s = 180.0;   ///< of an instrument between the fingers
     double fine = 0.2;           ///< of all that, while `fine` is held
     double pedal_per_s = 4.0;    ///< positions of the pedal under keys
     double dead_zone = 0.12;     ///< of a stick
@@ -62,6 +63,6 @@ private:
 std::string source_of(const UserEvent& event);
 
 /// Where the file lies that is taken where none is named.
-std::string standard_mapping(const std::string& root);
+std::string standard_mapping(const std::string& root, bool pad);
 
 }  // namespace rhexis::station

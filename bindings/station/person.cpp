@@ -8,6 +8,7 @@
 namespace rhexis::station {
 namespace {
 
+constexpr double slowed_below = 0.95;  ///< simulated seconds per second: slower is an aid
 constexpr std::size_t most_lines = 4;  ///< said to the trainee, that are still shown
 
 }  // namespace
@@ -38,10 +39,15 @@ Status Person::begin(Timeline& timeline) {
     if (!requests) {
         return requests.error();
     }
+    const Result<nlohmann::json> stands = host_ != nullptr ? host_->result() : nlohmann::json::object();
+    if (!stands) {
+        return stands.error();
+    }
+    exam_ = stands.value().value("mode", "") == "exam";
     tray_ = std::make_shared<const Tray>(make_tray(*timeline.session(), requests.value()));
     hands_.emplace(options_.mapping, *tray_, *holds_);
     around_ = surroundings_of(*timeline.session(), hands_->state().zoom);
-    return success();
+    return timeline.step_count() > 0 ? hands_->take_over(*timeline.session(), *around_) : success();
 }
 
 /// What is said to the trainee.
@@ -60,18 +66,47 @@ Status Person::look(Moment& moment) {
 /// False: nothing comes any more.
 Result<bool> Person::take_events(const Session& session) {
     const Result<std::vector<UserEvent>> events =
-        source_.take(session.step_count(), hands_->waits(), *hands_, *around_, session);
+        source_.take(made_, hands_->waits(), *hands_, *around_, session);
     if (!events) {
         return events.error();
     }
     for (const UserEvent& event : events.value()) {
-        const Status kept = writer_ != nullptr ? writer_->add(session.step_count(), event) : success();
+        const Status kept = writer_ != nullptr ? writer_->add(made_, event) : success();
         if (!kept) {
             return kept.error();
         }
         hands_->take(event, *around_);
     }
     return !(events.value().empty() && hands_->waits() && source_.over());
+}
+
+/// Moments to go back to. An attempt that went back says so, and an exam refuses.
+void Person::heed_wishes(const Session& session) {
+    HandsState& state = hands_->state();
+    if (std::exchange(state.keep_moment, false)) {
+        kept_step_ = session.step_count();
+        state.word = "this moment is kept";
+    }
+    if (std::exchange(state.try_again, false)) {
+        if (exam_) {
+            state.word = "an exam has no second try";
+        } else if (kept_step_ < session.step_count()) {
+            back_ = kept_step_;
+            aids_.push_back({CommandKind::aid, "rewound",
+                             session.scene().step_s * static_cast<double>(session.step_count() - kept_step_), ""});
+        }
+    }
+    if (exam_ && std::exchange(state.ghost, false)) {
+        state.word = "an exam shows no ghost";
+    }
+}
+
+/// Simulated seconds that took more than a second of the clock.
+void Person::note_slowed(double dt) {
+    slowed_s_ += source_.slowed() < slowed_below ? dt : 0.0;
+    if (slowed_s_ >= 1.0) {
+        aids_.push_back({CommandKind::aid, "slowed", std::exchange(slowed_s_, 0.0), ""});
+    }
 }
 
 void Person::show(const Session& session, bool waits) {
@@ -93,7 +128,8 @@ Result<OperatorStep> Person::operate(Timeline& timeline) {
         if (!more) {
             return more.error();
         }
-        if (!more.value() || hands_->state().stop) {
+        heed_wishes(session);
+        if (!more.value() || hands_->state().stop || back_) {
             return OperatorStep{.done = true};
         }
         if (hands_->waits()) {
@@ -104,7 +140,12 @@ Result<OperatorStep> Person::operate(Timeline& timeline) {
     if (const Status moved = hands_->advance(*around_, dt); !moved) {
         return moved.error();
     }
-    return OperatorStep{hands_->samples(*around_, dt), hands_->take_commands()};
+    note_slowed(dt);
+    ++made_;
+    OperatorStep step{hands_->samples(*around_, dt), hands_->take_commands()};
+    step.commands.insert(step.commands.end(), aids_.begin(), aids_.end());
+    aids_.clear();
+    return step;
 }
 
 }  // namespace rhexis::station

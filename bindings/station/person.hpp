@@ -16,6 +16,7 @@ namespace rhexis::station {
 
 struct PersonOptions {
     Mapping mapping;
+    std::string device;            ///< "mouse", "gamepad"
     std::string root;              ///< folder of scripts/
     std::uint64_t show_every = 1;  ///< steps per picture
     bool wait_for_pictures = false;  ///< each is drawn before the next step: stepped
@@ -29,6 +30,8 @@ public:
 
     void meet(ExerciseHost& host) override { host_ = &host; }
     [[nodiscard]] std::string name() const override { return "person"; }
+    [[nodiscard]] std::string device() const override { return options_.device; }
+    std::optional<std::uint64_t> goes_back() override { return std::exchange(back_, std::nullopt); }
 
     Status begin(Timeline& timeline) override;
     Result<OperatorStep> operate(Timeline& timeline) override;
@@ -36,6 +39,8 @@ public:
 
 private:
     Result<bool> take_events(const Session& session);
+    void heed_wishes(const Session& session);
+    void note_slowed(double dt);
     void show(const Session& session, bool waits);
 
     PersonOptions options_;
@@ -48,6 +53,12 @@ private:
     std::optional<Hands> hands_;
     std::optional<Surroundings> around_;
     std::vector<std::string> said_;
+    bool exam_ = false;                          ///< aids are refused
+    std::uint64_t made_ = 0;                     ///< steps, those that were gone back over too: to which events belong
+    std::uint64_t kept_step_ = 0;                ///< the moment to go back to
+    std::optional<std::uint64_t> back_;          ///< wanted now
+    std::vector<Command> aids_;                  ///< to be told with the next step
+    double slowed_s_ = 0.0;                      ///< not yet told
 };
 
 /// A camera whose picture is so many times larger; what the eyepiece shows stays as wide.

@@ -14,6 +14,9 @@ struct StationOptions {
     std::string mapping;     ///< file; empty: the standard one
     std::string events;      ///< file: done again if it is there, else written; empty: neither
     bool again = false;      ///< `events` is done again, step by step
+    std::string by;          ///< virtual surgeon who works the devices in a person's place; empty: a person does
+    bool pad = false;        ///< with pad and pedal, not with mouse and keys
+    bool live = false;       ///< that surgeon keeps to the wall clock
     int width = 1280;        ///< of the window [pixels]
     int height = 960;
     bool full_screen = false;

@@ -2,11 +2,12 @@
 #include "trial/attempt.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
 
 #include "base/output_file.hpp"
 #include "flow/microscope.hpp"
 #include "session/prepared_state.hpp"
+#include "session/replay.hpp"
 #include "trial/hot_reload.hpp"
 #include "trial/html.hpp"
 #include "trial/pictures.hpp"
@@ -31,6 +32,9 @@ RecordingHeader header_of(const AttemptOptions& options, const ExerciseHost& hos
     header.curriculum = options.exercise.curriculum;
     header.identity = host.identity().dump();
     header.surgeon = who_operates(options);
+    if (options.guest != nullptr) {
+        header.surgeon += " (" + options.guest->device() + ")";
+    }
     header.set = options.exercise.set;
     return header;
 }
@@ -97,6 +101,7 @@ ReportInput report_input(const AttemptOptions& options, const ExerciseHost& host
     ReportInput input;
     input.identity = host.identity();
     input.surgeon = who_operates(options);
+    input.device = options.guest != nullptr ? options.guest->device() : "";
     input.set = options.exercise.set;
     input.seed = options.exercise.seed;
     input.start = options.start.state;
@@ -147,12 +152,22 @@ Result<AttemptResult> write_results(const AttemptOptions& options, ExerciseHost&
     return status ? Result<AttemptResult>(std::move(result)) : status.error();
 }
 
+/// All observations but that of the moment from which it goes on.
+void catch_up(const GoingOn& before, Series& series) {
+    for (std::uint64_t step = 0; step < before.step; ++step) {
+        series.add(step == 0 ? before.recording.start.observation : before.recording.steps[step - 1].observation);
+    }
+}
+
 /// The trial itself: by the virtual surgeon of the exercise, or by nobody.
 Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host, Session& session,
-                              RecordingWriter writer, PictureBook* book) {
+                              RecordingWriter writer, PictureBook* book, std::optional<std::uint64_t>& back) {
     Series series(session.schema());
     Timing timing;
-    Recorder recorder(std::move(writer), options.start.state.empty());
+    Recorder recorder(std::move(writer), options.start.state.empty(), options.going_on);
+    if (options.going_on != nullptr) {
+        catch_up(*options.going_on, series);
+    }
     StateKeeper keeper(options.save, host, header_of(options, host, session));
     HotReload reload(host);
     TrialProgress progress(options.exercise.curriculum, options.quiet,
@@ -176,9 +191,15 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
     LiveTimeline timeline(session);
     VirtualSurgeon surgeon(host);
     Operator& whoever = options.guest != nullptr ? static_cast<Operator&>(*options.guest) : surgeon;
-    const Result<TrialOutcome> outcome = Trial(timeline, &host, whoever, std::move(observers), {options.limit_s}).run();
+    CaughtUp exercise(host, options.going_on);
+    const Result<TrialOutcome> outcome = Trial(timeline, &exercise, whoever, std::move(observers), {options.limit_s}).run();
     if (!outcome) {
         return outcome.error();
+    }
+    if (options.guest != nullptr && (back = options.guest->goes_back())) {
+        AttemptResult unfinished;
+        unfinished.recording = recorder.file();
+        return unfinished;
     }
     return write_results(options, host, session, {outcome.value(), series, timing, recorder, keeper, reload, book});
 }
@@ -200,6 +221,9 @@ void add_microscope(SceneDescription& scene) {
 
 /// The session that the exercise asks for, in the state that the attempt starts from.
 Result<Session> make_session(const AttemptOptions& options, const ExerciseHost& host) {
+    if (options.going_on != nullptr) {
+        return session_at(options.going_on->recording, options.going_on->step);
+    }
     SceneDescription scene = host.scene();
     scene.threads = options.threads;
     scene.instruction_set = options.instruction_set;
@@ -232,9 +256,8 @@ void write_html(const AttemptOptions& options, AttemptResult& result) {
     result.html_error = written ? "" : written.error().text();
 }
 
-}  // namespace
-
-Result<AttemptResult> attempt(const AttemptOptions& options) {
+/// From its beginning, or from where it goes on, to its end, or until whoever operates goes back. back: to which step.
+Result<AttemptResult> attempt_once(const AttemptOptions& options, std::optional<std::uint64_t>& back) {
     Result<ExerciseHost> host = ExerciseHost::load(options.exercise);
     if (!host) {
         return host.error();
@@ -258,13 +281,59 @@ Result<AttemptResult> attempt(const AttemptOptions& options) {
         return writer.error();
     }
     PictureBook* pictures = book.value() ? &*book.value() : nullptr;
-    Result<AttemptResult> result = operate(options, host.value(), session.value(), std::move(writer).value(), pictures);
-    if (!result) {
+    Result<AttemptResult> result = operate(options, host.value(), session.value(), std::move(writer).value(), pictures, back);
+    if (!result || back) {
         return result;
     }
     result.value().drawing_note = drawing_note;
     write_html(options, result.value());
     return result;
+}
+
+/// Under a name of its own: "left_1.rhx" for "recording.rhx", the first that is free.
+Result<std::string> put_aside(const std::string& recording) {
+    const std::filesystem::path path(recording);
+    for (int number = 1;; ++number) {
+        std::filesystem::path aside = path;
+        aside.replace_filename("left_" + std::to_string(number) + ".rhx");
+        std::error_code failed;
+        if (std::filesystem::exists(aside, failed)) {
+            continue;
+        }
+        std::filesystem::rename(path, aside, failed);
+        return failed ? Result<std::string>(cannot_write(aside.string(), failed.value())) : aside.string();
+    }
+}
+
+}  // namespace
+
+Result<AttemptResult> attempt(const AttemptOptions& options) {
+    AttemptOptions now = options;
+    std::optional<GoingOn> before;
+    for (;;) {
+        std::optional<std::uint64_t> back;
+        Result<AttemptResult> result = attempt_once(now, back);
+        if (!result || !back) {
+            return result;
+        }
+        // what is left behind stays in the folder
+        const Result<std::string> aside = put_aside(result.value().recording);
+        if (!aside) {
+            return aside.error();
+        }
+        Result<Recording> recording = read_recording(aside.value());
+        if (!recording) {
+            return recording.error();
+        }
+        Result<GoingOn> from = going_on_from(std::move(recording).value(), *back);
+        if (!from) {
+            return from.error();
+        }
+        before = std::move(from).value();
+        before->recording.header.scene.threads = options.threads;
+        before->recording.header.scene.instruction_set = options.instruction_set;
+        now.going_on = &*before;
+    }
 }
 
 }  // namespace rhexis

@@ -9,6 +9,7 @@
 
 #include "base/result.hpp"
 #include "lua/exercise_host.hpp"
+#include "trial/going_on.hpp"
 #include "trial/starts.hpp"
 #include "trial/state_keeper.hpp"
 
@@ -28,6 +29,10 @@ public:
     virtual void meet(ExerciseHost& host) = 0;
     /// As report and recording call whoever operated: "person".
     [[nodiscard]] virtual std::string name() const = 0;
+    /// With which device: "mouse", "gamepad".
+    [[nodiscard]] virtual std::string device() const = 0;
+    /// Asked when the trial has ended: the step to go on from instead; none: it was the end.
+    virtual std::optional<std::uint64_t> goes_back() { return std::nullopt; }
 };
 
 struct AttemptOptions {
@@ -41,6 +46,7 @@ struct AttemptOptions {
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress
     nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
+    const GoingOn* going_on = nullptr;  ///< outlives the attempt; null: it begins
     Guest* guest = nullptr;  ///< null: the virtual surgeon of the exercise, or nobody
     bool watch = false;  ///< the exercise is read again between two steps when its files have changed
 };

@@ -2,24 +2,100 @@
 #include "trial/recorder.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace rhexis {
+namespace {
+
+constexpr std::size_t most_waiting = 500;  ///< entries: where the disk is slower than the trial, the trial waits
+
+}  // namespace
+
+Recorder::Recorder(RecordingWriter writer, bool at_rest, const GoingOn* before)
+    : writer_(std::move(writer)), at_rest_(at_rest), before_(before), thread_([this] { write(); }) {}
+
+Recorder::~Recorder() { close(); }
 
 Status Recorder::begun(Timeline& timeline) {
     const Session& session = *timeline.session();
     checkpoint_steps_ = static_cast<std::uint64_t>(std::lround(checkpoint_interval_s / session.scene().step_s));
-    const Status status = at_rest_ ? success() : writer_.add(session.copy_state());
-    return status ? writer_.add(RecordedStart{session.observation(), session.state_hash()}) : status;
+    if (before_ == nullptr) {
+        const Status status = at_rest_ ? success() : give(session.copy_state());
+        return status ? give(RecordedStart{session.observation(), session.state_hash()}) : status;
+    }
+    const Recording& recording = before_->recording;
+    auto checkpoint = recording.checkpoints.begin();
+    Status status = success();
+    const auto give_checkpoints = [&](std::uint64_t step) {
+        for (; status && checkpoint != recording.checkpoints.end() && checkpoint->step == step; ++checkpoint) {
+            status = give(*checkpoint);
+        }
+    };
+    give_checkpoints(0);
+    status = status ? give(recording.start) : status;
+    for (const RecordedStep& step : recording.steps) {
+        status = status ? give(step) : status;
+        give_checkpoints(step.step);
+    }
+    return status;
 }
 
 Status Recorder::stepped(const TrialStep& step) {
     const Session& session = step.session;
-    const Status status = writer_.add(RecordedStep{session.step_count(),
-                                                   {step.samples.begin(), step.samples.end()},
-                                                   {step.commands.begin(), step.commands.end()},
-                                                   session.observation(),
-                                                   session.state_hash()});
-    return status && session.step_count() % checkpoint_steps_ == 0 ? writer_.add(session.snapshot()) : status;
+    const Status status = give(RecordedStep{session.step_count(),
+                                            {step.samples.begin(), step.samples.end()},
+                                            {step.commands.begin(), step.commands.end()},
+                                            session.observation(),
+                                            session.state_hash()});
+    return status && session.step_count() % checkpoint_steps_ == 0 ? give(session.snapshot()) : status;
+}
+
+Status Recorder::ended(Timeline&) {
+    close();
+    return error_ ? Status(*error_) : writer_.finish();
+}
+
+Status Recorder::give(Entry entry) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting || error_; });
+    if (error_) {
+        return *error_;
+    }
+    waiting_.push_back(std::move(entry));
+    changed_.notify_all();
+    return success();
+}
+
+/// On the thread of its own.
+void Recorder::write() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
+        if (waiting_.empty()) {
+            return;
+        }
+        const Entry entry = std::move(waiting_.front());
+        waiting_.pop_front();
+        lock.unlock();
+        const Status written = std::visit([this](const auto& one) { return writer_.add(one); }, entry);
+        lock.lock();
+        if (!written && !error_) {
+            error_ = written.error();
+        }
+        changed_.notify_all();
+    }
+}
+
+/// All that was given is written.
+void Recorder::close() {
+    {
+        const std::lock_guard lock(mutex_);
+        closing_ = true;
+        changed_.notify_all();
+    }
+    if (thread_.joinable()) {
+        thread_.join();
+    }
 }
 
 }  // namespace rhexis

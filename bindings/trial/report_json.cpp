@@ -74,6 +74,9 @@ json make_report(const ReportInput& input) {
     report["clinically_validated"] = false;
     report["curriculum"] = curriculum_json(input.identity);
     report["surgeon"] = input.surgeon;
+    if (!input.device.empty()) {
+        report["input"] = input.device;
+    }
     report["set"] = json(input.set);
     report["seed"] = input.seed;
     report["start"] = input.start.empty() ? json(nullptr) : json(input.start);

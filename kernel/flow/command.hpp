@@ -13,7 +13,9 @@ enum class CommandKind {
     finish,   ///< end the exercise; text is the reason
     request,  ///< whoever operates asks the staff for something, or declares it; name is its id in the exercise. Input
               ///< as samples are: the exercise, not the session, says what follows
-    adjust    ///< whoever operates turns a dial of the machine: as `set`, but input, as samples are
+    adjust,   ///< whoever operates turns a dial of the machine: as `set`, but input, as samples are
+    aid       ///< whoever operates was helped: name = "rewound", "slowed", "guided", "warned" or "injected", value =
+              ///< seconds of it. Input: the attempt is judged as one with aids
 };
 
 struct Command {
@@ -25,7 +27,8 @@ struct Command {
 
 /// Of whoever operates, not of the exercise.
 inline bool is_input(const Command& command) {
-    return command.kind == CommandKind::request || command.kind == CommandKind::adjust;
+    return command.kind == CommandKind::request || command.kind == CommandKind::adjust ||
+           command.kind == CommandKind::aid;
 }
 
 }  // namespace rhexis

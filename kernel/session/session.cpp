@@ -451,6 +451,7 @@ const EyeModel& Session::eye() const { return parts_->eye; }
 const WorldModel& Session::world() const { return *parts_->world; }
 const WorldState& Session::state() const { return parts_->state; }
 std::span<const ToolState> Session::tools() const { return parts_->tools; }
+const std::map<std::string, double>& Session::settings() const { return parts_->settings; }
 const ContactSet& Session::contacts() const { return parts_->contacts; }
 const ObservationSchema& Session::schema() const { return parts_->observer.schema(); }
 const Observation& Session::observation() const { return parts_->observation; }

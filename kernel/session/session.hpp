@@ -47,6 +47,8 @@ public:
     [[nodiscard]] const WorldModel& world() const;
     [[nodiscard]] const WorldState& state() const;
     [[nodiscard]] std::span<const ToolState> tools() const;
+    /// All of them, by name, as they are now.
+    [[nodiscard]] const std::map<std::string, double>& settings() const;
     [[nodiscard]] const ContactSet& contacts() const;
     [[nodiscard]] const ObservationSchema& schema() const;
     [[nodiscard]] const Observation& observation() const;

@@ -165,8 +165,8 @@ function host.start(schema)
     return host.row
 end
 
---- asked: ids of the requests made in the step that led here, or nil.
-function host.observe(time_s, asked) return host.run:observe(time_s, host.row, asked) end
+--- asked: ids of the requests made in the step that led here, or nil; aids: likewise, list of { name, value }, or nil.
+function host.observe(time_s, asked, aids) return host.run:observe(time_s, host.row, asked, aids) end
 
 --- Whether the turn has just come to another step: when a changed exercise may be taken up.
 function host.at_boundary() return host.run ~= nil and not host.run.finished and host.run.steps:has_turned() end

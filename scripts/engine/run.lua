@@ -58,7 +58,7 @@ end
 
 --- schema: list of { name, unit, meaning }; exercise: from exercise { ... }.
 function Run.new(exercise, schema)
-    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, commands = {}, time_s = 0 }, Run)
+    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, aids = {}, commands = {}, time_s = 0 }, Run)
     self.t = exercise.translated or function(text) return text end
     scoring.translate_with(self.t)
     self.eye = Eye.new(schema, exercise.goals, exercise.requests)
@@ -124,15 +124,29 @@ local function hear(self, asked, time_s)
     end
 end
 
+-- Whoever operates was helped: each kind once, with how often and how long.
+local function note_aids(self, aids, time_s)
+    for _, aid in ipairs(aids) do
+        local known
+        for _, one in ipairs(self.aids) do known = one.id == aid.name and one or known end
+        if not known then
+            known = { id = aid.name, first_s = time_s, times = 0, seconds = 0 }
+            table.insert(self.aids, known)
+        end
+        known.times, known.seconds = known.times + 1, known.seconds + aid.value
+    end
+end
+
 --- Takes one observation: time_s, a row of numbers in the order of the schema, and the ids of the requests made since
---- the one before it, or nil. Returns the commands, a list of { kind, name, value, text }. Raises "file:line:
+--- the one before it, or nil; aids: likewise, list of { name, value }. Returns the commands, a list of { kind, name, value, text }. Raises "file:line:
 --- message (in step ...)" when the curriculum errs.
-function Run:observe(time_s, row, asked)
+function Run:observe(time_s, row, asked, aids)
     self.commands = {}
     if self.finished then return self.commands end
     self.time_s = time_s
     self.eye:look(time_s, row, time_s - self.steps:since())
     if asked then hear(self, asked, time_s) end
+    if aids then note_aids(self, aids, time_s) end
     for _, watch in ipairs(self.watches) do watch:tick(time_s, self.steps:current(), self.log) end
     if self.sheet then self.sheet:tick(time_s) end
     if self.whole then self.whole:tick(time_s) end
@@ -148,7 +162,7 @@ function Run:left()
     for i, record in ipairs(self.events) do index_of[record] = i end
     for i, watch in ipairs(self.watches) do watches[i] = watch:left(index_of) end
     return { time_s = self.time_s, steps = self.steps:left(), events = self.events, watches = watches,
-        asked = self.asked,
+        asked = self.asked, aids = self.aids,
         score = self.sheet and self.sheet:carried(self.time_s).measures }
 end
 
@@ -176,8 +190,8 @@ end
 function Run:result()
     local exercise = self.exercise
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
-        steps = self.steps.records, events = self.events, requests = self.asked, mode = exercise.mode,
-        hints = exercise.mode == "teaching", level = exercise.level, language = exercise.language or "en",
+        steps = self.steps.records, events = self.events, requests = self.asked, aids = #self.aids > 0 and self.aids or nil,
+        mode = exercise.mode, hints = exercise.mode == "teaching", level = exercise.level, language = exercise.language or "en",
         orientation = orientation.of(exercise.patient, exercise.handedness), title = exercise.title,
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
         settings = words.as_object(exercise.settings), measures = words.as_object({}), advice = {} }

@@ -29,9 +29,11 @@ local function who(report)
     local surgeons = { a = "virtual surgeon of group A (fewer than 50 operations)", b = "virtual surgeon of group B",
         c = "virtual surgeon of group C", d = "virtual surgeon of group D (over 500 operations)",
         novice = "virtual novice (fewer than 50 operations)", expert = "virtual expert (over 500 operations)",
-        none = "trainee" }
+        none = "trainee", person = "trainee" }
     local name = surgeons[report.surgeon] or not report.surgeon and "trainee"
-    return name and t(name) or report.surgeon
+    local with = report.surgeon == "person" and report.input
+        and t(" (" .. (report.input == "gamepad" and "with a gamepad" or "with a mouse") .. ")") or ""
+    return (name and t(name) or report.surgeon) .. with
 end
 
 local function patient_text(patient)

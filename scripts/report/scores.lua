@@ -51,6 +51,8 @@ end
 -- Whose scores these are like. Who begins in the middle has not shown a whole attempt.
 local function standing_of(report)
     if report.begun_at then return t("no comparison: begun in the middle"), "none" end
+    if report.aids then return t("no comparison: with aids"), "none" end
+    if report.input then return t("no comparison: no cohort of people with this device"), "none" end
     local standing = report.osacss.standing
     if not standing or not standing.like then
         return t(no_standing[standing and standing.none] or no_standing["no cohort"]), "none"
@@ -125,7 +127,7 @@ end
 -- What a comparison rests on.
 local function standing_told(w, report)
     local score, standing = report.osacss, report.osacss.standing
-    if report.begun_at or not standing or not standing.like then return end
+    if report.begun_at or report.aids or report.input or not standing or not standing.like then return end
     w('<p class="small">', e(t("Comparison: this exercise was completed %d times by virtual surgeons of group %s; the "
         .. "score falls nearer to theirs than to those of the others.", standing.n, listed(standing.like))), " ",
         e(t("Group a stands for fewer than 50 operations, d for over 500; what they are is a model, not people.")), " ",

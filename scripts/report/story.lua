@@ -134,6 +134,25 @@ local function begun_in_the_middle_told(w, report)
     w("<p><b>", e(told), "</b> ", e(t("What came before is not judged, and the score is not compared.")), "</p>")
 end
 
+local aid_words = {
+    rewound = "went back to try again", slowed = "simulated time ran slower than the clock", guided = "an expert's way "
+        .. "was shown", warned = "warnings were shown", injected = "an instructor changed something",
+}
+
+-- "went back to try again (2 times)"
+local function aids_told(w, report)
+    local aids = report.aids or {}
+    if #aids == 0 then return end
+    local list = {}
+    for i, aid in ipairs(aids) do
+        local how = aid.id == "slowed" and t("%s s", markup.number(aid.seconds, 0)) or count(aid.times, "once",
+            "%d times", aid.times)
+        list[i] = ("%s (%s)"):format(t(aid_words[aid.id] or aid.id), how)
+    end
+    w("<p><b>", e(t("With aids: ")), "</b>", e(table.concat(list, ", ")), ". ",
+        e(t("Such an attempt counts for no gate, and its score is not compared.")), "</p>")
+end
+
 --- The section.
 function story.section(w, report)
     local events = report.events or {}
@@ -141,6 +160,7 @@ function story.section(w, report)
         "</p>")
     events_told(w, events)
     begun_in_the_middle_told(w, report)
+    aids_told(w, report)
     opening_told(w, report)
     not_begun_told(w, report)
     if report.error then

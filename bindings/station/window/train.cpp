@@ -12,6 +12,7 @@
 #include "render/renderer.hpp"
 #include "station/mapping.hpp"
 #include "station/person.hpp"
+#include "station/scripted.hpp"
 #include "station/station.hpp"
 #include "station/window/panels.hpp"
 #include "station/window/window.hpp"
@@ -93,13 +94,16 @@ private:
     int count_ = 0;
 };
 
+/// A person, not a file or a virtual surgeon.
+bool operates(const StationOptions& options) { return !options.again && options.by.empty(); }
+
 /// Until the trial has ended.
 void look_on(const StationOptions& options, Desk& desk, Window& window, Picture& picture, double step_s) {
     std::uint64_t seen = 0;
     bool any = false;
     while (!desk.ended()) {
         for (const TimedEvent& timed : window.poll()) {
-            if (!options.again) {
+            if (operates(options)) {
                 desk.post(timed.event, timed.at_s);
                 picture.posted(timed.event);
             } else if (timed.event.kind == EventKind::quit) {
@@ -116,7 +120,7 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, Picture&
         seen = shown->step;
         desk.drawn(seen);
         for (const UserEvent& event : clicked) {
-            if (!options.again) {
+            if (operates(options)) {
                 desk.post(event, wall_seconds());
                 picture.posted(event);
             }
@@ -140,7 +144,7 @@ nlohmann::json events_header(const StationOptions& options, const Mapping& mappi
 Result<Prepared> prepare(const StationOptions& options) {
     Prepared prepared;
     const std::string path =
-        options.mapping.empty() ? standard_mapping(options.attempt.exercise.root) : options.mapping;
+        options.mapping.empty() ? standard_mapping(options.attempt.exercise.root, options.pad) : options.mapping;
     Result<Mapping> mapping = Mapping::read(path);
     if (options.again) {
         Result<EventFile> file = read_events(options.events);
@@ -162,6 +166,25 @@ Result<Prepared> prepare(const StationOptions& options) {
         prepared.writer.emplace(std::move(writer).value());
     }
     return prepared;
+}
+
+/// No wall clock: each step waits for its picture, where it has one.
+bool is_stepped(const StationOptions& options) { return options.again || (!options.by.empty() && !options.live); }
+
+Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, const Prepared& prepared, Desk& desk,
+                                                 double step_s) {
+    if (options.again) {
+        return std::unique_ptr<EventSource>(std::make_unique<Steps>(*prepared.file));
+    }
+    if (options.by.empty()) {
+        return std::unique_ptr<EventSource>(std::make_unique<WallClock>(desk, step_s));
+    }
+    ExerciseOptions of_surgeon = options.attempt.exercise;
+    of_surgeon.surgeon = options.by;
+    Result<std::unique_ptr<Scripted>> scripted = Scripted::create(
+        of_surgeon, Fingers(prepared.mapping, options.pad ? Style::pad : Style::mouse, options.width, options.height),
+        options.live ? std::make_unique<WallClock>(desk, step_s) : nullptr);
+    return scripted ? Result<std::unique_ptr<EventSource>>(std::move(scripted).value()) : scripted.error();
 }
 
 Result<StationResult> train(const StationOptions& options) {
@@ -191,14 +214,14 @@ Result<StationResult> train(const StationOptions& options) {
     }
     Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping);
     Desk desk;
-    std::unique_ptr<EventSource> source;
-    if (options.again) {
-        source = std::make_unique<Steps>(*prepared.file);
-    } else {
-        source = std::make_unique<WallClock>(desk, step_s);
+    Result<std::unique_ptr<EventSource>> made_source = make_source(options, prepared, desk, step_s);
+    if (!made_source) {
+        return made_source.error();
     }
-    const PersonOptions of_person{prepared.mapping, options.attempt.exercise.root,
-                                  static_cast<std::uint64_t>(options.picture_every), options.again};
+    const std::unique_ptr<EventSource> source = std::move(made_source).value();
+    const PersonOptions of_person{prepared.mapping, options.pad ? "gamepad" : "mouse",
+                                  options.attempt.exercise.root,
+                                  static_cast<std::uint64_t>(options.picture_every), is_stepped(options)};
     Person person(of_person, *source, desk, prepared.writer ? &*prepared.writer : nullptr);
     AttemptOptions of_attempt = options.attempt;
     of_attempt.guest = &person;

@@ -10,6 +10,7 @@ return {
     ["not completed"] = "non terminé",
     ["below the pass mark"] = "sous le seuil",
     ["a critical error was not put right"] = "une erreur critique n'a pas été corrigée",
+    ["with aids"] = "avec des aides",
     ["it began at a later moment"] = "commencé à un moment ultérieur",
     ["in another mode than the gate asks for"] = "dans un autre mode que celui qui est demandé",
     ["an error of the exercise's script ended it"] = "interrompu par une erreur du script de l'exercice",

@@ -56,6 +56,21 @@ return {
     ["like virtual surgeons of group %s"] = "comme les chirurgiens virtuels du groupe %s",
     ["like virtual surgeons of groups %s"] = "comme les chirurgiens virtuels des groupes %s",
     [" and "] = " et ",
+    [" (with a mouse)"] = " (à la souris)",
+    [" (with a gamepad)"] = " (à la manette)",
+    ["no comparison: with aids"] = "sans comparaison : avec des aides",
+    ["no comparison: no cohort of people with this device"] =
+        "sans comparaison : pas de cohorte de personnes avec cet appareil",
+    ["With aids: "] = "Avec des aides : ",
+    ["Such an attempt counts for no gate, and its score is not compared."] =
+        "Un tel essai ne compte pour aucun seuil, et sa note n'est pas comparée.",
+    ["went back to try again"] = "retour en arrière pour réessayer",
+    ["simulated time ran slower than the clock"] = "le temps simulé a couru moins vite que l'horloge",
+    ["an expert's way was shown"] = "la voie d'un expert était montrée",
+    ["warnings were shown"] = "des avertissements étaient montrés",
+    ["an instructor changed something"] = "un instructeur a changé quelque chose",
+    ["once"] = "une fois",
+    ["%d times"] = "%d fois",
     ["no comparison: begun in the middle"] = "sans comparaison : commencé en cours de route",
     ["no comparison: virtual surgeons have not done it for one"] =
         "sans comparaison : aucun chirurgien virtuel n'a servi de référence",

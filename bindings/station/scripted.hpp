@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A virtual surgeon in a person's place: what it would do comes as keys, buttons, cursor and axes.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lua/exercise_host.hpp"
+#include "station/event_source.hpp"
+#include "station/fingers.hpp"
+
+namespace rhexis::station {
+
+class Scripted final : public EventSource {
+public:
+    /// options: of the exercise, with the surgeon. clock: null, steps follow each other as they may.
+    static Result<std::unique_ptr<Scripted>> create(const ExerciseOptions& options, Fingers fingers,
+                                                    std::unique_ptr<WallClock> clock);
+
+    Result<std::vector<UserEvent>> take(std::uint64_t step, bool waits, const Hands& hands, const Surroundings& around,
+                                        const Session& session) override;
+    [[nodiscard]] double slowed() const override { return clock_ ? clock_->slowed() : 1.0; }
+    [[nodiscard]] std::uint64_t last_number() const override { return clock_ ? clock_->last_number() : 0; }
+    [[nodiscard]] bool over() const override { return asked_twice_; }
+
+private:
+    Scripted(ExerciseHost host, Fingers fingers, std::unique_ptr<WallClock> clock)
+        : host_(std::move(host)), fingers_(std::move(fingers)), clock_(std::move(clock)) {}
+
+    ExerciseHost host_;
+    Fingers fingers_;
+    std::unique_ptr<WallClock> clock_;
+    bool begun_ = false;
+    std::optional<std::uint64_t> last_step_;
+    bool asked_twice_ = false;  ///< for one step: what it did did not end the wait
+};
+
+}  // namespace rhexis::station
