@@ -145,13 +145,13 @@ Status check_folder(const std::string& folder, bool resume) {
                               "another --out, or none: each attempt has a folder of its own then"});
 }
 
-Result<KeptAttempt> begin_kept(const AttemptArguments& given, const AttemptOptions& options) {
+Result<KeptAttempt> begin_kept(const AttemptArguments& given, const AttemptOptions& options, bool resume) {
     if (given.keep.trainee.empty()) {
         return KeptAttempt::begin(given.keep, {}, "", 0, "", false);
     }
     const Result<ExerciseHost> host = ExerciseHost::load(options.exercise);
     return host ? KeptAttempt::begin(given.keep, host.value().identity(), given.surgeon, given.seed, options.folder,
-                                     false)
+                                     resume)
                 : host.error();
 }
 

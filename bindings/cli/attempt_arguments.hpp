@@ -54,8 +54,8 @@ AttemptOptions attempt_options(const AttemptArguments& given, std::map<std::stri
 /// A trainee's attempt is not written over: the store names its folder.
 Status check_folder(const std::string& folder, bool resume);
 
-/// The exercise is loaded first, so that its mistakes show before anything is stored.
-Result<KeptAttempt> begin_kept(const AttemptArguments& given, const AttemptOptions& options);
+/// The exercise is loaded first, so that its mistakes show before anything is stored. resume: as KeptAttempt::begin.
+Result<KeptAttempt> begin_kept(const AttemptArguments& given, const AttemptOptions& options, bool resume = false);
 
 void print_objectives(const nlohmann::json& report);
 /// How many were made, and which.

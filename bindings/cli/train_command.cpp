@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/folder_lock.hpp"
 #include "cli/attempt_arguments.hpp"
@@ -30,6 +31,7 @@ constexpr const char* train_help =
 constexpr const char* library = "rhexis-window.so";
 
 struct TrainOptions : AttemptArguments {
+    std::string resume;
     std::string mapping;
     std::string events;
     bool again = false;
@@ -64,9 +66,46 @@ Result<station::Entry*> load_station() {
     return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
 }
 
+/// What of a recording says how its attempt was begun.
+void begin_as(const RecordingHeader& header, AttemptArguments& given) {
+    given.curriculum = header.curriculum;
+    given.seed = header.seed;
+    for (const auto& [key, value] : header.set) {
+        given.set.push_back(key + "=" + value);
+    }
+}
+
+/// An attempt that was cut short, as far as its recording goes; it stays in its folder under another name.
+Result<GoingOn> cut_short(const std::string& folder, const TrainOptions& given) {
+    const std::string path = recording_path(folder);
+    if (!path.ends_with(".part")) {
+        return Error{"no attempt was cut short in this folder", folder, "one with recording.rhx.part"};
+    }
+    Result<Recording> recording = read_recording(path);
+    if (!recording) {
+        return recording.error();
+    }
+    recording.value().header.scene.threads = given.threads;
+    recording.value().header.scene.instruction_set = given.instruction_set;
+    const std::uint64_t last = recording.value().steps.size();
+    return going_on_from(std::move(recording).value(), last);
+}
+
 int train(TrainOptions given, const Context& context) {
     given.keep.root = context.root;
     given.surgeon = "none";
+    std::optional<GoingOn> before;
+    if (!given.resume.empty()) {
+        Result<GoingOn> found = cut_short(given.resume, given);
+        if (!found) {
+            return complain(found.error());
+        }
+        before.emplace(std::move(found).value());
+        begin_as(before->recording.header, given);
+        given.out = given.resume;
+    } else if (given.curriculum.empty()) {
+        return complain({"which exercise?", "train", "rhexis train EXERCISE; curricula/ has them"});
+    }
     const Status status = check_attempt_arguments(given);
     if (!status) {
         return complain(status.error());
@@ -84,7 +123,7 @@ int train(TrainOptions given, const Context& context) {
     if (given.out.empty()) {
         const std::string who = given.keep.trainee.empty() ? "person" : given.keep.trainee;
         options.attempt.folder = "runs/" + folder_name_of(exercise_name(given.curriculum), who);
-    } else if (const Status free = check_folder(given.out, false); !free) {
+    } else if (const Status free = check_folder(given.out, before.has_value()); !free) {
         return complain(free.error());
     }
     options.mapping = given.mapping;
@@ -101,12 +140,20 @@ int train(TrainOptions given, const Context& context) {
     if (!lock) {
         return complain(lock.error());
     }
-    Result<Start> start = find_start({given.curriculum, given.start, set.value(), context.root, false, given.opening});
-    if (!start) {
-        return complain(start.error());
+    if (before) {
+        options.attempt.going_on = &*before;
+        if (const Result<std::string> aside = put_aside(recording_path(given.resume)); !aside) {
+            return complain(aside.error());
+        }
+    } else {
+        Result<Start> start =
+            find_start({given.curriculum, given.start, set.value(), context.root, false, given.opening});
+        if (!start) {
+            return complain(start.error());
+        }
+        options.attempt.start = std::move(start).value();
     }
-    options.attempt.start = std::move(start).value();
-    Result<KeptAttempt> kept = begin_kept(given, options.attempt);
+    Result<KeptAttempt> kept = begin_kept(given, options.attempt, before.has_value());
     if (!kept) {
         return complain(kept.error());
     }
@@ -135,8 +182,9 @@ void add_train(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("train", "Operate yourself, in a window");
     command->footer(train_help);
     auto given = std::make_shared<TrainOptions>();
-    command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
+    command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/");
     add_attempt_arguments(*command, *given);
+    command->add_option("--resume", given->resume, "Go on with an attempt that was cut short: its folder");
     command->add_option("--mapping", given->mapping, "What each key and button does [assets/station/mouse.json, or gamepad.json]");
     CLI::Option* events = command->add_option("--events", given->events, "File to keep what you do in, event by event");
     command->add_flag("--again", given->again, "Do what that file holds again, step by step")->needs(events);

@@ -290,21 +290,6 @@ Result<AttemptResult> attempt_once(const AttemptOptions& options, std::optional<
     return result;
 }
 
-/// Under a name of its own: "left_1.rhx" for "recording.rhx", the first that is free.
-Result<std::string> put_aside(const std::string& recording) {
-    const std::filesystem::path path(recording);
-    for (int number = 1;; ++number) {
-        std::filesystem::path aside = path;
-        aside.replace_filename("left_" + std::to_string(number) + ".rhx");
-        std::error_code failed;
-        if (std::filesystem::exists(aside, failed)) {
-            continue;
-        }
-        std::filesystem::rename(path, aside, failed);
-        return failed ? Result<std::string>(cannot_write(aside.string(), failed.value())) : aside.string();
-    }
-}
-
 }  // namespace
 
 Result<AttemptResult> attempt(const AttemptOptions& options) {

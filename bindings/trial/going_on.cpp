@@ -2,8 +2,11 @@
 #include "trial/going_on.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
+
+#include "base/output_file.hpp"
 
 namespace rhexis {
 
@@ -15,6 +18,20 @@ Result<GoingOn> going_on_from(Recording recording, std::uint64_t step) {
     recording.steps.resize(step);
     std::erase_if(recording.checkpoints, [step](const Snapshot& snapshot) { return snapshot.step > step; });
     return GoingOn{std::move(recording), step};
+}
+
+Result<std::string> put_aside(const std::string& recording) {
+    const std::filesystem::path path(recording);
+    for (int number = 1;; ++number) {
+        std::filesystem::path aside = path;
+        aside.replace_filename("left_" + std::to_string(number) + ".rhx");
+        std::error_code failed;
+        if (std::filesystem::exists(aside, failed)) {
+            continue;
+        }
+        std::filesystem::rename(path, aside, failed);
+        return failed ? Result<std::string>(cannot_write(aside.string(), failed.value())) : aside.string();
+    }
 }
 
 Status CaughtUp::start(const ObservationSchema& schema, const std::vector<std::string>& instruments) {
