@@ -235,8 +235,12 @@ struct Fingers::Work {
         const Tuning& tuning = fingers.mapping_.tuning();
         const std::string axis = source_of(ControlId::pedal, 1.0, true);
         if (fingers.style_ == Style::pad && !axis.empty()) {
-            const double share =
-                goal <= 0.0 ? 0.0 : inverse_of([&](double v) { return pedal_of(v, tuning); }, std::min(goal, 3.0));
+            double share = 0.0;
+            if (goal > 1.0) {
+                share = inverse_of([&](double v) { return pedal_of(v, tuning); }, std::min(goal, 3.0));
+            } else if (goal > 0.0) {
+                share = 0.5 * (tuning.pedal_first + tuning.pedal_second);
+            }
             const double value = grained(tuning.pedal_rest + share * (tuning.pedal_full - tuning.pedal_rest));
             if (!hands.state().pedal_goal || std::abs(*hands.state().pedal_goal - goal) > same_mm) {
                 emit(event_of(axis, value));

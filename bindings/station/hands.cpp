@@ -106,7 +106,14 @@ double Hands::level(ControlId id) const {
 
 double Hands::speed_share() const { return level(ControlId::fine) > down ? mapping_->tuning().fine : 1.0; }
 
-void Hands::take(const UserEvent& event, const Surroundings& around) {
+void Hands::take(const UserEvent& given, const Surroundings& around) {
+    if (!std::isfinite(given.value) || !std::isfinite(given.x) || !std::isfinite(given.y)) {
+        return;  // a device that is broken
+    }
+    UserEvent event = given;
+    if (event.kind == EventKind::axis) {
+        event.value = std::clamp(event.value, -1.0, 1.0);
+    }
     if (event.kind == EventKind::quit) {
         state_.stop = true;
         return;
@@ -357,9 +364,11 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
         if (hand.inside) {
             const double share_of_tunnel = std::clamp(1.0 + now.out / funnel_mm, 0.0, 1.0);
             goal.z() += share_of_tunnel * (wound->z() - goal.z());
-        } else if (now.out > 0.0) {
+        } else if (now.out > 0.0) {  // as high over the way in as it was
+            goal.z() += hand.out > 0.0 ? 0.5 * (now.out - hand.out) : 0.0;
             goal.z() = hand.wanted.z() = std::max(goal.z(), now.height);
         }
+        hand.out = now.out;
     }
     const Vec3 left = goal - hand.tip;
     const double longest = fastest_tip * dt;

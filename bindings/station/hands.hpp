@@ -35,6 +35,7 @@ struct HandState {
     Vec3 wanted = Vec3::Zero();      ///< where the tip is to be, as far as its wound lets it [mm]
     Vec3 tip = Vec3::Zero();         ///< [mm]
     Quat orientation = Quat::Identity();
+    double out = 0.0;                ///< how far it is outside its wound; below 0: within the limbus [mm]
     bool inside = false;             ///< its tip has gone in through its wound
     double roll = 0.0;               ///< [deg]
     double jaw = 0.0;                ///< as of a sample

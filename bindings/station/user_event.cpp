@@ -46,10 +46,9 @@ nlohmann::json to_json(const UserEvent& event) {
 }
 
 Result<UserEvent> event_from(const nlohmann::json& json) {
-    const std::string kind = json.is_object() ? json.value("event", nlohmann::json("")).dump() : "\"\"";
-    const auto found = std::find_if(kind_names.begin(), kind_names.end(), [&kind](const char* name) {
-        return kind == '"' + std::string(name) + '"';
-    });
+    const nlohmann::json given = json.is_object() ? json.value("event", nlohmann::json("")) : nlohmann::json("");
+    const std::string kind = given.is_string() ? given.get<std::string>() : given.dump();
+    const auto found = std::find(kind_names.begin(), kind_names.end(), kind);
     if (found == kind_names.end()) {
         return Error{"there is no event " + kind, "",
                      suggestion(kind, std::vector<std::string>(kind_names.begin(), kind_names.end()))};
