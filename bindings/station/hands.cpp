@@ -12,8 +12,9 @@ namespace {
 
 constexpr double fastest_tip = 200.0;   ///< of a tip that follows a cursor [mm/s]
 constexpr double meets_within = 0.3;    ///< of a cursor and the tip that it is to move [mm]
-constexpr double funnel_mm = 1.0;       ///< beyond its wound, over which a tip gets the freedom of the eye
-constexpr double sill_mm = 0.6;         ///< over the wound, from which a tip still goes in through it
+constexpr double sill_mm = 0.6;         ///< over or under its wound, from which a tip still goes through it
+constexpr double beside_mm = 1.0;       ///< likewise beside it
+constexpr double lift_mm_s = 5.0;       ///< of a tip that is drawn out under its wound
 constexpr double foot_per_s = 8.0;      ///< positions of the pedal, where the foot goes to one: as virtual surgeons
 constexpr double zoom_per_s = 0.7;
 constexpr double light_per_s = 0.6;
@@ -42,6 +43,25 @@ struct Way {
         height = wound.z() + 0.5 * out;
     }
 };
+
+/// The limbus is a wall, and the wound the way through it. Outside, a tip is as high over the tunnel as it was, so that
+/// it goes in when it is drawn in; inside it is free; drawn out under the wound, it is lifted first.
+void keep_to_way(const Vec3& wound, double dt, HandState& hand) {
+    const Way now(wound, hand.wanted);
+    if (hand.inside) {
+        if (now.out > 0.0 && hand.wanted.z() < wound.z() - sill_mm) {
+            hand.wanted.head<2>() -= now.out * now.outward;
+            hand.wanted.z() += lift_mm_s * dt;
+        }
+        hand.inside = Way(wound, hand.wanted).out <= 0.0;
+    } else if (now.out > 0.0) {
+        hand.wanted.z() += hand.out > 0.0 ? 0.5 * (now.out - hand.out) : 0.0;
+        hand.wanted.z() = std::max(hand.wanted.z(), now.height);
+    } else {
+        hand.inside = hand.wanted.z() <= now.height + sill_mm && std::abs(now.beside) < beside_mm;
+    }
+    hand.out = Way(wound, hand.wanted).out;
+}
 
 }  // namespace
 
@@ -353,24 +373,10 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
                  rate(ControlId::leading_roll, ControlId::other_roll, ControlId::hand_roll);
     squeeze(which, dt);
     const std::optional<Vec3> wound = wound_of(hand.instrument, around);
-    Vec3 goal = hand.wanted;
     if (wound && in_eye(hand.instrument)) {
-        const Way now(*wound, goal);
-        if (hand.inside) {
-            hand.inside = now.out <= 0.0;
-        } else {
-            hand.inside = now.out <= 0.0 && goal.z() <= now.height + sill_mm && std::abs(now.beside) < funnel_mm;
-        }
-        if (hand.inside) {
-            const double share_of_tunnel = std::clamp(1.0 + now.out / funnel_mm, 0.0, 1.0);
-            goal.z() += share_of_tunnel * (wound->z() - goal.z());
-        } else if (now.out > 0.0) {  // as high over the way in as it was
-            goal.z() += hand.out > 0.0 ? 0.5 * (now.out - hand.out) : 0.0;
-            goal.z() = hand.wanted.z() = std::max(goal.z(), now.height);
-        }
-        hand.out = now.out;
+        keep_to_way(*wound, dt, hand);
     }
-    const Vec3 left = goal - hand.tip;
+    const Vec3 left = hand.wanted - hand.tip;
     const double longest = fastest_tip * dt;
     hand.tip += left.norm() > longest ? Vec3(longest * left.normalized()) : left;
     const Result<Quat> orientation =
