@@ -54,10 +54,9 @@ void add_attempt_arguments(CLI::App& command, AttemptArguments& given) {
     command.add_option("--seed", given.seed, "Seed of all chance in the run")->capture_default_str();
     command.add_option("--patient", given.patient, "Patient file (JSON), as in assets/patients/");
     command.add_option("--start", given.start, "Begin in a state: a file, or a name in the exercise's starts.lua");
-    command.add_option(
-        "--opening", given.opening,
-        "Of the bag that an implant is laid into: where it was torn. A state, a recording or the folder "
-        "of a run of a capsulorhexis, or EXERCISE:START");
+    command.add_option("--opening", given.opening,
+                       "Of the bag that an implant is laid into: where it was torn. A state, a recording or the folder "
+                       "of a run of a capsulorhexis, or EXERCISE:START");
     command.add_option("--out", given.out, "Folder for everything [runs/CURRICULUM-SURGEON-SEED]");
     command.add_option("--set", given.set, "Change a value: patient.*, goal.*, or a setting (repeatable)")
         ->take_all()
@@ -78,9 +77,9 @@ void add_attempt_arguments(CLI::App& command, AttemptArguments& given) {
     command.add_option("--cohort", given.keep.cohort, "Of the trainee [as before]");
     command.add_option("--arm", given.keep.arm, "Of the trainee, in a trial [as before]");
     command.add_option("--course", given.keep.course,
-                        "Course of the trainee, whose closed lessons are told [RHEXIS_COURSE, or none]");
+                       "Course of the trainee, whose closed lessons are told [RHEXIS_COURSE, or none]");
     command.add_option("--records", given.keep.store,
-                        "File to store in [RHEXIS_RECORDS, or rhexis/records.db in the user's data folder]");
+                       "File to store in [RHEXIS_RECORDS, or rhexis/records.db in the user's data folder]");
     command.add_option("--limit", given.limit_s, "End the run at this simulated time [s]")->capture_default_str();
 }
 

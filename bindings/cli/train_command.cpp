@@ -10,6 +10,7 @@
 #include "base/folder_lock.hpp"
 #include "cli/attempt_arguments.hpp"
 #include "cli/command.hpp"
+#include "station/event_source.hpp"
 #include "station/station.hpp"
 #include "trial/places.hpp"
 #include "trial/starts.hpp"
@@ -23,7 +24,9 @@ constexpr const char* train_help =
     "  rhexis train capsulorhexis\n"
     "  rhexis train groove --full-screen --trainee P07\n"
     "  rhexis train groove --events mine.jsonl            what you do is kept too, event by event\n"
-    "  rhexis train groove --events mine.jsonl --again    the same done again, step by step\n"
+    "  rhexis train --events mine.jsonl --again           the same done again, step by step\n"
+    "  rhexis train --resume runs/groove-person-20261128-101500    on with an attempt that was cut short\n"
+    "  rhexis train groove --input gamepad                with two sticks and triggers\n"
     "\n"
     "F1 shows what each key and button does; E takes an instrument, the cursor moves its tip, the wheel lifts it,\n"
     "1, 2 and 3 press the pedal, P stops the clock, Escape ends. docs/station.md has the rest.";
@@ -75,6 +78,39 @@ void begin_as(const RecordingHeader& header, AttemptArguments& given) {
     }
 }
 
+/// What the file of events says of the attempt that it is of; what is given besides must agree.
+Status begin_as_events(TrainOptions& given) {
+    const Result<station::EventFile> file = station::read_events(given.events);
+    if (!file) {
+        return file.error();
+    }
+    const nlohmann::json& header = file.value().header;
+    const auto text = [&header](const char* name, const std::string& otherwise) {
+        return header.contains(name) && header[name].is_string() ? header[name].get<std::string>() : otherwise;
+    };
+    const std::string curriculum = text("curriculum", "");
+    if (curriculum.empty() || (!given.curriculum.empty() && given.curriculum != curriculum)) {
+        return Error{"these are events of " + (curriculum.empty() ? "no exercise" : curriculum) + ", not of " +
+                         (given.curriculum.empty() ? "one" : given.curriculum),
+                     given.events, ""};
+    }
+    given.curriculum = curriculum;
+    given.start = text("start", "");
+    given.opening = text("opening", "");
+    given.input = text("input", given.input);
+    if (header.contains("seed") && header["seed"].is_number_unsigned()) {
+        given.seed = header["seed"].get<std::uint64_t>();
+    }
+    if (header.contains("limit_s") && header["limit_s"].is_number()) {
+        given.limit_s = header["limit_s"].get<double>();
+    }
+    const nlohmann::json set = header.contains("set") ? header["set"] : nlohmann::json::object();
+    for (const auto& [key, value] : set.items()) {
+        given.set.push_back(key + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
+    }
+    return success();
+}
+
 /// An attempt that was cut short, as far as its recording goes; it stays in its folder under another name.
 Result<GoingOn> cut_short(const std::string& folder, const TrainOptions& given) {
     const std::string path = recording_path(folder);
@@ -91,6 +127,21 @@ Result<GoingOn> cut_short(const std::string& folder, const TrainOptions& given) 
     return going_on_from(std::move(recording).value(), last);
 }
 
+/// A person's attempt is not begun where its recording could not be kept.
+Status check_room(const std::string& folder, double limit_s) {
+    constexpr double bytes_per_s = 0.3e6;  // of the largest exercises, measured: 0.23e6
+    std::error_code unknown;
+    const std::filesystem::space_info space = std::filesystem::space(folder, unknown);
+    const double needed = bytes_per_s * limit_s;
+    if (unknown || static_cast<double>(space.available) >= needed) {
+        return success();
+    }
+    const auto megabytes = [](double bytes) { return std::to_string(static_cast<long>(bytes / 1e6)) + " MB"; };
+    return Error{"no room for a recording: " + megabytes(static_cast<double>(space.available)) + " are free", folder,
+                 megabytes(needed) + " for " + std::to_string(static_cast<int>(limit_s)) +
+                     " s, another --out, or a shorter --limit"};
+}
+
 int train(TrainOptions given, const Context& context) {
     given.keep.root = context.root;
     given.surgeon = "none";
@@ -103,7 +154,12 @@ int train(TrainOptions given, const Context& context) {
         before.emplace(std::move(found).value());
         begin_as(before->recording.header, given);
         given.out = given.resume;
-    } else if (given.curriculum.empty()) {
+    } else if (given.again) {
+        if (const Status begun = begin_as_events(given); !begun) {
+            return complain(begun.error());
+        }
+    }
+    if (given.curriculum.empty()) {
         return complain({"which exercise?", "train", "rhexis train EXERCISE; curricula/ has them"});
     }
     const Status status = check_attempt_arguments(given);
@@ -136,9 +192,13 @@ int train(TrainOptions given, const Context& context) {
     options.height = given.height;
     options.full_screen = given.full_screen;
     options.picture_every = given.picture_every;
+    options.begun_with = {{"start", given.start}, {"opening", given.opening}, {"limit_s", given.limit_s}};
     const Result<FolderLock> lock = FolderLock::take(options.attempt.folder);
     if (!lock) {
         return complain(lock.error());
+    }
+    if (const Status room = check_room(options.attempt.folder, given.limit_s); !room) {
+        return complain(room.error());
     }
     if (before) {
         options.attempt.going_on = &*before;
@@ -185,13 +245,15 @@ void add_train(CLI::App& app, Context& context) {
     command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/");
     add_attempt_arguments(*command, *given);
     command->add_option("--resume", given->resume, "Go on with an attempt that was cut short: its folder");
-    command->add_option("--mapping", given->mapping, "What each key and button does [assets/station/mouse.json, or gamepad.json]");
+    command->add_option("--mapping", given->mapping,
+                        "What each key and button does [assets/station/mouse.json, or gamepad.json]");
     CLI::Option* events = command->add_option("--events", given->events, "File to keep what you do in, event by event");
     command->add_flag("--again", given->again, "Do what that file holds again, step by step")->needs(events);
     command->add_option("--input", given->input, "What you operate with")
         ->check(CLI::IsMember({"mouse", "gamepad"}))
         ->capture_default_str();
-    CLI::Option* by = command->add_option("--by", given->by, "A virtual surgeon works the devices in your place: a, b, c or d");
+    CLI::Option* by =
+        command->add_option("--by", given->by, "A virtual surgeon works the devices in your place: a, b, c or d");
     command->add_flag("--live", given->live, "With --by: by the wall clock")->needs(by);
     command->add_option("--width", given->width, "Of the window [pixels]")
         ->check(CLI::Range(160, 4096))

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double pad_range = 32767.0;
 constexpr double same_mm = 1e-3;
+constexpr double most_notches = 20.0;  ///< at once
 
 /// Of a monotonic function on 0 to 1, the place where it has this value.
 template <typename Function>
@@ -153,7 +154,8 @@ struct Fingers::Work {
             }
         }
         for (const DeviceSample& sample : samples) {
-            const bool wanted = sample.present && tray.instruments[static_cast<std::size_t>(sample.instrument)].hand_held;
+            const bool wanted =
+                sample.present && tray.instruments[static_cast<std::size_t>(sample.instrument)].hand_held;
             if (!wanted || hand(leading).instrument == sample.instrument ||
                 hand(other).instrument == sample.instrument) {
                 continue;
@@ -179,17 +181,26 @@ struct Fingers::Work {
         if (!hands.state().cursor) {
             press(ControlId::meet);
         }
+        point_coarsely(which, goal, 1.0);
+        level(ControlId::fine, 1.0);
+        point_coarsely(which, goal, fingers.mapping_.tuning().fine);
+        level(ControlId::fine, 0.0);
+    }
+
+    /// As near as a pixel and a notch get, of which each moves this share of its way.
+    void point_coarsely(int which, const Vec3& goal, double share) {
         const HandState& now = hand(which);
         if (hands.state().cursor && (goal - now.wanted).head<2>().norm() > same_mm) {
             const Vec3 from = around.sight.under(*hands.state().cursor, now.tip.z(), now.inside);
             Vec3 to = from;
-            to.head<2>() += (goal - now.wanted).head<2>();
+            to.head<2>() += (goal - now.wanted).head<2>() / share;
             const Cursor cursor = grained_cursor(around.sight.cursor_on(to, now.inside));
             emit({EventKind::pointer, "", 0.0, cursor.x(), cursor.y()});
         }
-        const double notches = std::round((goal.z() - hand(which).wanted.z()) / fingers.mapping_.tuning().notch_mm);
+        const double notch = share * fingers.mapping_.tuning().notch_mm;
+        const double notches = std::round((goal.z() - hand(which).wanted.z()) / notch);
         if (notches != 0.0) {
-            emit({EventKind::wheel, "", std::clamp(notches, -20.0, 20.0), 0.0, 0.0});
+            emit({EventKind::wheel, "", std::clamp(notches, -most_notches, most_notches), 0.0, 0.0});
         }
     }
 
@@ -211,7 +222,9 @@ struct Fingers::Work {
             case Squeeze::presses: {
                 const double wanted = instrument.squeeze == Squeeze::closes ? 1.0 - jaw : jaw;
                 const double up = instrument.squeeze == Squeeze::closes ? -error : error;
-                level(ControlId::squeeze, fingers.style_ == Style::pad ? wanted : up > -0.5 * step && wanted > 0.0 ? 1.0 : 0.0);
+                level(ControlId::squeeze, fingers.style_ == Style::pad       ? wanted
+                                          : up > -0.5 * step && wanted > 0.0 ? 1.0
+                                                                             : 0.0);
                 break;
             }
             case Squeeze::pushes:
@@ -269,7 +282,9 @@ struct Fingers::Work {
         if (sample.present && around.microscope) {
             way = sample.pose.position - *around.microscope;
         }
-        const auto share = [&](double mm) { return std::abs(mm) < 0.5 * microscope_mm_s * dt ? 0.0 : std::copysign(1.0, mm); };
+        const auto share = [&](double mm) {
+            return std::abs(mm) < 0.5 * microscope_mm_s * dt ? 0.0 : std::copysign(1.0, mm);
+        };
         rate(ControlId::microscope_x, share(way.x()));
         rate(ControlId::microscope_y, share(way.y()));
         rate(ControlId::microscope_focus, share(way.z()));

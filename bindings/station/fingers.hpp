@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inverse of a mapping: which keys, buttons and axes have to be worked so that hands do what they are to do. With it
-// a virtual surgeon operates through the devices that people have.
+// The inverse of a mapping: which keys, buttons and axes have to be worked so that hands do what they are to do. With
+// it a virtual surgeon operates through the devices that people have.
 #pragma once
 
 #include <vector>

@@ -10,12 +10,12 @@
 namespace rhexis::station {
 namespace {
 
-constexpr double fastest_tip = 200.0;   ///< of a tip that follows a cursor [mm/s]
-constexpr double meets_within = 0.3;    ///< of a cursor and the tip that it is to move [mm]
-constexpr double sill_mm = 0.6;         ///< over or under its wound, from which a tip still goes through it
-constexpr double beside_mm = 1.0;       ///< likewise beside it
-constexpr double lift_mm_s = 5.0;       ///< of a tip that is drawn out under its wound
-constexpr double foot_per_s = 8.0;      ///< positions of the pedal, where the foot goes to one: as virtual surgeons
+constexpr double fastest_tip = 200.0;  ///< of a tip that follows a cursor [mm/s]
+constexpr double meets_within = 0.3;   ///< of a cursor and the tip that it is to move [mm]
+constexpr double sill_mm = 0.6;        ///< over or under its wound, from which a tip still goes through it
+constexpr double beside_mm = 1.0;      ///< likewise beside it
+constexpr double lift_mm_s = 5.0;      ///< of a tip that is drawn out under its wound
+constexpr double foot_per_s = 8.0;     ///< positions of the pedal, where the foot goes to one: as virtual surgeons
 constexpr double zoom_per_s = 0.7;
 constexpr double light_per_s = 0.6;
 constexpr double least_zoom = 0.6;
@@ -379,8 +379,7 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
     const Vec3 left = hand.wanted - hand.tip;
     const double longest = fastest_tip * dt;
     hand.tip += left.norm() > longest ? Vec3(longest * left.normalized()) : left;
-    const Result<Quat> orientation =
-        holds_->orientation(tool_name(hand.instrument), wound, hand.tip, hand.roll);
+    const Result<Quat> orientation = holds_->orientation(tool_name(hand.instrument), wound, hand.tip, hand.roll);
     if (!orientation) {
         return orientation.error();
     }
@@ -401,10 +400,10 @@ void Hands::press_pedal(double dt) {
 
 Status Hands::advance(const Surroundings& around, double dt) {
     press_pedal(dt);
-    state_.zoom = std::clamp(state_.zoom * std::exp(level(ControlId::microscope_zoom) * zoom_per_s * dt), least_zoom,
-                             most_zoom);
-    state_.light = std::clamp(state_.light + level(ControlId::microscope_light) * light_per_s * dt, least_light,
-                              most_light);
+    state_.zoom =
+        std::clamp(state_.zoom * std::exp(level(ControlId::microscope_zoom) * zoom_per_s * dt), least_zoom, most_zoom);
+    state_.light =
+        std::clamp(state_.light + level(ControlId::microscope_light) * light_per_s * dt, least_light, most_light);
     for (const int which : {leading, other}) {
         if (Status moved = move(which, around, dt); !moved) {
             return moved;

@@ -31,14 +31,14 @@ inline constexpr int leading = 0;
 inline constexpr int other = 1;
 
 struct HandState {
-    int instrument = -1;             ///< index in the scene; -1: empty
-    Vec3 wanted = Vec3::Zero();      ///< where the tip is to be, as far as its wound lets it [mm]
-    Vec3 tip = Vec3::Zero();         ///< [mm]
+    int instrument = -1;         ///< index in the scene; -1: empty
+    Vec3 wanted = Vec3::Zero();  ///< where the tip is to be, as far as its wound lets it [mm]
+    Vec3 tip = Vec3::Zero();     ///< [mm]
     Quat orientation = Quat::Identity();
-    double out = 0.0;                ///< how far it is outside its wound; below 0: within the limbus [mm]
-    bool inside = false;             ///< its tip has gone in through its wound
-    double roll = 0.0;               ///< [deg]
-    double jaw = 0.0;                ///< as of a sample
+    double out = 0.0;     ///< how far it is outside its wound; below 0: within the limbus [mm]
+    bool inside = false;  ///< its tip has gone in through its wound
+    double roll = 0.0;    ///< [deg]
+    double jaw = 0.0;     ///< as of a sample
 };
 
 /// Changes with each event and step.
@@ -52,11 +52,11 @@ struct HandsState {
     double pedal = 0.0;         ///< 0 to 3
     std::optional<double> pedal_goal;
     bool paused = false;
-    double light = 1.0;     ///< of the microscope
-    double zoom = 1.0;      ///< of the picture
-    int dial = 0;           ///< chosen
-    int request = 0;        ///< chosen
-    bool help = false;      ///< the list of controls shows
+    double light = 1.0;  ///< of the microscope
+    double zoom = 1.0;   ///< of the picture
+    int dial = 0;        ///< chosen
+    int request = 0;     ///< chosen
+    bool help = false;   ///< the list of controls shows
     bool ghost = false;
     bool stop = false;
     bool try_again = false;
@@ -64,12 +64,13 @@ struct HandsState {
     std::vector<double> dials;  ///< their values
     std::vector<int> turned;    ///< dials since the last step
     std::vector<int> requests;  ///< made since the last step
-    std::string word;              ///< why something could not be done; empty: nothing to say
+    std::string word;           ///< why something could not be done; empty: nothing to say
 };
 
 /// From what an axis says: fine near the middle, beyond the dead zone. -1 to 1.
 double rate_of_stick(double value, const Tuning& tuning);
-/// The share of a pedal's travel as the machine takes it: 0, 1 up to the second position, then travel within each. 0 to 3.
+/// The share of a pedal's travel as the machine takes it: 0, 1 up to the second position, then travel within each. 0
+/// to 3.
 double pedal_of(double share, const Tuning& tuning);
 
 class Hands {

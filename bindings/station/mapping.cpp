@@ -14,7 +14,7 @@ namespace {
 
 struct TuningField {
     const char* name;
-    double Tuning::* value;
+    double Tuning::*value;
     double low;
     double high;
 };

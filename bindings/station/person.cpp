@@ -65,8 +65,7 @@ Status Person::look(Moment& moment) {
 
 /// False: nothing comes any more.
 Result<bool> Person::take_events(const Session& session) {
-    const Result<std::vector<UserEvent>> events =
-        source_.take(made_, hands_->waits(), *hands_, *around_, session);
+    const Result<std::vector<UserEvent>> events = source_.take(made_, hands_->waits(), *hands_, *around_, session);
     if (!events) {
         return events.error();
     }

@@ -16,9 +16,9 @@ namespace rhexis::station {
 
 struct PersonOptions {
     Mapping mapping;
-    std::string device;            ///< "mouse", "gamepad"
-    std::string root;              ///< folder of scripts/
-    std::uint64_t show_every = 1;  ///< steps per picture
+    std::string device;              ///< "mouse", "gamepad"
+    std::string root;                ///< folder of scripts/
+    std::uint64_t show_every = 1;    ///< steps per picture
     bool wait_for_pictures = false;  ///< each is drawn before the next step: stepped
 };
 
@@ -53,12 +53,12 @@ private:
     std::optional<Hands> hands_;
     std::optional<Surroundings> around_;
     std::vector<std::string> said_;
-    bool exam_ = false;                          ///< aids are refused
-    std::uint64_t made_ = 0;                     ///< steps, those that were gone back over too: to which events belong
-    std::uint64_t kept_step_ = 0;                ///< the moment to go back to
-    std::optional<std::uint64_t> back_;          ///< wanted now
-    std::vector<Command> aids_;                  ///< to be told with the next step
-    double slowed_s_ = 0.0;                      ///< not yet told
+    bool exam_ = false;                  ///< aids are refused
+    std::uint64_t made_ = 0;             ///< steps, those that were gone back over too: to which events belong
+    std::uint64_t kept_step_ = 0;        ///< the moment to go back to
+    std::optional<std::uint64_t> back_;  ///< wanted now
+    std::vector<Command> aids_;          ///< to be told with the next step
+    double slowed_s_ = 0.0;              ///< not yet told
 };
 
 /// A camera whose picture is so many times larger; what the eyepiece shows stays as wide.

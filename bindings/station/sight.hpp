@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where in the picture a place of the room shows, and what a cursor points at: the lines of sight of the picture that is
-// drawn, of a size of its own, so that a window's size changes nothing.
+// Where in the picture a place of the room shows, and what a cursor points at: the lines of sight of the picture that
+// is drawn, of a size of its own, so that a window's size changes nothing.
 #pragma once
 
 #include <optional>

@@ -11,13 +11,15 @@ namespace rhexis::station {
 
 struct StationOptions {
     AttemptOptions attempt;
-    std::string mapping;     ///< file; empty: the standard one
-    std::string events;      ///< file: done again if it is there, else written; empty: neither
-    bool again = false;      ///< `events` is done again, step by step
-    std::string by;          ///< virtual surgeon who works the devices in a person's place; empty: a person does
-    bool pad = false;        ///< with pad and pedal, not with mouse and keys
-    bool live = false;       ///< that surgeon keeps to the wall clock
-    int width = 1280;        ///< of the window [pixels]
+    std::string mapping;  ///< file; empty: the standard one
+    std::string events;   ///< file: done again if it is there, else written; empty: neither
+    nlohmann::json begun_with =
+        nlohmann::json::object();  ///< for that file: "start", "opening", "limit_s" as asked for
+    bool again = false;            ///< `events` is done again, step by step
+    std::string by;                ///< virtual surgeon who works the devices in a person's place; empty: a person does
+    bool pad = false;              ///< with pad and pedal, not with mouse and keys
+    bool live = false;             ///< that surgeon keeps to the wall clock
+    int width = 1280;              ///< of the window [pixels]
     int height = 960;
     bool full_screen = false;
     int picture_every = 4;  ///< steps, where events are done again
@@ -25,7 +27,7 @@ struct StationOptions {
 
 struct StationResult {
     AttemptResult attempt;
-    std::string device;        ///< what drew
+    std::string device;  ///< what drew
     double pictures_per_s = 0.0;
     double slowest_rate = 1.0;  ///< simulated seconds per second
 };

@@ -192,7 +192,8 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
     VirtualSurgeon surgeon(host);
     Operator& whoever = options.guest != nullptr ? static_cast<Operator&>(*options.guest) : surgeon;
     CaughtUp exercise(host, options.going_on);
-    const Result<TrialOutcome> outcome = Trial(timeline, &exercise, whoever, std::move(observers), {options.limit_s}).run();
+    const Result<TrialOutcome> outcome =
+        Trial(timeline, &exercise, whoever, std::move(observers), {options.limit_s}).run();
     if (!outcome) {
         return outcome.error();
     }
@@ -281,7 +282,8 @@ Result<AttemptResult> attempt_once(const AttemptOptions& options, std::optional<
         return writer.error();
     }
     PictureBook* pictures = book.value() ? &*book.value() : nullptr;
-    Result<AttemptResult> result = operate(options, host.value(), session.value(), std::move(writer).value(), pictures, back);
+    Result<AttemptResult> result =
+        operate(options, host.value(), session.value(), std::move(writer).value(), pictures, back);
     if (!result || back) {
         return result;
     }

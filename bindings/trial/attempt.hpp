@@ -46,8 +46,8 @@ struct AttemptOptions {
     double limit_s = 600.0;  ///< simulated time after which the run ends whatever the exercise says
     bool quiet = false;      ///< no progress
     nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
-    const GoingOn* going_on = nullptr;  ///< outlives the attempt; null: it begins
-    Guest* guest = nullptr;  ///< null: the virtual surgeon of the exercise, or nobody
+    const GoingOn* going_on = nullptr;                     ///< outlives the attempt; null: it begins
+    Guest* guest = nullptr;                                ///< null: the virtual surgeon of the exercise, or nobody
     bool watch = false;  ///< the exercise is read again between two steps when its files have changed
 };
 

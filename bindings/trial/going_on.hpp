@@ -20,8 +20,8 @@ struct GoingOn {
 /// From the last step of a recording, or an earlier one. Fails where there is no such step.
 Result<GoingOn> going_on_from(Recording recording, std::uint64_t step);
 
-/// Gives a recording a name of its own, the first of "left_1.rhx", "left_2.rhx" ... that is free, which is returned: what
-/// is gone on from is not written over.
+/// Gives a recording a name of its own, the first of "left_1.rhx", "left_2.rhx" ... that is free, which is returned:
+/// what is gone on from is not written over.
 Result<std::string> put_aside(const std::string& recording);
 
 /// Lets an exercise see what was recorded before it sees what comes: it then stands where it stood.

@@ -19,7 +19,7 @@ inline constexpr int report_schema = 1;
 struct ReportInput {
     nlohmann::json identity;  ///< of the curriculum
     std::string surgeon;
-    std::string device;  ///< that a person operated with: "mouse"; empty: no person did
+    std::string device;                      ///< that a person operated with: "mouse"; empty: no person did
     std::map<std::string, std::string> set;  ///< what --set changed, habits of the surgeon included
     std::uint64_t seed = 0;
     std::string start;            ///< state file that the run began from; empty: the eye at rest

@@ -49,6 +49,7 @@ nlohmann::json Timing::performance(double simulated_s) const {
             {"cpu_s_per_s", simulated_s > 0.0 ? five_places(cpu_s_ / simulated_s) : 0.0},
             {"mean_step_ms", sorted.empty() ? 0.0 : five_places(sum / count)},
             {"p99_step_ms", sorted.empty() ? 0.0 : five_places(sorted[p99])},
+            {"worst_step_ms", sorted.empty() ? 0.0 : five_places(sorted.back())},
             {"rollbacks", rollbacks_}};
 }
 

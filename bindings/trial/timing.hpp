@@ -13,8 +13,8 @@ class Timing final : public TrialObserver {
 public:
     Status stepped(const TrialStep& step) override;
 
-    /// {"steps","cpu_s_per_s","mean_step_ms","p99_step_ms","rollbacks"} of report.json; times of the kernel's step, all
-    /// threads, without scripts and pictures.
+    /// {"steps","cpu_s_per_s","mean_step_ms","p99_step_ms","worst_step_ms","rollbacks"} of report.json; times of the
+    /// kernel's step, all threads, without scripts and pictures.
     [[nodiscard]] nlohmann::json performance(double simulated_s) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An OpenGL 3.3 context: without a window, through EGL, on a GPU where there is one, else Mesa's CPU rasteriser; or that
-// of a window, which others made.
+// An OpenGL 3.3 context: without a window, through EGL, on a GPU where there is one, else Mesa's CPU rasteriser; or
+// that of a window, which others made.
 #pragma once
 
 #include <string>

@@ -126,9 +126,7 @@ void Renderer::Parts::look_at(const Frame& frame) {
     }
 }
 
-Result<Renderer> Renderer::create(int width, int height) {
-    return create_with(GlContext::create(), width, height);
-}
+Result<Renderer> Renderer::create(int width, int height) { return create_with(GlContext::create(), width, height); }
 
 Result<Renderer> Renderer::create_in_window(int width, int height) {
     return create_with(GlContext::current(), width, height);

@@ -65,7 +65,8 @@ Status check_same_scene(const PreparedState& state, const SceneDescription& here
         const bool alike = torn == text_of(here.opening);
         differences.add("opening", torn, alike ? "another" : text_of(here.opening));
     }
-    differences.add_settings(state.snapshot.settings, fresh.settings, [](const SettingInfo& info) { return !info.name.starts_with("microscope."); });
+    differences.add_settings(state.snapshot.settings, fresh.settings,
+                             [](const SettingInfo& info) { return !info.name.starts_with("microscope."); });
     return differences.text().empty()
                ? success()
                : Status(Error{"the state was made for another scene: " + differences.text(), "", ""});

@@ -29,7 +29,7 @@ struct Verification {
 class RecordedHand final : public Operator {
 public:
     enum class Gives {
-        all,      ///< samples and commands: nothing judges
+        all,   ///< samples and commands: nothing judges
         input  ///< samples, what was asked of the staff and the dials turned: the exercise says the rest anew
     };
     explicit RecordedHand(const Recording& recording, Gives gives = Gives::all, std::uint64_t last = ~std::uint64_t{0})

@@ -14,9 +14,7 @@ constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
-UserEvent worked(ControlId id, double value = 1.0) {
-    return {EventKind::control, control(id).name, value, 0.0, 0.0};
-}
+UserEvent worked(ControlId id, double value = 1.0) { return {EventKind::control, control(id).name, value, 0.0, 0.0}; }
 
 std::string held(const Shown& shown, const Tray& tray, int which) {
     const HandState& hand = shown.hands.hands[static_cast<std::size_t>(which)];
@@ -33,7 +31,8 @@ void draw_state(const Shown& shown, const Tray& tray, double pictures_per_s) {
     if (!tray.dials.empty()) {
         const auto at = static_cast<std::size_t>(shown.hands.dial);
         const Dial& dial = tray.dials[at];
-        ImGui::Text("%s = %g %s", dial.setting.c_str(), shown.hands.dials[at], dial.unit == "1" ? "" : dial.unit.c_str());
+        ImGui::Text("%s = %g %s", dial.setting.c_str(), shown.hands.dials[at],
+                    dial.unit == "1" ? "" : dial.unit.c_str());
     }
     if (!tray.requests.empty()) {
         ImGui::Text("ask: %s", tray.requests[static_cast<std::size_t>(shown.hands.request)].title.c_str());

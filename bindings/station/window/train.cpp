@@ -135,10 +135,13 @@ struct Prepared {
 };
 
 nlohmann::json events_header(const StationOptions& options, const Mapping& mapping) {
-    return {{"curriculum", options.attempt.exercise.curriculum},
-            {"seed", options.attempt.exercise.seed},
-            {"set", options.attempt.exercise.set},
-            {"mapping", mapping.to_json()}};
+    nlohmann::json header = options.begun_with;
+    header["curriculum"] = options.attempt.exercise.curriculum;
+    header["seed"] = options.attempt.exercise.seed;
+    header["set"] = options.attempt.exercise.set;
+    header["input"] = options.pad ? "gamepad" : "mouse";
+    header["mapping"] = mapping.to_json();
+    return header;
 }
 
 Result<Prepared> prepare(const StationOptions& options) {
@@ -203,8 +206,7 @@ Result<StationResult> train(const StationOptions& options) {
     if (!window) {
         return window.error();
     }
-    Result<Renderer> renderer =
-        Renderer::create_in_window(window.value().width(), window.value().height());
+    Result<Renderer> renderer = Renderer::create_in_window(window.value().width(), window.value().height());
     if (!renderer) {
         return renderer.error();
     }
@@ -219,8 +221,7 @@ Result<StationResult> train(const StationOptions& options) {
         return made_source.error();
     }
     const std::unique_ptr<EventSource> source = std::move(made_source).value();
-    const PersonOptions of_person{prepared.mapping, options.pad ? "gamepad" : "mouse",
-                                  options.attempt.exercise.root,
+    const PersonOptions of_person{prepared.mapping, options.pad ? "gamepad" : "mouse", options.attempt.exercise.root,
                                   static_cast<std::uint64_t>(options.picture_every), is_stepped(options)};
     Person person(of_person, *source, desk, prepared.writer ? &*prepared.writer : nullptr);
     AttemptOptions of_attempt = options.attempt;

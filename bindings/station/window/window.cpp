@@ -81,8 +81,8 @@ Result<Window> Window::open(const std::string& title, int width, int height, boo
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
-    const Uint32 flags = SDL_WINDOW_OPENGL | (full_screen ? SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_BORDERLESS
-                                                          : SDL_WINDOW_RESIZABLE);
+    const Uint32 flags = SDL_WINDOW_OPENGL |
+                         (full_screen ? SDL_WINDOW_FULLSCREEN_DESKTOP | SDL_WINDOW_BORDERLESS : SDL_WINDOW_RESIZABLE);
     parts->window =
         SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, flags);
     if (parts->window == nullptr) {
@@ -155,7 +155,8 @@ void Window::Parts::read(const SDL_Event& event, std::vector<TimedEvent>& list) 
             int w = 1;
             int h = 1;
             SDL_GetWindowSize(window, &w, &h);
-            add(EventKind::pointer, "", 0.0, (event.motion.x + 0.5 - 0.5 * w) / h, (0.5 * h - event.motion.y - 0.5) / h);
+            add(EventKind::pointer, "", 0.0, (event.motion.x + 0.5 - 0.5 * w) / h,
+                (0.5 * h - event.motion.y - 0.5) / h);
             break;
         }
         case SDL_MOUSEBUTTONDOWN:
@@ -188,8 +189,8 @@ void Window::Parts::read(const SDL_Event& event, std::vector<TimedEvent>& list) 
         case SDL_CONTROLLERBUTTONUP:
             if (pads.contains(event.cbutton.which)) {
                 add(EventKind::press,
-                    std::string("pad.") +
-                        SDL_GameControllerGetStringForButton(static_cast<SDL_GameControllerButton>(event.cbutton.button)),
+                    std::string("pad.") + SDL_GameControllerGetStringForButton(
+                                              static_cast<SDL_GameControllerButton>(event.cbutton.button)),
                     event.type == SDL_CONTROLLERBUTTONDOWN ? 1.0 : 0.0);
             }
             break;

@@ -28,7 +28,7 @@ public:
 
     /// What happened since the last call.
     std::vector<TimedEvent> poll();
-    [[nodiscard]] int width() const;   ///< pixels
+    [[nodiscard]] int width() const;  ///< pixels
     [[nodiscard]] int height() const;
     /// What was drawn becomes visible.
     void present();

@@ -60,8 +60,7 @@ struct DeskScene {
     Surroundings around = around_the_eye();
     Hands hands;
 
-    explicit DeskScene(bool pad = false)
-        : mapping(standard(pad)), holds(loaded()), hands(mapping, tray, holds) {}
+    explicit DeskScene(bool pad = false) : mapping(standard(pad)), holds(loaded()), hands(mapping, tray, holds) {}
     DeskScene(const DeskScene&) = delete;
     DeskScene& operator=(const DeskScene&) = delete;
 

@@ -23,14 +23,32 @@ TEST_SUITE("mapping") {
     TEST_CASE("both standard files reach every control that an exercise needs") {
         for (const bool pad : {false, true}) {
             const Mapping mapping = standard(pad);
-            for (const ControlId id :
-                 {ControlId::next_instrument, ControlId::put_down, ControlId::swap, ControlId::squeeze,
-                  ControlId::release, ControlId::pedal_up, ControlId::pedal_1, ControlId::pedal_2, ControlId::pedal_3,
-                  ControlId::pedal_travel, ControlId::pedal, ControlId::microscope_x, ControlId::microscope_y,
-                  ControlId::microscope_focus, ControlId::microscope_zoom, ControlId::microscope_light,
-                  ControlId::dial_next, ControlId::dial_turn, ControlId::request_next, ControlId::request,
-                  ControlId::pause, ControlId::keep_moment, ControlId::try_again, ControlId::ghost, ControlId::help,
-                  ControlId::stop}) {
+            for (const ControlId id : {ControlId::next_instrument,
+                                       ControlId::put_down,
+                                       ControlId::swap,
+                                       ControlId::squeeze,
+                                       ControlId::release,
+                                       ControlId::pedal_up,
+                                       ControlId::pedal_1,
+                                       ControlId::pedal_2,
+                                       ControlId::pedal_3,
+                                       ControlId::pedal_travel,
+                                       ControlId::pedal,
+                                       ControlId::microscope_x,
+                                       ControlId::microscope_y,
+                                       ControlId::microscope_focus,
+                                       ControlId::microscope_zoom,
+                                       ControlId::microscope_light,
+                                       ControlId::dial_next,
+                                       ControlId::dial_turn,
+                                       ControlId::request_next,
+                                       ControlId::request,
+                                       ControlId::pause,
+                                       ControlId::keep_moment,
+                                       ControlId::try_again,
+                                       ControlId::ghost,
+                                       ControlId::help,
+                                       ControlId::stop}) {
                 CAPTURE(control(id).name);
                 CHECK_FALSE(mapping.inputs_of(id).empty());
             }
