@@ -56,10 +56,10 @@ const char* name_of(AttemptState state) {
 
 std::string attempts_csv(const std::vector<Attempt>& attempts, const CsvStyle& style) {
     Table table(style,
-                {"attempt", "trainee",   "cohort",          "arm",   "exercise",  "version",    "sha256",   "surgeon",
-                 "seed",    "begun_utc", "ended_utc",       "state", "completed", "duration_s", "rubric",   "total",
-                 "max",     "scaled",    "level",           "mode",  "language",  "patient",    "settings", "begun_at",
-                 "input",   "aids",      "error",   "folder",    "recording_sha256"});
+                {"attempt", "trainee",   "cohort",    "arm",    "exercise",        "version",    "sha256",   "surgeon",
+                 "seed",    "begun_utc", "ended_utc", "state",  "completed",       "duration_s", "rubric",   "total",
+                 "max",     "scaled",    "level",     "mode",   "language",        "patient",    "settings", "begun_at",
+                 "input",   "aids",      "error",     "folder", "recording_sha256"});
     for (const Attempt& a : attempts) {
         table.line({table.cell(a.id),
                     table.cell(a.trainee.pseudonym),

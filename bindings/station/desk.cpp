@@ -35,7 +35,10 @@ std::shared_ptr<Shown> Desk::wait_for(std::uint64_t step, double longest_s) {
 void Desk::drawn(std::uint64_t step) {
     const std::lock_guard lock(mutex_);
     drawn_step_ = step;
+    last_drawn_s_ = wall_seconds();
+    first_drawn_s_ = any_drawn_ ? first_drawn_s_ : last_drawn_s_;
     any_drawn_ = true;
+    ++pictures_;
     drawn_.notify_all();
 }
 
@@ -70,6 +73,12 @@ void Desk::show(std::shared_ptr<Shown> shown) {
 bool Desk::wants_picture() const {
     const std::lock_guard lock(mutex_);
     return taken_;
+}
+
+double Desk::pictures_per_s() const {
+    const std::lock_guard lock(mutex_);
+    const double span = last_drawn_s_ - first_drawn_s_;
+    return span > 0.0 ? static_cast<double>(pictures_ - 1) / span : 0.0;
 }
 
 void Desk::wait_until_drawn(std::uint64_t step) {

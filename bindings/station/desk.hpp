@@ -54,6 +54,8 @@ public:
     void show(std::shared_ptr<Shown> shown);
     /// The last picture has been taken to be drawn, so that a newer one is of use.
     [[nodiscard]] bool wants_picture() const;
+    /// From the first that was drawn to the last.
+    [[nodiscard]] double pictures_per_s() const;
     /// Waits until it is drawn, or the window has gone.
     void wait_until_drawn(std::uint64_t step);
     void end();
@@ -68,6 +70,9 @@ private:
     std::shared_ptr<Shown> newest_;
     std::uint64_t drawn_step_ = 0;
     bool any_drawn_ = false;
+    std::uint64_t pictures_ = 0;
+    double first_drawn_s_ = 0.0;
+    double last_drawn_s_ = 0.0;
     mutable bool taken_ = true;  ///< the newest picture
     bool ended_ = false;
     bool closed_ = false;

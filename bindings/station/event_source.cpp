@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/event_source.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "base/clock.hpp"
@@ -14,7 +17,19 @@ namespace {
 constexpr double may_catch_up_s = 0.05;  ///< what runs later than that slows the clock
 constexpr double waits_s = 0.05;         ///< between two looks for events while the clock stands
 constexpr double smoothing = 0.02;       ///< of the rate that is shown
+constexpr double bears_steal = 0.01;     ///< share of a second, of one core
 constexpr const char* version = "rhexis_events";
+
+/// That other machines had this one's cores for; 0 where the system does not say.
+double stolen_seconds() {
+    std::ifstream stat("/proc/stat");
+    std::string name;
+    double value = 0.0;
+    stat >> name;
+    for (int i = 0; i < 8 && stat >> value; ++i) {
+    }
+    return stat ? value / static_cast<double>(::sysconf(_SC_CLK_TCK)) : 0.0;
+}
 
 }  // namespace
 
@@ -32,6 +47,7 @@ Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const 
         }
         const double lost = late > may_catch_up_s ? late - may_catch_up_s : 0.0;
         due_s_ = begun + lost + step_s_;
+        note(std::max(0.0, late), lost);
         slowed_ += smoothing * (step_s_ / (step_s_ + lost) - slowed_);
     }
     std::vector<UserEvent> events;
@@ -40,6 +56,39 @@ Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const 
         events.push_back(std::move(posted.event));
     }
     return events;
+}
+
+void WallClock::note(double late_s, double lost_s) {
+    ++steps_;
+    this_second_.push_back(static_cast<float>(late_s / step_s_));
+    lost_this_second_s_ += lost_s;
+    const double now = wall_seconds();
+    if (now - second_began_s_ < 1.0) {
+        return;
+    }
+    const double stolen = stolen_seconds();
+    if (second_began_s_ > 0.0 && stolen - stolen_before_s_ > bears_steal * (now - second_began_s_)) {
+        ++steal_s_;
+    } else {
+        late_steps_.insert(late_steps_.end(), this_second_.begin(), this_second_.end());
+        lost_s_ += lost_this_second_s_;
+    }
+    this_second_.clear();
+    lost_this_second_s_ = 0.0;
+    second_began_s_ = now;
+    stolen_before_s_ = stolen;
+}
+
+nlohmann::json WallClock::pace() const {
+    std::vector<float> sorted = late_steps_;
+    std::sort(sorted.begin(), sorted.end());
+    const double run_s = static_cast<double>(sorted.size()) * step_s_;
+    const auto at = [&](double share) {
+        return sorted.empty() ? 0.0F : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    };
+    return {{"late_p99_9_steps", at(0.999)},
+            {"slowed_share", run_s > 0.0 ? lost_s_ / (run_s + lost_s_) : 0.0},
+            {"steal_s", steal_s_}};
 }
 
 Result<EventFile> read_events(const std::string& path) {

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] virtual bool over() const { return false; }
     /// Simulated seconds per second of the clock, of late.
     [[nodiscard]] virtual double slowed() const { return 1.0; }
+    /// How it kept to the wall clock; null: there is none.
+    [[nodiscard]] virtual nlohmann::json pace() const { return nullptr; }
     /// Number of the last posted event that was given.
     [[nodiscard]] virtual std::uint64_t last_number() const { return 0; }
 };
@@ -38,10 +40,23 @@ public:
                                         const Session& session) override;
     [[nodiscard]] double slowed() const override { return slowed_; }
     [[nodiscard]] std::uint64_t last_number() const override { return number_; }
+    /// {"late_p99_9_steps", "slowed_share", "steal_s": seconds in which other machines had more than a hundredth of the
+    /// cores, whose steps are left out}
+    [[nodiscard]] nlohmann::json pace() const override;
 
 private:
+    void note(double late_s, double lost_s);
+
     Desk& desk_;
     double step_s_;
+    std::vector<float> late_steps_{};  ///< of each step, left out those of seconds with steal
+    std::vector<float> this_second_{};
+    double second_began_s_ = 0.0;
+    double stolen_before_s_ = 0.0;
+    int steal_s_ = 0;
+    double lost_s_ = 0.0;
+    double lost_this_second_s_ = 0.0;
+    std::uint64_t steps_ = 0;
     double due_s_ = 0.0;  ///< of the next step; 0: as soon as it is asked for
     double slowed_ = 1.0;
     std::uint64_t number_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "flow/microscope.hpp"
@@ -63,6 +64,40 @@ void keep_to_way(const Vec3& wound, double dt, HandState& hand) {
     hand.out = Way(wound, hand.wanted).out;
 }
 
+std::optional<Vec3> landmark(const Surroundings& around, const std::string& name) {
+    const auto found = std::find_if(around.landmarks.begin(), around.landmarks.end(),
+                                    [&](const Landmark& mark) { return mark.visible && mark.name == name; });
+    return found == around.landmarks.end() ? std::nullopt : std::optional<Vec3>(found->position);
+}
+
+/// An instrument that works through one wound works through the other, and so it is with those that work where a wound
+/// is or is to be, from outside.
+std::vector<std::string> wounds_like(const std::string& wound) {
+    if (wound == "incision" || wound == "side_port") {
+        return {"incision", "side_port"};
+    }
+    if (wound == "incision_site" || wound == "side_port_site") {
+        return {"incision_site", "side_port_site"};
+    }
+    return {wound};
+}
+
+/// The wound that a shaft goes through.
+std::string wound_on_shaft(const Surroundings& around, const std::string& usual, const Pose& pose) {
+    std::string nearest = usual;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::string& name : wounds_like(usual)) {
+        if (const std::optional<Vec3> place = landmark(around, name)) {
+            const double beside = pose.to_body(*place).head<2>().norm();
+            nearest = beside < least ? name : nearest;
+            least = std::min(least, beside);
+        }
+    }
+    return nearest;
+}
+
+bool leads_inside(const std::string& wound) { return wound == "incision" || wound == "side_port"; }
+
 }  // namespace
 
 double pedal_of(double share, const Tuning& tuning) {
@@ -94,16 +129,17 @@ Hands::Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds)
     }
 }
 
-std::optional<Vec3> Hands::wound_of(int instrument, const Surroundings& around) const {
-    const auto found = std::find_if(around.landmarks.begin(), around.landmarks.end(), [&](const Landmark& mark) {
-        return mark.visible && mark.name == wounds_[static_cast<std::size_t>(instrument)];
-    });
-    return found == around.landmarks.end() ? std::nullopt : std::optional<Vec3>(found->position);
-}
-
-bool Hands::in_eye(int instrument) const {
-    const std::string& wound = wounds_[static_cast<std::size_t>(instrument)];
-    return wound == "incision" || wound == "side_port";
+/// Of those that such an instrument may go through the one that is nearest to its tip.
+void Hands::choose_wound(const Surroundings& around, HandState& hand) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::string& name : wounds_like(wounds_[static_cast<std::size_t>(hand.instrument)])) {
+        const std::optional<Vec3> place = landmark(around, name);
+        const double distance = place ? (*place - hand.tip).head<2>().norm() : nearest;
+        if (distance < nearest) {
+            nearest = distance;
+            hand.wound = name;
+        }
+    }
 }
 
 bool Hands::met() const {
@@ -296,8 +332,11 @@ void Hands::take_up(int which, int instrument, const Surroundings& around) {
     HandState& hand = state_.hands[static_cast<std::size_t>(which)];
     hand = HandState{};
     hand.instrument = instrument;
-    const std::optional<Vec3> wound = wound_of(instrument, around);
-    const Result<Vec3> place = holds_->outside(wound.value_or(Vec3(0.0, -6.0, 2.0)));
+    hand.wound = wounds_[static_cast<std::size_t>(instrument)];
+    if (which == other && hand.wound == "incision" && landmark(around, "side_port")) {
+        hand.wound = "side_port";
+    }
+    const Result<Vec3> place = holds_->outside(landmark(around, hand.wound).value_or(Vec3(0.0, -6.0, 2.0)));
     hand.tip = hand.wanted = place ? place.value() : Vec3(0.0, -8.0, 3.0);
     hand.jaw = tray_->instruments[static_cast<std::size_t>(instrument)].squeeze == Squeeze::closes ? 1.0 : 0.0;
     lose();
@@ -372,8 +411,11 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
     hand.roll += share * mapping_->tuning().roll_deg_s * dt *
                  rate(ControlId::leading_roll, ControlId::other_roll, ControlId::hand_roll);
     squeeze(which, dt);
-    const std::optional<Vec3> wound = wound_of(hand.instrument, around);
-    if (wound && in_eye(hand.instrument)) {
+    if (!hand.inside) {
+        choose_wound(around, hand);
+    }
+    const std::optional<Vec3> wound = landmark(around, hand.wound);
+    if (wound && leads_inside(hand.wound)) {
         keep_to_way(*wound, dt, hand);
     }
     const Vec3 left = hand.wanted - hand.tip;
@@ -428,8 +470,9 @@ Status Hands::take_over(const Session& session, const Surroundings& around) {
         hand.tip = hand.wanted = pose.position;
         hand.orientation = pose.orientation;
         hand.jaw = tool.jaw;
-        const std::optional<Vec3> wound = wound_of(instrument, around);
-        hand.inside = wound && in_eye(instrument) && Way(*wound, hand.tip).out <= 0.0;
+        hand.wound = wound_on_shaft(around, wounds_[i], pose);
+        const std::optional<Vec3> wound = landmark(around, hand.wound);
+        hand.inside = wound && leads_inside(hand.wound) && Way(*wound, hand.tip).out <= 0.0;
         const Result<Quat> unrolled = holds_->orientation(tool_name(instrument), wound, hand.tip, 0.0);
         if (!unrolled) {
             return unrolled.error();

@@ -32,6 +32,7 @@ inline constexpr int other = 1;
 
 struct HandState {
     int instrument = -1;         ///< index in the scene; -1: empty
+    std::string wound{};  ///< landmark that its shaft is turned about: the nearest, until it is inside
     Vec3 wanted = Vec3::Zero();  ///< where the tip is to be, as far as its wound lets it [mm]
     Vec3 tip = Vec3::Zero();     ///< [mm]
     Quat orientation = Quat::Identity();
@@ -118,13 +119,12 @@ private:
     }
     [[nodiscard]] double level(ControlId id) const;
     [[nodiscard]] double speed_share() const;
-    [[nodiscard]] std::optional<Vec3> wound_of(int instrument, const Surroundings& around) const;
-    [[nodiscard]] bool in_eye(int instrument) const;
+    void choose_wound(const Surroundings& around, HandState& hand) const;
 
     const Mapping* mapping_;
     const Tray* tray_;
     HoldScript* holds_;
-    std::vector<std::string> wounds_;  ///< by instrument, name of the landmark that it is held through
+    std::vector<std::string> wounds_;  ///< by instrument, the landmark about which virtual surgeons hold it
     HandsState state_;
 };
 

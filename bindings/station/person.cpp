@@ -50,6 +50,14 @@ Status Person::begin(Timeline& timeline) {
     return timeline.step_count() > 0 ? hands_->take_over(*timeline.session(), *around_) : success();
 }
 
+nlohmann::json Person::pace() const {
+    nlohmann::json pace = source_.pace();
+    if (!pace.is_null()) {
+        pace["pictures_per_s"] = desk_.pictures_per_s();
+    }
+    return pace;
+}
+
 /// What is said to the trainee.
 Status Person::look(Moment& moment) {
     for (const Command& command : moment.commands) {

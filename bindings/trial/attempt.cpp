@@ -118,6 +118,9 @@ ReportInput report_input(const AttemptOptions& options, const ExerciseHost& host
     input.log = full_log(options, session, seen.outcome.end);
     input.simulated = simulated_parts(session);
     input.performance = seen.timing.performance(session.time_s());
+    if (const nlohmann::json pace = options.guest != nullptr ? options.guest->pace() : nullptr; !pace.is_null()) {
+        input.performance["live"] = pace;
+    }
     return input;
 }
 

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] virtual std::string name() const = 0;
     /// With which device: "mouse", "gamepad".
     [[nodiscard]] virtual std::string device() const = 0;
+    /// For the report's "performance", as "live": how it kept to the wall clock; null: there was none.
+    [[nodiscard]] virtual nlohmann::json pace() const { return nullptr; }
     /// Asked when the trial has ended: the step to go on from instead; none: it was the end.
     virtual std::optional<std::uint64_t> goes_back() { return std::nullopt; }
 };

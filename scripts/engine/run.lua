@@ -58,7 +58,8 @@ end
 
 --- schema: list of { name, unit, meaning }; exercise: from exercise { ... }.
 function Run.new(exercise, schema)
-    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, aids = {}, commands = {}, time_s = 0 }, Run)
+    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, aids = {}, commands = {}, time_s = 0 },
+        Run)
     self.t = exercise.translated or function(text) return text end
     scoring.translate_with(self.t)
     self.eye = Eye.new(schema, exercise.goals, exercise.requests)
@@ -137,9 +138,9 @@ local function note_aids(self, aids, time_s)
     end
 end
 
---- Takes one observation: time_s, a row of numbers in the order of the schema, and the ids of the requests made since
---- the one before it, or nil; aids: likewise, list of { name, value }. Returns the commands, a list of { kind, name, value, text }. Raises "file:line:
---- message (in step ...)" when the curriculum errs.
+--- Takes one observation: time_s, a row of numbers in the order of the schema, and of the step that led to it the ids
+--- of the requests and the aids, a list of { name, value }; or nil. Returns the commands, a list of { kind, name, value,
+--- text }. Raises "file:line: message (in step ...)" when the curriculum errs.
 function Run:observe(time_s, row, asked, aids)
     self.commands = {}
     if self.finished then return self.commands end
@@ -190,8 +191,9 @@ end
 function Run:result()
     local exercise = self.exercise
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
-        steps = self.steps.records, events = self.events, requests = self.asked, aids = #self.aids > 0 and self.aids or nil,
-        mode = exercise.mode, hints = exercise.mode == "teaching", level = exercise.level, language = exercise.language or "en",
+        steps = self.steps.records, events = self.events, requests = self.asked,
+        aids = #self.aids > 0 and self.aids or nil, mode = exercise.mode, hints = exercise.mode == "teaching",
+        level = exercise.level, language = exercise.language or "en",
         orientation = orientation.of(exercise.patient, exercise.handedness), title = exercise.title,
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
         settings = words.as_object(exercise.settings), measures = words.as_object({}), advice = {} }

@@ -147,7 +147,8 @@ local no_figure = { "nothing that both have scored", "only one attempt that both
     "too few raters: two at least", "nothing that all have scored", "only one attempt that all have scored",
     "too few judges", "all scores are the same", "the attempts do not differ" }
 local no_pass = { "not completed", "an error of the exercise's script ended it", "below the pass mark",
-    "it began at a later moment", "with aids", "in another mode than the gate asks for", "a critical error was not put right" }
+    "it began at a later moment", "with aids",
+    "in another mode than the gate asks for", "a critical error was not put right" }
 
 local function curve_data(n, open_after)
     local attempts = { { date = "2026-01-02T03:04:05Z", scaled = 0.9, completed = true, passed = true, why = "" } }
