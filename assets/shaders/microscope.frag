@@ -11,6 +11,7 @@ uniform sampler2D front;
 uniform sampler2D relief;
 uniform sampler2D pupil_light;
 uniform vec3 extinction_tint;
+uniform float lamp_share;  // of the light in the middle of its spot, what falls into the pupil
 uniform int has_bag;
 uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
@@ -231,7 +232,7 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     float uneven = 0.90 + 0.16 * texture(detail_map, entry.xy * 0.016 + 0.21).r +
                    0.08 * texture(detail_map, entry.xy * 0.05).g;
     cone *= mix(1.0, uneven * (1.02 - 0.40 * pow(radius / pupil_radius, 2.0)), bare);
-    vec3 reflex = fundus * fundus_light * reaches * look.clear * cone * posterior_capsule(entry, way);
+    vec3 reflex = fundus * fundus_light * lamp_share * reaches * look.clear * cone * posterior_capsule(entry, way);
     // The edge of the wave bends the light away, and what it has parted is a little duller.
     float cells = bag_cells_at(entry, way);
     float cortex = cells_are_cortex == 1 ? cells * mix(0.35, 1.0, smoothstep(0.3, 2.6, length(entry.xy))) : 0.0;
@@ -294,7 +295,7 @@ vec3 past_bag(vec3 deep, vec3 entry, vec3 way, float covered) {
     vec3 along = mat3(bag_from_world) * way;
     vec2 at = (from - from.z / along.z * along).xy;
     float beyond = length(at) - bag_shape.x + 0.05 * (texture(detail_map, at * 0.21).r - 0.5);
-    vec3 reflex = fundus * fundus_light * texelFetch(pupil_light, ivec2(0), 0).rgb;
+    vec3 reflex = fundus * fundus_light * lamp_share * texelFetch(pupil_light, ivec2(0), 0).rgb;
     deep = mix(deep, reflex, smoothstep(-0.01, 0.06, beyond) * (1.0 - covered));
     deep *= 1.0 - 0.62 * exp(-pow((beyond + 0.03) / 0.06, 2.0)) * (1.0 - covered);
     float ring = ring_in * exp(-pow((beyond + 0.26) / 0.07, 2.0)) * (1.0 - covered);

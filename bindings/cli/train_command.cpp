@@ -33,6 +33,9 @@ constexpr const char* train_help =
 
 constexpr const char* library = "rhexis-window.so";
 
+const std::map<std::string, Stereo> stereo_names = {
+    {"off", Stereo::off}, {"side-by-side", Stereo::side_by_side}, {"anaglyph", Stereo::anaglyph}};
+
 struct TrainOptions : AttemptArguments {
     std::string resume;
     std::string mapping;
@@ -44,6 +47,7 @@ struct TrainOptions : AttemptArguments {
     int width = 1280;
     int height = 960;
     bool full_screen = false;
+    std::string stereo = "off";
     int picture_every = 4;
 };
 
@@ -191,6 +195,7 @@ int train(TrainOptions given, const Context& context) {
     options.width = given.width;
     options.height = given.height;
     options.full_screen = given.full_screen;
+    options.stereo = stereo_names.at(given.stereo);
     options.picture_every = given.picture_every;
     options.begun_with = {{"start", given.start}, {"opening", given.opening}, {"limit_s", given.limit_s}};
     const Result<FolderLock> lock = FolderLock::take(options.attempt.folder);
@@ -262,6 +267,9 @@ void add_train(CLI::App& app, Context& context) {
         ->check(CLI::Range(120, 4096))
         ->capture_default_str();
     command->add_flag("--full-screen", given->full_screen, "Without borders, on the whole screen");
+    command->add_option("--stereo", given->stereo, "off, side-by-side, or anaglyph for red and cyan glasses")
+        ->check(CLI::IsMember(stereo_names))
+        ->capture_default_str();
     command->add_option("--picture-every", given->picture_every, "With --again: steps from picture to picture")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();

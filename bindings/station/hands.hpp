@@ -32,7 +32,7 @@ inline constexpr int other = 1;
 
 struct HandState {
     int instrument = -1;         ///< index in the scene; -1: empty
-    std::string wound{};  ///< landmark that its shaft is turned about: the nearest, until it is inside
+    std::string wound{};         ///< landmark that its shaft is turned about: the nearest, until it is inside
     Vec3 wanted = Vec3::Zero();  ///< where the tip is to be, as far as its wound lets it [mm]
     Vec3 tip = Vec3::Zero();     ///< [mm]
     Quat orientation = Quat::Identity();

@@ -13,17 +13,18 @@ constexpr std::size_t most_lines = 4;  ///< said to the trainee, that are still 
 
 }  // namespace
 
-Camera zoomed(Camera camera, double zoom) {
-    camera.field_mm /= zoom;
-    camera.stop_mm /= zoom;
+Camera adjusted(Camera camera, const HandsState& hands) {
+    camera.field_mm /= hands.zoom;
+    camera.stop_mm /= hands.zoom;
+    camera.light = hands.light;
     return camera;
 }
 
-Surroundings surroundings_of(const Session& session, double zoom) {
+Surroundings surroundings_of(const Session& session, const HandsState& hands) {
     const WorldState& state = session.state();
     const WorldModel& world = session.world();
     const EyeAnatomy& anatomy = session.eye().anatomy;
-    return {Sight(zoomed(microscope_camera(anatomy, world, state.microscope), zoom), &anatomy,
+    return {Sight(adjusted(microscope_camera(anatomy, world, state.microscope), hands), &anatomy,
                   world.globe ? &*world.globe : nullptr, state.globe ? &*state.globe : nullptr),
             session.percept().landmarks,
             state.microscope ? std::optional<Vec3>(state.microscope->position) : std::nullopt};
@@ -46,7 +47,7 @@ Status Person::begin(Timeline& timeline) {
     exam_ = stands.value().value("mode", "") == "exam";
     tray_ = std::make_shared<const Tray>(make_tray(*timeline.session(), requests.value()));
     hands_.emplace(options_.mapping, *tray_, *holds_);
-    around_ = surroundings_of(*timeline.session(), hands_->state().zoom);
+    around_ = surroundings_of(*timeline.session(), hands_->state());
     return timeline.step_count() > 0 ? hands_->take_over(*timeline.session(), *around_) : success();
 }
 
@@ -126,7 +127,7 @@ void Person::show(const Session& session, bool waits) {
 
 Result<OperatorStep> Person::operate(Timeline& timeline) {
     const Session& session = *timeline.session();
-    around_ = surroundings_of(session, hands_->state().zoom);
+    around_ = surroundings_of(session, hands_->state());
     if (options_.wait_for_pictures ? session.step_count() % options_.show_every == 0 : desk_.wants_picture()) {
         show(session, hands_->waits());
     }

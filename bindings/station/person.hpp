@@ -62,10 +62,10 @@ private:
     double slowed_s_ = 0.0;              ///< not yet told
 };
 
-/// A camera whose picture is so many times larger; what the eyepiece shows stays as wide.
-Camera zoomed(Camera camera, double zoom);
+/// A camera as zoom and light are turned; what the eyepiece shows stays as wide.
+Camera adjusted(Camera camera, const HandsState& hands);
 
 /// As they are now.
-Surroundings surroundings_of(const Session& session, double zoom);
+Surroundings surroundings_of(const Session& session, const HandsState& hands);
 
 }  // namespace rhexis::station

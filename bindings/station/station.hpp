@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "render/renderer.hpp"
 #include "trial/attempt.hpp"
 
 namespace rhexis::station {
@@ -22,6 +23,7 @@ struct StationOptions {
     int width = 1280;              ///< of the window [pixels]
     int height = 960;
     bool full_screen = false;
+    Stereo stereo = Stereo::off;
     int picture_every = 4;  ///< steps, where events are done again
 };
 

@@ -41,7 +41,10 @@ struct Camera {
     Vec3 up = Vec3::UnitY();
     double field_mm = 15.0;  ///< height of the field at the target [mm]
     double stop_mm = 0.0;    ///< diameter of the round field, dark outside of it; 0: the whole picture is field [mm]
-    double blur_mm = 0.0;    ///< diameter of what a point at the target looks like, out of focus [mm]
+    double aperture = 0.0;   ///< half the angle of the light from a point, as a sine; 0: all is sharp
+    double focus_mm = 0.0;   ///< height of what is sharp over the target, along the view [mm]
+    double light = 1.0;      ///< of the lamps, times as much
+    double aside_mm = 0.0;   ///< of the camera to its right, while what lies at the target stays where it is: an eye of two
 };
 
 /// Pixels, row by row from the top, 8 bits each.

@@ -3,46 +3,89 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+
+#include "flow/corneal_image.hpp"
+#include "render/tool_layer.hpp"
+#include "render/tool_mesh.hpp"
 
 namespace rhexis {
 namespace {
 
-constexpr double edge_pixels = 2.0;  ///< over which the field gets dark
+constexpr std::size_t most_tool_ends = 16;
 
-/// A disc of diameter d has a standard deviation of d / 4 in each direction.
-void blur(double diameter_pixels, Image& image) {
-    const double deviation = 0.25 * diameter_pixels;
-    if (deviation < 0.2) {  // it would change nothing
-        return;
-    }
-    cv::Mat pixels(image.height, image.width, CV_8UC3, image.rgb.data());
-    cv::GaussianBlur(pixels, pixels, cv::Size(), deviation, deviation, cv::BORDER_REPLICATE);
+/// From the lower left.
+Vec2 pixel_from_below(const View& view, const Vec3& place) {
+    const Vec2 pixel = pixel_of(view, place);
+    return {pixel.x(), view.height - pixel.y()};
 }
 
-void stop_field(double radius_pixels, Image& image) {
-    std::size_t at = 0;
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            const double across = x + 0.5 - 0.5 * image.width;
-            const double up = y + 0.5 - 0.5 * image.height;
-            const double inside = (radius_pixels - std::sqrt(across * across + up * up)) / edge_pixels + 0.5;
-            const double light = std::clamp(inside, 0.0, 1.0);
-            for (int channel = 0; channel < 3; ++channel, ++at) {
-                image.rgb[at] = static_cast<unsigned char>(std::lround(light * image.rgb[at]));
-            }
+/// Where each instrument begins and ends in the picture, and how high.
+void set_tools(const Program& program, const Frame& frame, const View& outer, const View& inner) {
+    std::size_t count = 0;
+    const auto add = [&](const Vec3& place) {
+        const bool inside = (place - cornea_ball(*frame.eye).head<3>()).norm() < cornea_ball(*frame.eye).w();
+        const std::string name = "tool_ends[" + std::to_string(count++) + "]";
+        Eigen::Vector4d end;
+        end << pixel_from_below(inside ? inner : outer, place), place.z(), 1.0;
+        program.set(name.c_str(), end);
+    };
+    for (std::size_t i = 0; i < frame.tools.size() && count + 2 <= most_tool_ends; ++i) {
+        if (frame.tools[i].present && !frame.model->tools[i].parts.empty()) {
+            constexpr double shown_mm = 15.0;  // of a shaft, which goes on out of the picture
+            add(frame.tools[i].pose.position);
+            add(frame.tools[i].pose.to_world(Vec3(0.0, 0.0, shown_mm)));
         }
     }
+    for (; count < most_tool_ends; ++count) {
+        const std::string name = "tool_ends[" + std::to_string(count) + "]";
+        program.set(name.c_str(), Eigen::Vector4d(Eigen::Vector4d::Zero()));
+    }
+}
+
+/// What shows in a pupil without a lens: the back of the bag.
+double back_of(const Frame& frame) {
+    return frame.bags.empty() ? frame.eye->iris_z
+                              : frame.bags[0].pose.position.z() - frame.model->bags[0].shape.posterior;
 }
 
 }  // namespace
 
-void look_through_eyepiece(const Camera& camera, Image& image) {
-    const double pixels_per_mm = image.height / camera.field_mm;
-    blur(camera.blur_mm * pixels_per_mm, image);
-    if (camera.stop_mm > 0.0) {
-        stop_field(0.5 * camera.stop_mm * pixels_per_mm, image);
-    }
+Result<Eyepiece> Eyepiece::create(int width, int height) {
+    Result<Program> program = Program::build({"fullscreen.vert"}, {"eyepiece.frag"});
+    return program ? Result<Eyepiece>(Eyepiece(std::move(program).value(), width, height)) : program.error();
+}
+
+bool Eyepiece::needed(const Camera& camera) {
+    return camera.stop_mm > 0.0 || camera.aperture > 0.0 || camera.light != 1.0;
+}
+
+void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
+                    const View& inner, EyeColours colours) const {
+    glBindTexture(GL_TEXTURE_2D, *layers.picture.name);
+    glGenerateMipmap(GL_TEXTURE_2D);  // without them the texture is not whole, and shows black
+    const EyeAnatomy& eye = *frame.eye;
+    program_.use();
+    program_.set("sharp", layers.picture, 0);
+    program_.set("inner_tools", layers.inner_tools, 1);
+    program_.set("outer_tools", layers.outer_tools, 2);
+    program_.set("front", layers.front, 3);
+    program_.set("reference", layers.reference);
+    program_.set("size", Vec2(layers.picture.width, layers.picture.height));
+    program_.set("middle", Vec2(camera.target.head<2>()));
+    program_.set("field_mm", camera.field_mm);
+    program_.set("stop_mm", camera.stop_mm);
+    program_.set("aperture", camera.aperture);
+    program_.set("focus_z", camera.target.z() + camera.focus_mm);
+    program_.set("iris_z", eye.iris_z);
+    program_.set("back_z", back_of(frame));
+    const double pupil = eye.has_iris ? eye.pupil_radius : eye.limbus_radius;
+    program_.set("pupil_radius", pupil * corneal_magnification(eye, eye.iris_z));
+    program_.set("limbus_radius", eye.limbus_radius);
+    program_.set("globe", globe_ball(eye));
+    program_.set("light", camera.light);
+    program_.set("only", static_cast<int>(colours));
+    set_tools(program_, frame, outer, inner);
+    cover_target();
 }
 
 }  // namespace rhexis

@@ -7,6 +7,7 @@
 
 #include "render/depth_pass.hpp"
 #include "render/eye_textures.hpp"
+#include "render/eyepiece.hpp"
 #include "render/lens_front.hpp"
 #include "render/sheet_layer.hpp"
 #include "render/tool_layer.hpp"
@@ -30,6 +31,10 @@ public:
               const View& inner, const DepthPass& depth, const Texture& detail);
 
     [[nodiscard]] const Target& picture() const { return picture_; }  ///< RGBA8
+    /// Of the picture that was drawn, for the eyepiece.
+    [[nodiscard]] EyepieceLayers layers(const DepthPass& depth) const {
+        return {picture_.colours[0], inside_.picture(), outside_.picture(), front_.surface(), depth.reference()};
+    }
 
 private:
     /// Smaller pictures on the way to the whole one.
@@ -51,7 +56,7 @@ private:
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
     void cast_shadows(const View& inner);
     void compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
-                 const Texture& detail) const;
+                 const Texture& detail, double lamp) const;
 
     Steps steps_;
     std::array<Program, 4> parts_;  ///< see microscope.frag

@@ -51,12 +51,12 @@ constexpr double surround = 1.04;
 
 /// The camera follows the microscope, and sees its field.
 void look_with(const MicroscopeModel& model, const MicroscopeState& microscope, Camera& camera) {
-    const double defocus = microscope.position.z() - camera.target.z();
     camera.target.head<2>() = microscope.position.head<2>();
     camera.eye.head<2>() = microscope.position.head<2>();
     camera.stop_mm = 2.0 * model.field_radius;
     camera.field_mm = surround * camera.stop_mm;
-    camera.blur_mm = 2.0 * microscope_aperture * std::abs(defocus);
+    camera.aperture = microscope_aperture;
+    camera.focus_mm = microscope.position.z() - camera.target.z();
 }
 
 /// Everything that lives in the context.
@@ -65,6 +65,7 @@ struct Passes {
     ToolPainter painter;
     MicroscopeView microscope;
     BareView bare;
+    Eyepiece eyepiece;
     Texture detail;
 };
 
@@ -81,12 +82,16 @@ Result<Passes> make_passes(int width, int height) {
     if (!bare.ok()) {
         return bare.error();
     }
+    Result<Eyepiece> eyepiece = Eyepiece::create(width, height);
+    if (!eyepiece.ok()) {
+        return eyepiece.error();
+    }
     Result<Texture> detail = paint_detail();
     if (!detail.ok()) {
         return detail.error();
     }
-    return Passes{DepthPass(width, height), std::move(painter).value(), std::move(microscope).value(),
-                  std::move(bare).value(), std::move(detail).value()};
+    return Passes{DepthPass(width, height), std::move(painter).value(),  std::move(microscope).value(),
+                  std::move(bare).value(),  std::move(eyepiece).value(), std::move(detail).value()};
 }
 
 }  // namespace
@@ -110,6 +115,11 @@ struct Renderer::Parts {
     void look_at(const Frame& frame);
     /// camera: in the eye's frame.
     const Target& paint(const Frame& frame, const Camera& camera);
+    /// Through the eyepiece, into what is bound.
+    void look(const Frame& frame, const Camera& camera, EyeColours colours);
+    /// Pictures as they were or in a window, without their optics.
+    void copy(const Target& picture, const ScreenArea& area) const;
+    void show(const Frame& frame, const Camera& camera, const ScreenArea& area, EyeColours colours);
 };
 
 void Renderer::Parts::look_at(const Frame& frame) {
@@ -187,23 +197,66 @@ const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera) {
     return passes->microscope.picture();
 }
 
+void Renderer::Parts::look(const Frame& frame, const Camera& camera, EyeColours colours) {
+    const View outer = view_in_air(camera, width, height);
+    const View inner = view_into(frame, camera, width, height);
+    passes->eyepiece.look(passes->microscope.layers(passes->depth), frame, camera, outer, inner, colours);
+}
+
+void Renderer::Parts::copy(const Target& picture, const ScreenArea& area) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, *picture.name);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width, height, area.left, area.bottom, area.left + area.width, area.bottom + area.height,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Renderer::Parts::show(const Frame& frame, const Camera& camera, const ScreenArea& area, EyeColours colours) {
+    const Target& picture = paint(frame, camera);
+    if (!frame.eye || (!Eyepiece::needed(camera) && colours == EyeColours::all)) {
+        copy(picture, area);
+        return;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(area.left, area.bottom, area.width, area.height);
+    const bool all = colours == EyeColours::all;
+    glColorMask(all || colours == EyeColours::red, all || colours == EyeColours::cyan,
+                all || colours == EyeColours::cyan, GL_TRUE);
+    look(frame, camera, colours);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 Image Renderer::draw(const Frame& frame, const Camera& room) {
     const Camera camera = in_eye(frame, room);
     const GlContext::Use use(parts_->context);
-    Image image = picture_of(parts_->paint(frame, camera));
-    if (frame.eye) {
-        look_through_eyepiece(camera, image);
+    const Target& sharp = parts_->paint(frame, camera);
+    if (!frame.eye || !Eyepiece::needed(camera)) {
+        return picture_of(sharp);
     }
-    return image;
+    const Target& seen = parts_->passes->eyepiece.target();
+    seen.bind();
+    parts_->look(frame, camera, EyeColours::all);
+    return picture_of(seen);
 }
 
-void Renderer::show(const Frame& frame, const Camera& room, const ScreenArea& area) {
-    const Target& picture = parts_->paint(frame, in_eye(frame, room));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, *picture.name);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, picture.width, picture.height, area.left, area.bottom, area.left + area.width,
-                      area.bottom + area.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+void Renderer::show(const Frame& frame, const Camera& room, const ScreenArea& area, Stereo stereo) {
+    const Camera camera = in_eye(frame, room);
+    if (stereo == Stereo::off) {
+        parts_->show(frame, camera, area, EyeColours::all);
+        return;
+    }
+    for (const double side : {-1.0, 1.0}) {  // left, then right
+        Camera eye = camera;
+        eye.aside_mm = 0.5 * side * stereo_base_mm;
+        ScreenArea part = area;
+        if (stereo == Stereo::side_by_side) {
+            part.width = area.width / 2;
+            part.left = side < 0.0 ? area.left : area.left + area.width - part.width;
+            parts_->show(frame, eye, part, EyeColours::all);
+        } else {
+            parts_->show(frame, eye, part, side < 0.0 ? EyeColours::red : EyeColours::cyan);
+        }
+    }
 }
 
 Camera microscope_camera(const EyeAnatomy& eye, const WorldModel& world,

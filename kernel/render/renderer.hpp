@@ -27,6 +27,16 @@ struct ScreenArea {
     int height = 0;
 };
 
+/// Pictures for two eyes; what lies at the camera's target lies in the screen, what is nearer before it.
+enum class Stereo {
+    off,
+    side_by_side,  ///< the left eye's on the left, each half as wide
+    anaglyph       ///< red for the left eye, cyan for the right one
+};
+
+/// Between the eyes of a microscope, at its objective [mm]. 22 to 24 mm are usual.
+inline constexpr double stereo_base_mm = 24.0;
+
 class Renderer {
 public:
     /// EGL surfaceless context; the error says what is missing when there is none.
@@ -38,8 +48,8 @@ public:
 
     /// The microscope view: eye, instruments, semi-opaque lens over the red reflex; bare bodies when frame.eye is null.
     Image draw(const Frame& frame, const Camera& camera);
-    /// The same into the framebuffer that is bound to 0, scaled to a rectangle of it. Only in a window.
-    void show(const Frame& frame, const Camera& camera, const ScreenArea& area);
+    /// The same onto the window, scaled to a rectangle of it.
+    void show(const Frame& frame, const Camera& camera, const ScreenArea& area, Stereo stereo = Stereo::off);
     /// The lens part alone.
     OpticalDepth optical_depth(const Frame& frame, const Camera& camera);
 

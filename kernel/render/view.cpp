@@ -67,20 +67,24 @@ View view_in_air(const Camera& camera, int width, int height) {
     view.height = height;
     const Vec3 toward = camera.target - camera.eye;
     const double distance = std::max(toward.norm(), 1e-6);
-    view.eye = camera.eye;
-    view.forward = toward / distance;
-    const Vec3 right = right_of(view.forward, camera.up);
-    const Vec3 up = right.cross(view.forward);
+    view.axis = toward / distance;
+    const Vec3 right = right_of(view.axis, camera.up);
+    const Vec3 up = right.cross(view.axis);
+    // an eye beside the other looks straight ahead through a window that is not before it: nothing is turned
+    const double lean = camera.aside_mm / distance;
+    view.eye = camera.eye + camera.aside_mm * right;
+    view.forward = view.axis - lean * right;
     const double tan_y = 0.5 * camera.field_mm / distance;
     const double tan_x = tan_y * width / height;
     view.right = tan_x * right;
     view.up = tan_y * up;
     const double near = std::max(0.02 * distance, distance - reach);
+    Mat4 window = Mat4::Identity();
+    window(0, 2) = lean;
     view.clip_from_world =
-        projection(tan_x, tan_y, near, distance + reach) * placement(camera.eye, right, up, view.forward);
-    view.axis = view.forward;
+        projection(tan_x, tan_y, near, distance + reach) * window * placement(view.eye, right, up, view.axis);
     view.plane_point = camera.target;
-    view.centre << camera.eye, 1.0;
+    view.centre << view.eye, 1.0;
     return view;
 }
 
@@ -90,7 +94,7 @@ View view_through_cornea(const Camera& camera, int width, int height, const EyeA
     view.clip_from_world = view.clip_from_world * corneal_image(eye.cornea_apex_z, power);
     view.axis = -Vec3::UnitZ();
     view.plane_point = Vec3(0.0, 0.0, eye.cornea_apex_z);
-    view.centre = behind_cornea(camera.eye, eye.cornea_apex_z, power);
+    view.centre = behind_cornea(view.eye, eye.cornea_apex_z, power);
     return view;
 }
 

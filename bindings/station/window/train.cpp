@@ -25,8 +25,9 @@ constexpr double longest_wait_s = 0.02;  ///< for a picture, before events are l
 /// Draws the newest state, with the instruments where the hands are by now.
 class Picture {
 public:
-    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping)
+    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping, Stereo stereo)
         : window_(window),
+          stereo_(stereo),
           renderer_(std::move(renderer)),
           holds_(std::move(holds)),
           mapping_(mapping),
@@ -39,8 +40,8 @@ public:
         run_ahead(shown, step_s);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, window_.width(), window_.height());
-        renderer_.show(shown.frame, zoomed(microscope_camera(shown.frame), shown.hands.zoom),
-                       {0, 0, window_.width(), window_.height()});
+        renderer_.show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
+                       {0, 0, window_.width(), window_.height()}, stereo_);
         std::vector<UserEvent> clicked = panels_.draw(shown, *shown.tray, mapping_, rate_);
         window_.show_cursor(shown.hands.paused);
         window_.present();
@@ -83,6 +84,7 @@ private:
     }
 
     Window& window_;
+    Stereo stereo_;
     Renderer renderer_;
     HoldScript holds_;
     const Mapping& mapping_;
@@ -214,7 +216,8 @@ Result<StationResult> train(const StationOptions& options) {
     if (!holds) {
         return holds.error();
     }
-    Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping);
+    Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping,
+                    options.stereo);
     Desk desk;
     Result<std::unique_ptr<EventSource>> made_source = make_source(options, prepared, desk, step_s);
     if (!made_source) {
