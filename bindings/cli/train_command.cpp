@@ -10,7 +10,9 @@
 #include "base/folder_lock.hpp"
 #include "cli/attempt_arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/language.hpp"
 #include "station/event_source.hpp"
+#include "station/menu.hpp"
 #include "station/station.hpp"
 #include "trial/places.hpp"
 #include "trial/starts.hpp"
@@ -21,6 +23,7 @@ namespace {
 constexpr const char* train_help =
     "Opens the microscope's view: you operate. Report, pictures and recording come as of any run.\n"
     "\n"
+    "  rhexis train                                       choose from a menu\n"
     "  rhexis train capsulorhexis\n"
     "  rhexis train groove --full-screen --trainee P07\n"
     "  rhexis train groove --events mine.jsonl            what you do is kept too, event by event\n"
@@ -51,8 +54,9 @@ struct TrainOptions : AttemptArguments {
     int picture_every = 4;
 };
 
-/// Beside the program, or where it is installed. It stays loaded: threads of its libraries may not end with it.
-Result<station::Entry*> load_station() {
+/// The shared object beside the program, or where it is installed. It stays loaded: threads of its libraries may not end
+/// with it.
+Result<void*> load_station() {
     std::error_code unknown;
     const std::filesystem::path folder = std::filesystem::canonical(program_path(), unknown).parent_path();
     std::string tried;
@@ -63,14 +67,20 @@ Result<station::Entry*> load_station() {
             continue;
         }
         void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-        void* entry = opened == nullptr ? nullptr : ::dlsym(opened, station::entry_name);
-        if (entry == nullptr) {
+        if (opened == nullptr) {
             return Error{std::string("the window cannot be loaded: ") + ::dlerror(), path.string(),
-                         "the Debian packages of deps.txt, or of this program's documents"};
+                         "the Debian packages of deps.txt"};
         }
-        return reinterpret_cast<station::Entry*>(entry);
+        return opened;
     }
     return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
+}
+
+template <typename Function>
+Function* entry_of(void* opened, const char* name) {
+    void* entry = ::dlsym(opened, name);
+    RHEXIS_ASSERT(entry != nullptr);
+    return reinterpret_cast<Function*>(entry);
 }
 
 /// What of a recording says how its attempt was begun.
@@ -146,7 +156,8 @@ Status check_room(const std::string& folder, double limit_s) {
                      " s, another --out, or a shorter --limit"};
 }
 
-int train(TrainOptions given, const Context& context) {
+/// One attempt, from what was given to its summary.
+int train_once(TrainOptions given, void* opened, const Context& context) {
     given.keep.root = context.root;
     given.surgeon = "none";
     std::optional<GoingOn> before;
@@ -163,16 +174,9 @@ int train(TrainOptions given, const Context& context) {
             return complain(begun.error());
         }
     }
-    if (given.curriculum.empty()) {
-        return complain({"which exercise?", "train", "rhexis train EXERCISE; curricula/ has them"});
-    }
     const Status status = check_attempt_arguments(given);
     if (!status) {
         return complain(status.error());
-    }
-    const Result<station::Entry*> entry = load_station();
-    if (!entry) {
-        return complain(entry.error());
     }
     Result<std::map<std::string, std::string>> set = given_settings(given, context.root);
     if (!set) {
@@ -224,7 +228,7 @@ int train(TrainOptions given, const Context& context) {
     }
     options.attempt.comparison = kept.value().comparison();
     Result<station::StationResult> result = Error{"nothing was done", "", ""};
-    (*entry.value())(options, result);
+    entry_of<station::Entry>(opened, station::entry_name)(options, result);
     if (!result) {
         kept.value().give_up();
         return complain(result.error());
@@ -241,13 +245,42 @@ int train(TrainOptions given, const Context& context) {
     return attempt.html_error.empty() ? done : complain({"no report.html: " + attempt.html_error, "", ""});
 }
 
+/// Without an exercise the menu comes, and comes again after each.
+int train(const TrainOptions& given, const Context& context) {
+    const Result<void*> opened = load_station();
+    if (!opened) {
+        return complain(opened.error());
+    }
+    if (!given.curriculum.empty() || given.again || !given.resume.empty()) {
+        return train_once(given, opened.value(), context);
+    }
+    for (;;) {
+        const station::Menu menu = station::collect_menu(
+            context.root, "runs", given.language.empty() ? language_of_environment(context.root) : given.language);
+        Result<station::MenuChoice> choice = Error{"nothing was chosen", "", ""};
+        entry_of<station::MenuEntry>(opened.value(), station::menu_entry_name)(menu, choice);
+        if (!choice) {
+            return complain(choice.error());
+        }
+        if (choice.value().exercise.empty()) {
+            return done;
+        }
+        TrainOptions chosen = given;
+        chosen.curriculum = choice.value().exercise;
+        chosen.patient = choice.value().patient.empty() ? given.patient : choice.value().patient;
+        chosen.level = choice.value().level.empty() ? given.level : choice.value().level;
+        chosen.input = choice.value().pad ? "gamepad" : given.input;
+        train_once(chosen, opened.value(), context);  // what goes wrong is told, and the menu comes again
+    }
+}
+
 }  // namespace
 
 void add_train(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("train", "Operate yourself, in a window");
     command->footer(train_help);
     auto given = std::make_shared<TrainOptions>();
-    command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/");
+    command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/ [a menu]");
     add_attempt_arguments(*command, *given);
     command->add_option("--resume", given->resume, "Go on with an attempt that was cut short: its folder");
     command->add_option("--mapping", given->mapping,

@@ -25,7 +25,6 @@ hash_of() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1] + "/r
  [ "$failures" = 0 ]) || fail "no OpenGL 3.3"
 
 # Names and files.
-expect 2 "which exercise?" "$rhexis" train
 expect 2 "did you mean 'groove'?" "$rhexis" train grove --out "$work/none"
 expect 2 "there is no option --inptu" "$rhexis" train groove --inptu mouse
 expect 2 "mouse,gamepad" "$rhexis" train groove --input vrpn

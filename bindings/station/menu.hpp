@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What there is to choose from before an exercise begins: `rhexis train` alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace rhexis::station {
+
+struct MenuExercise {
+    std::string name;  ///< of its folder
+    std::string title;
+    std::vector<std::string> objectives;
+    std::vector<std::string> levels;
+    std::string last;  ///< how the last attempt of a person here went; "": there was none
+};
+
+struct MenuPatient {
+    std::string file;  ///< as for --patient; "": as the exercise says
+    std::string note;
+};
+
+struct Menu {
+    std::vector<MenuExercise> exercises;
+    std::vector<MenuPatient> patients;
+    std::string mapping;  ///< file of the mouse's, for what is shown of keys
+};
+
+struct MenuChoice {
+    std::string exercise;  ///< "": none, the station is left
+    std::string patient;
+    std::string level;
+    bool pad = false;
+};
+
+/// root: folder with curricula/ and assets/. runs: folder in which attempts lie. language: of the titles.
+Menu collect_menu(const std::string& root, const std::string& runs, const std::string& language);
+
+inline constexpr const char* menu_entry_name = "rhexis_station_choose";
+using MenuEntry = void(const Menu& menu, Result<MenuChoice>& choice);
+
+}  // namespace rhexis::station

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menu before an exercise: what to do, on whom, how hard, and whether hands and pictures are ready.
+#include <backends/imgui_impl_opengl3.h>
+#include <backends/imgui_impl_sdl.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "base/clock.hpp"
+#include "station/menu.hpp"
+#include "station/window/panels.hpp"
+#include "station/window/window.hpp"
+
+namespace rhexis::station {
+namespace {
+
+constexpr int width = 900;
+constexpr int height = 620;
+
+/// What is chosen so far, and what was found out meanwhile.
+struct Choosing {
+    int exercise = 0;
+    int patient = 0;  ///< 0: as the exercise says
+    int level = 0;    ///< 0: as it is
+    bool pad = false;
+    bool pad_there = false;
+    bool pedal_there = false;
+    double pictures_per_s = 0.0;
+    bool begin = false;
+    bool leave = false;
+};
+
+void draw_list(const Menu& menu, Choosing& now) {
+    ImGui::BeginChild("exercises", {0.42F * ImGui::GetContentRegionAvail().x, 0.0F}, true);
+    for (int i = 0; i < static_cast<int>(menu.exercises.size()); ++i) {
+        const MenuExercise& one = menu.exercises[static_cast<std::size_t>(i)];
+        ImGui::PushID(i);
+        if (ImGui::Selectable(one.title.c_str(), now.exercise == i, ImGuiSelectableFlags_AllowDoubleClick)) {
+            now.exercise = i;
+            now.level = 0;
+            now.begin = ImGui::IsMouseDoubleClicked(0);
+        }
+        if (i == 0 && ImGui::IsWindowAppearing()) {
+            ImGui::SetItemDefaultFocus();
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+}
+
+void draw_levels(const MenuExercise& exercise, Choosing& now) {
+    const auto& levels = exercise.levels;
+    const std::string shown = now.level == 0 ? "as it is" : levels[static_cast<std::size_t>(now.level - 1)];
+    if (levels.empty() || !ImGui::BeginCombo("Difficulty", shown.c_str())) {
+        return;
+    }
+    for (int i = 0; i <= static_cast<int>(levels.size()); ++i) {
+        const char* name = i == 0 ? "as it is" : levels[static_cast<std::size_t>(i - 1)].c_str();
+        if (ImGui::Selectable(name, now.level == i)) {
+            now.level = i;
+        }
+    }
+    ImGui::EndCombo();
+}
+
+void draw_patients(const Menu& menu, Choosing& now) {
+    const auto note = [&](int i) {
+        return i == 0 ? "as the exercise says" : menu.patients[static_cast<std::size_t>(i - 1)].note.c_str();
+    };
+    if (!ImGui::BeginCombo("Patient", note(now.patient))) {
+        return;
+    }
+    for (int i = 0; i <= static_cast<int>(menu.patients.size()); ++i) {
+        if (ImGui::Selectable(note(i), now.patient == i)) {
+            now.patient = i;
+        }
+    }
+    ImGui::EndCombo();
+}
+
+void draw_check(Choosing& now) {
+    ImGui::Separator();
+    ImGui::TextUnformatted("This machine");
+    ImGui::BulletText("%.0f pictures/s of this menu", now.pictures_per_s);
+    ImGui::BulletText("gamepad: %s", now.pad_there ? "found" : "none");
+    ImGui::BulletText("pedal: %s", now.pedal_there ? "found" : "none; keys 0 to 3 and Space press it");
+    if (ImGui::RadioButton("Mouse and keys", !now.pad)) {
+        now.pad = false;
+    }
+    ImGui::SameLine();
+    if (ImGui::RadioButton("Gamepad", now.pad)) {
+        now.pad = true;
+    }
+}
+
+void draw_chosen(const Menu& menu, Choosing& now) {
+    const MenuExercise& one = menu.exercises[static_cast<std::size_t>(now.exercise)];
+    ImGui::BeginChild("chosen", {0.0F, 0.0F}, true);
+    ImGui::TextWrapped("%s", one.title.c_str());
+    ImGui::TextDisabled("rhexis train %s", one.name.c_str());
+    for (const std::string& objective : one.objectives) {
+        ImGui::Bullet();
+        ImGui::TextWrapped("%s", objective.c_str());
+    }
+    ImGui::TextWrapped("Last time: %s", one.last.empty() ? "not yet" : one.last.c_str());
+    ImGui::Separator();
+    draw_patients(menu, now);
+    draw_levels(one, now);
+    draw_check(now);
+    ImGui::Separator();
+    now.begin = ImGui::Button("Begin") || now.begin;
+    ImGui::SameLine();
+    now.leave = ImGui::Button("Leave");
+    ImGui::Spacing();
+    ImGui::TextWrapped("In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the mouse "
+                       "moves its tip and the wheel its depth; 1, 2, 3 press the pedal; P stops the clock.");
+    ImGui::EndChild();
+}
+
+void draw(const Menu& menu, Choosing& now) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({0.0F, 0.0F});
+    ImGui::SetNextWindowSize(io.DisplaySize);
+    ImGui::Begin("rhexis", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    draw_list(menu, now);
+    ImGui::SameLine();
+    draw_chosen(menu, now);
+    ImGui::End();
+}
+
+void heed(const std::vector<TimedEvent>& events, Choosing& now) {
+    for (const TimedEvent& timed : events) {
+        const UserEvent& event = timed.event;
+        now.leave = now.leave || event.kind == EventKind::quit ||
+                    (event.kind == EventKind::key && event.name == "Escape" && event.value > 0.5);
+        if (event.kind == EventKind::device) {
+            (event.name == "pad" ? now.pad_there : now.pedal_there) = event.value > 0.5;
+        }
+    }
+}
+
+Result<MenuChoice> choose(const Menu& menu) {
+    if (menu.exercises.empty()) {
+        return Error{"there is no exercise to choose", "curricula", "RHEXIS_HOME names the folder that has them"};
+    }
+    Result<Window> window = Window::open("rhexis", width, height, false);
+    if (!window) {
+        return window.error();
+    }
+    const Panels panels(window.value());
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
+    Choosing now;
+    double began = wall_seconds();
+    int pictures = 0;
+    while (!now.begin && !now.leave) {
+        heed(window.value().poll(), now);
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplSDL2_NewFrame();
+        ImGui::NewFrame();
+        draw(menu, now);
+        ImGui::Render();
+        glViewport(0, 0, window.value().width(), window.value().height());
+        glClearColor(0.05F, 0.06F, 0.07F, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        window.value().present();
+        if (++pictures % 20 == 0) {
+            now.pictures_per_s = 20.0 / std::max(1e-6, wall_seconds() - began);
+            began = wall_seconds();
+        }
+    }
+    if (!now.begin) {
+        return MenuChoice{};
+    }
+    const MenuExercise& one = menu.exercises[static_cast<std::size_t>(now.exercise)];
+    return MenuChoice{one.name, now.patient == 0 ? "" : menu.patients[static_cast<std::size_t>(now.patient - 1)].file,
+                      now.level == 0 ? "" : one.levels[static_cast<std::size_t>(now.level - 1)], now.pad};
+}
+
+}  // namespace
+}  // namespace rhexis::station
+
+extern "C" __attribute__((visibility("default"))) void rhexis_station_choose(
+    const rhexis::station::Menu& menu, rhexis::Result<rhexis::station::MenuChoice>& choice) {
+    choice = rhexis::station::choose(menu);
+}
