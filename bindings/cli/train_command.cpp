@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis train: a person operates, in a window.
 #include <dlfcn.h>
+#include <spawn.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -51,6 +54,8 @@ struct TrainOptions : AttemptArguments {
     int height = 960;
     bool full_screen = false;
     std::string stereo = "off";
+    std::string ghost;
+    bool no_open = false;
     int picture_every = 4;
 };
 
@@ -141,6 +146,31 @@ Result<GoingOn> cut_short(const std::string& folder, const TrainOptions& given) 
     return going_on_from(std::move(recording).value(), last);
 }
 
+/// Where rhexis run leaves one, if it did.
+std::string expert_run(const std::string& curriculum) {
+    for (const char* who : {"-expert-1", "-d-101"}) {
+        const std::string folder = "runs/" + exercise_name(curriculum) + who;
+        std::error_code ignored;
+        if (std::filesystem::exists(folder + "/recording.rhx", ignored)) {
+            return folder;
+        }
+    }
+    return "";
+}
+
+/// With what the desktop opens pages with; where there is none, its path has been told.
+void open_report(const std::string& folder) {
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
+        return;
+    }
+    const std::string page = folder + "/report.html";
+    std::string program = "xdg-open";
+    std::string argument = page;
+    char* const words[] = {program.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    static_cast<void>(::posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ));
+}
+
 /// A person's attempt is not begun where its recording could not be kept.
 Status check_room(const std::string& folder, double limit_s) {
     constexpr double bytes_per_s = 0.3e6;  // of the largest exercises, measured: 0.23e6
@@ -199,6 +229,8 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     options.width = given.width;
     options.height = given.height;
     options.full_screen = given.full_screen;
+    options.ghost = given.ghost.empty() ? expert_run(given.curriculum) : given.ghost;
+    options.attempt.watch = given.by.empty() && !given.again;
     options.stereo = stereo_names.at(given.stereo);
     options.picture_every = given.picture_every;
     options.begun_with = {{"start", given.start}, {"opening", given.opening}, {"limit_s", given.limit_s}};
@@ -236,6 +268,9 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     const AttemptResult& attempt = result.value().attempt;
     const Status stored = kept.value().finish(attempt.report);
     print_summary(given, "person", options.attempt.folder, attempt);
+    if (!given.no_open && given.by.empty() && !given.again && attempt.html_error.empty()) {
+        open_report(options.attempt.folder);
+    }
     if (!stored) {
         return complain(stored.error());
     }
@@ -300,6 +335,9 @@ void add_train(CLI::App& app, Context& context) {
         ->check(CLI::Range(120, 4096))
         ->capture_default_str();
     command->add_flag("--full-screen", given->full_screen, "Without borders, on the whole screen");
+    command->add_option("--ghost", given->ghost,
+                        "Run whose way H shows [runs/EXERCISE-expert-1, or EXERCISE-d-101, where it is]");
+    command->add_flag("--no-open", given->no_open, "Do not open the report at the end");
     command->add_option("--stereo", given->stereo, "off, side-by-side, or anaglyph for red and cyan glasses")
         ->check(CLI::IsMember(stereo_names))
         ->capture_default_str();

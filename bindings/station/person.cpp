@@ -107,10 +107,18 @@ void Person::heed_wishes(const Session& session) {
     if (exam_ && std::exchange(state.ghost, false)) {
         state.word = "an exam shows no ghost";
     }
+    if (state.ghost && !options_.has_ghost) {
+        state.ghost = false;
+        state.word = "there is no expert's way: rhexis train --ghost RUN, of rhexis run";
+    }
 }
 
-/// Simulated seconds that took more than a second of the clock.
-void Person::note_slowed(double dt) {
+/// Simulated seconds that took more than a second of the clock, and those with a ghost.
+void Person::note_aids(double dt) {
+    guided_s_ += hands_->state().ghost ? dt : 0.0;
+    if (guided_s_ >= 1.0) {
+        aids_.push_back({CommandKind::aid, "guided", std::exchange(guided_s_, 0.0), ""});
+    }
     slowed_s_ += source_.slowed() < slowed_below ? dt : 0.0;
     if (slowed_s_ >= 1.0) {
         aids_.push_back({CommandKind::aid, "slowed", std::exchange(slowed_s_, 0.0), ""});
@@ -148,7 +156,7 @@ Result<OperatorStep> Person::operate(Timeline& timeline) {
     if (const Status moved = hands_->advance(*around_, dt); !moved) {
         return moved.error();
     }
-    note_slowed(dt);
+    note_aids(dt);
     ++made_;
     OperatorStep step{hands_->samples(*around_, dt), hands_->take_commands()};
     step.commands.insert(step.commands.end(), aids_.begin(), aids_.end());

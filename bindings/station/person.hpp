@@ -20,6 +20,7 @@ struct PersonOptions {
     std::string root;                ///< folder of scripts/
     std::uint64_t show_every = 1;    ///< steps per picture
     bool wait_for_pictures = false;  ///< each is drawn before the next step: stepped
+    bool has_ghost = false;          ///< there is an expert's way to show
 };
 
 class Person final : public Guest {
@@ -41,7 +42,7 @@ public:
 private:
     Result<bool> take_events(const Session& session);
     void heed_wishes(const Session& session);
-    void note_slowed(double dt);
+    void note_aids(double dt);
     void show(const Session& session, bool waits);
 
     PersonOptions options_;
@@ -59,6 +60,7 @@ private:
     std::uint64_t kept_step_ = 0;        ///< the moment to go back to
     std::optional<std::uint64_t> back_;  ///< wanted now
     std::vector<Command> aids_;          ///< to be told with the next step
+    double guided_s_ = 0.0;                      ///< not yet told
     double slowed_s_ = 0.0;              ///< not yet told
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "flow/frame.hpp"
+#include "render/renderer.hpp"
 #include "render/view.hpp"
 
 namespace rhexis::station {

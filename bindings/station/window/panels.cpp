@@ -6,6 +6,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace rhexis::station {
 namespace {
@@ -63,17 +66,71 @@ void draw_lines(const Shown& shown) {
     ImGui::End();
 }
 
-void draw_help(const Mapping& mapping) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos({io.DisplaySize.x - 8.0F, 8.0F}, ImGuiCond_Always, {1.0F, 0.0F});
-    ImGui::SetNextWindowBgAlpha(0.8F);
-    ImGui::Begin("help", nullptr, plain);
-    for (const Control& one : control_table()) {
-        const std::string inputs = mapping.inputs_of(one.id);
-        if (!inputs.empty()) {
-            ImGui::Text("%-18s %s", inputs.c_str(), one.meaning);
+/// What is worked by the devices that are there: of a pad nothing where there is none.
+std::string shown_inputs(const Mapping& mapping, ControlId id) {
+    const bool pad = mapping.inputs_of(ControlId::tip).empty();
+    std::string shown;
+    std::istringstream inputs(mapping.inputs_of(id));
+    for (std::string one; std::getline(inputs, one, ',');) {
+        one.erase(0, one.find_first_not_of(' '));
+        if (pad || (!one.starts_with("pad.") && !one.starts_with("pedal."))) {
+            shown += (shown.empty() ? "" : ", ") + one;
         }
     }
+    return shown;
+}
+
+void draw_help(const Mapping& mapping) {
+    std::vector<std::pair<std::string, const char*>> rows;
+    for (const Control& one : control_table()) {
+        if (std::string inputs = shown_inputs(mapping, one.id); !inputs.empty()) {
+            rows.emplace_back(std::move(inputs), one.meaning);
+        }
+    }
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x - 8.0F, 8.0F}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowBgAlpha(0.9F);
+    ImGui::Begin("help", nullptr, plain);
+    ImGui::SetWindowFontScale(
+        std::min(1.0F, (size.y - 40.0F) / (static_cast<float>(rows.size()) * ImGui::GetTextLineHeightWithSpacing())));
+    if (ImGui::BeginTable("controls", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const auto& [inputs, meaning] : rows) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(inputs.c_str());
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(meaning);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+/// Where an expert's tip went on from about here: the nearer its depth, the whiter; below it blue, above it yellow.
+void draw_ghost(const Shown& shown, const Ghost& ghost) {
+    const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    constexpr double shown_s = 3.0;
+    constexpr double far_mm = 1.0;
+    for (const Vec3& place : ghost.ahead(hand.instrument, hand.tip, shown_s)) {
+        const Cursor cursor = shown.around.sight.cursor_on(place, hand.inside);
+        const auto higher = static_cast<float>(std::clamp((place.z() - hand.tip.z()) / far_mm, -1.0, 1.0));
+        const ImVec4 colour(1.0F - std::max(0.0F, -higher), 1.0F - 0.3F * std::abs(higher),
+                            1.0F - std::max(0.0F, higher), 0.8F);
+        ImGui::GetBackgroundDrawList()->AddCircleFilled(
+            {0.5F * size.x + static_cast<float>(cursor.x()) * size.y,
+             0.5F * size.y - static_cast<float>(cursor.y()) * size.y},
+            3.0F, ImGui::ColorConvertFloat4ToU32(colour));
+    }
+}
+
+void draw_next(const std::string& text) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, 8.0F}, ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowBgAlpha(0.6F);
+    const ImVec2 wide = ImGui::CalcTextSize(text.c_str());
+    ImGui::SetNextWindowSize({wide.x + 20.0F, wide.y + 18.0F});
+    ImGui::Begin("next", nullptr, plain | ImGuiWindowFlags_NoInputs);
+    ImGui::TextColored({0.5F, 1.0F, 0.6F, 1.0F}, "%s", text.c_str());
     ImGui::End();
 }
 
@@ -139,12 +196,19 @@ Panels::~Panels() {
     ImGui::DestroyContext();
 }
 
-std::vector<UserEvent> Panels::draw(const Shown& shown, const Tray& tray, const Mapping& mapping,
+std::vector<UserEvent> Panels::draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost,
                                     double pictures_per_s) {
+    const Tray& tray = *shown.tray;
     std::vector<UserEvent> clicked;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
     ImGui::NewFrame();
+    if (shown.hands.ghost && ghost != nullptr) {
+        draw_ghost(shown, *ghost);
+    }
+    if (const std::optional<std::string> next = guide_.next(shown.hands, tray, mapping)) {
+        draw_next(*next);
+    }
     draw_state(shown, tray, pictures_per_s);
     draw_lines(shown);
     if (shown.hands.help) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "station/desk.hpp"
+#include "station/ghost.hpp"
+#include "station/guide.hpp"
 #include "station/mapping.hpp"
 #include "station/window/window.hpp"
 
@@ -19,8 +21,11 @@ public:
     Panels(const Panels&) = delete;
     Panels& operator=(const Panels&) = delete;
 
-    /// Over the picture that is drawn; what is clicked comes back as events.
-    std::vector<UserEvent> draw(const Shown& shown, const Tray& tray, const Mapping& mapping, double pictures_per_s);
+    /// Over the picture that is drawn; what is clicked comes back as events. ghost: null, there is none.
+    std::vector<UserEvent> draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost, double pictures_per_s);
+
+private:
+    Guide guide_;
 };
 
 }  // namespace rhexis::station

@@ -25,9 +25,11 @@ constexpr double longest_wait_s = 0.02;  ///< for a picture, before events are l
 /// Draws the newest state, with the instruments where the hands are by now.
 class Picture {
 public:
-    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping, Stereo stereo)
+    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping, Stereo stereo,
+            const Ghost* ghost)
         : window_(window),
           stereo_(stereo),
+          ghost_(ghost),
           renderer_(std::move(renderer)),
           holds_(std::move(holds)),
           mapping_(mapping),
@@ -42,7 +44,7 @@ public:
         glViewport(0, 0, window_.width(), window_.height());
         renderer_.show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
                        {0, 0, window_.width(), window_.height()}, stereo_);
-        std::vector<UserEvent> clicked = panels_.draw(shown, *shown.tray, mapping_, rate_);
+        std::vector<UserEvent> clicked = panels_.draw(shown, mapping_, ghost_, rate_);
         window_.show_cursor(shown.hands.paused);
         window_.present();
         ++count_;
@@ -85,6 +87,7 @@ private:
 
     Window& window_;
     Stereo stereo_;
+    const Ghost* ghost_;
     Renderer renderer_;
     HoldScript holds_;
     const Mapping& mapping_;
@@ -134,6 +137,7 @@ struct Prepared {
     Mapping mapping;
     std::optional<EventFile> file;
     std::optional<EventWriter> writer;
+    std::optional<Ghost> ghost;
 };
 
 nlohmann::json events_header(const StationOptions& options, const Mapping& mapping) {
@@ -203,6 +207,13 @@ Result<StationResult> train(const StationOptions& options) {
         return host.error();
     }
     const double step_s = host.value().scene().step_s;
+    if (!options.ghost.empty()) {
+        Result<Ghost> ghost = Ghost::read(options.ghost, host.value().scene().instruments);
+        if (!ghost) {
+            return ghost.error();
+        }
+        prepared.ghost.emplace(std::move(ghost).value());
+    }
     Result<Window> window = Window::open("rhexis: " + host.value().identity().value("title", std::string()),
                                          options.width, options.height, options.full_screen);
     if (!window) {
@@ -217,7 +228,7 @@ Result<StationResult> train(const StationOptions& options) {
         return holds.error();
     }
     Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping,
-                    options.stereo);
+                    options.stereo, prepared.ghost ? &*prepared.ghost : nullptr);
     Desk desk;
     Result<std::unique_ptr<EventSource>> made_source = make_source(options, prepared, desk, step_s);
     if (!made_source) {
@@ -225,7 +236,8 @@ Result<StationResult> train(const StationOptions& options) {
     }
     const std::unique_ptr<EventSource> source = std::move(made_source).value();
     const PersonOptions of_person{prepared.mapping, options.pad ? "gamepad" : "mouse", options.attempt.exercise.root,
-                                  static_cast<std::uint64_t>(options.picture_every), is_stepped(options)};
+                                  static_cast<std::uint64_t>(options.picture_every), is_stepped(options),
+                                  prepared.ghost.has_value()};
     Person person(of_person, *source, desk, prepared.writer ? &*prepared.writer : nullptr);
     AttemptOptions of_attempt = options.attempt;
     of_attempt.guest = &person;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "station/guide.hpp"
+
+#include <cmath>
+
+#include "flow/tool.hpp"
+
+namespace rhexis::station {
+namespace {
+
+constexpr double some_depth_mm = 0.2;
+
+bool has_pedal(const Tray& tray) { return !tray.dials.empty(); }
+
+}  // namespace
+
+std::optional<std::string> Guide::next(const HandsState& hands, const Tray& tray, const Mapping& mapping) {
+    const HandState& hand = hands.hands[static_cast<std::size_t>(hands.moving)];
+    const bool holds = hand.instrument >= 0;
+    const bool by_cursor = !mapping.inputs_of(ControlId::tip).empty();
+    const auto keys = [&](ControlId id) { return mapping.inputs_of(id); };
+    if (!holds && !took_) {
+        return "Take an instrument: " + keys(ControlId::next_instrument);
+    }
+    if (holds && !took_) {
+        took_ = true;
+        jaw_at_first_ = hand.jaw;
+    }
+    met_ = met_ || !by_cursor || hands.cursor.has_value();
+    if (!met_) {
+        return "The clock waits for your hand: bring the cursor to the tip, or press " + keys(ControlId::meet);
+    }
+    if (holds && hand.inside && !went_in_) {
+        went_in_ = true;
+        entry_height_ = hand.wanted.z();
+    }
+    if (!went_in_ && holds && (hand.wound == "incision" || hand.wound == "side_port")) {
+        return std::string("Go in through the wound: move the tip towards the middle of the eye");
+    }
+    changed_depth_ = changed_depth_ || (went_in_ && std::abs(hand.wanted.z() - entry_height_) > some_depth_mm);
+    if (went_in_ && !changed_depth_) {
+        return "Deeper and higher: " + (by_cursor ? std::string("the wheel") : keys(ControlId::hand_z));
+    }
+    pressed_pedal_ = pressed_pedal_ || hands.pedal > 0.0;
+    if (has_pedal(tray) && !pressed_pedal_) {
+        return "Irrigation on: " + keys(ControlId::pedal_1) + "; aspiration: " + keys(ControlId::pedal_2);
+    }
+    const bool squeezes =
+        holds && tray.instruments[static_cast<std::size_t>(hand.instrument)].squeeze != Squeeze::nothing;
+    squeezed_ = squeezed_ || (squeezes && std::abs(hand.jaw - jaw_at_first_) > 0.2);
+    if (squeezes && !squeezed_) {
+        return "Close the jaws, press or push: " + keys(ControlId::squeeze);
+    }
+    return std::nullopt;
+}
+
+}  // namespace rhexis::station
