@@ -353,7 +353,8 @@ MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePai
       rectangles_({2}) {}
 
 void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools,
-                          const View& outer, const View& inner, const DepthPass& depth, const Texture& detail) {
+                          const View& outer, const View& inner, const DepthPass& depth, const Texture& detail,
+                          double stop_pixels) {
     const EyeAnatomy& eye = *frame.eye;
     const PaintedFor wanted{eye.limbus_radius, eye.has_iris, eye.has_cornea};
     if (!textures_ || painted_for_ != wanted) {
@@ -379,7 +380,7 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         compose(parts_[part], frame, inner, depth, detail, lamp_share(outer));
-        rectangles_.send(triangles_of(where[part], inner));
+        rectangles_.send(triangles_of(within_stop(where[part], inner, stop_pixels), inner));
         rectangles_.draw();
     }
 }

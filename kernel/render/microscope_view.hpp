@@ -26,9 +26,9 @@ public:
     static Result<MicroscopeView> create(int width, int height);
 
     /// frame.eye is not null; depth has drawn this frame through the same `inner` view. The result lies in picture().
-    /// detail: repeating noise.
+    /// detail: repeating noise. stop_pixels: radius about the middle beyond which nothing is drawn; 0: all is.
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& outer,
-              const View& inner, const DepthPass& depth, const Texture& detail);
+              const View& inner, const DepthPass& depth, const Texture& detail, double stop_pixels);
 
     [[nodiscard]] const Target& picture() const { return picture_; }  ///< RGBA8
     /// Of the picture that was drawn, for the eyepiece.

@@ -102,6 +102,22 @@ PixelRect intersected(const PixelRect& a, const PixelRect& b) {
     return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
 }
 
+std::vector<PixelRect> within_stop(std::vector<PixelRect> bands, const View& view, double radius) {
+    if (radius <= 0.0) {
+        return bands;
+    }
+    const double reach = radius + 1.0;
+    const double middle = 0.5 * view.height;
+    for (PixelRect& band : bands) {
+        const double nearest = std::clamp(middle, double(band.y), double(band.y + band.height)) - middle;
+        const double half = std::sqrt(std::max(0.0, reach * reach - nearest * nearest));
+        band = intersected(
+            band, between(0.5 * view.width - half, band.y, 0.5 * view.width + half, band.y + band.height, view));
+    }
+    std::erase_if(bands, [](const PixelRect& band) { return band.empty(); });
+    return bands;
+}
+
 std::vector<PixelRect> bands_of(const View& view) {
     std::vector<PixelRect> bands;
     for (int y = 0; y < view.height; y += band_rows) {

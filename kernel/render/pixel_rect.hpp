@@ -38,6 +38,10 @@ std::vector<PixelRect> bands_within_circle(const View& view, double radius, doub
 /// The whole picture in such bands.
 std::vector<PixelRect> bands_of(const View& view);
 
+/// What a disc about the picture's middle covers of them, and a pixel more. radius: pixels; 0: there is no disc, and
+/// all of them stay.
+std::vector<PixelRect> within_stop(std::vector<PixelRect> bands, const View& view, double radius);
+
 /// What both hold.
 PixelRect intersected(const PixelRect& a, const PixelRect& b);
 

@@ -193,7 +193,8 @@ const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera) {
     const View inner = view_into(frame, camera, width, height);
     const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
     passes->depth.draw(frame, tools, inner, areas.cornea, areas.pupil);
-    passes->microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail);
+    passes->microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail,
+                            0.5 * camera.stop_mm / camera.field_mm * height);
     return passes->microscope.picture();
 }
 

@@ -113,8 +113,9 @@ void draw_chosen(const Menu& menu, Choosing& now) {
     ImGui::SameLine();
     now.leave = ImGui::Button("Leave");
     ImGui::Spacing();
-    ImGui::TextWrapped("In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the mouse "
-                       "moves its tip and the wheel its depth; 1, 2, 3 press the pedal; P stops the clock.");
+    ImGui::TextWrapped(
+        "In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the mouse "
+        "moves its tip and the wheel its depth; 1, 2, 3 press the pedal; P stops the clock.");
     ImGui::EndChild();
 }
 

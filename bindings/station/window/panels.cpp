@@ -24,7 +24,7 @@ std::string held(const Shown& shown, const Tray& tray, int which) {
     return hand.instrument < 0 ? "-" : tray.instruments[static_cast<std::size_t>(hand.instrument)].name;
 }
 
-void draw_state(const Shown& shown, const Tray& tray, double pictures_per_s) {
+void draw_state(const Shown& shown, const Tray& tray, const DrawingRate& rate) {
     ImGui::SetNextWindowPos({8.0F, 8.0F});
     ImGui::SetNextWindowBgAlpha(0.45F);
     ImGui::Begin("state", nullptr, plain | ImGuiWindowFlags_NoInputs);
@@ -40,7 +40,11 @@ void draw_state(const Shown& shown, const Tray& tray, double pictures_per_s) {
     if (!tray.requests.empty()) {
         ImGui::Text("ask: %s", tray.requests[static_cast<std::size_t>(shown.hands.request)].title.c_str());
     }
-    ImGui::Text("%.0f pictures/s", pictures_per_s);
+    if (rate.size < 1.0) {
+        ImGui::Text("%.0f pictures/s, at %.0f %% of the size", rate.pictures_per_s, 100.0 * rate.size);
+    } else {
+        ImGui::Text("%.0f pictures/s", rate.pictures_per_s);
+    }
     if (shown.slowed < 0.97) {
         ImGui::TextColored({1.0F, 0.8F, 0.2F, 1.0F}, "slow clock: %.0f %%", 100.0 * shown.slowed);
     }
@@ -116,10 +120,9 @@ void draw_ghost(const Shown& shown, const Ghost& ghost) {
         const auto higher = static_cast<float>(std::clamp((place.z() - hand.tip.z()) / far_mm, -1.0, 1.0));
         const ImVec4 colour(1.0F - std::max(0.0F, -higher), 1.0F - 0.3F * std::abs(higher),
                             1.0F - std::max(0.0F, higher), 0.8F);
-        ImGui::GetBackgroundDrawList()->AddCircleFilled(
-            {0.5F * size.x + static_cast<float>(cursor.x()) * size.y,
-             0.5F * size.y - static_cast<float>(cursor.y()) * size.y},
-            3.0F, ImGui::ColorConvertFloat4ToU32(colour));
+        ImGui::GetBackgroundDrawList()->AddCircleFilled({0.5F * size.x + static_cast<float>(cursor.x()) * size.y,
+                                                         0.5F * size.y - static_cast<float>(cursor.y()) * size.y},
+                                                        3.0F, ImGui::ColorConvertFloat4ToU32(colour));
     }
 }
 
@@ -197,7 +200,7 @@ Panels::~Panels() {
 }
 
 std::vector<UserEvent> Panels::draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost,
-                                    double pictures_per_s) {
+                                    const DrawingRate& rate) {
     const Tray& tray = *shown.tray;
     std::vector<UserEvent> clicked;
     ImGui_ImplOpenGL3_NewFrame();
@@ -209,7 +212,7 @@ std::vector<UserEvent> Panels::draw(const Shown& shown, const Mapping& mapping, 
     if (const std::optional<std::string> next = guide_.next(shown.hands, tray, mapping)) {
         draw_next(*next);
     }
-    draw_state(shown, tray, pictures_per_s);
+    draw_state(shown, tray, rate);
     draw_lines(shown);
     if (shown.hands.help) {
         draw_help(mapping);

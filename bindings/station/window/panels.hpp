@@ -14,6 +14,12 @@
 
 namespace rhexis::station {
 
+/// How pictures are drawn.
+struct DrawingRate {
+    double pictures_per_s = 0.0;
+    double size = 1.0;  ///< of the window's, that they are drawn in
+};
+
 class Panels {
 public:
     explicit Panels(const Window& window);
@@ -22,7 +28,8 @@ public:
     Panels& operator=(const Panels&) = delete;
 
     /// Over the picture that is drawn; what is clicked comes back as events. ghost: null, there is none.
-    std::vector<UserEvent> draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost, double pictures_per_s);
+    std::vector<UserEvent> draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost,
+                                const DrawingRate& rate);
 
 private:
     Guide guide_;

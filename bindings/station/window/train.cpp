@@ -3,7 +3,10 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -22,15 +25,24 @@ namespace {
 
 constexpr double longest_wait_s = 0.02;  ///< for a picture, before events are looked for again
 
+/// Shares of the window's size that a picture may have, so that there are enough of them.
+constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5};
+constexpr double least_rate = 15.0;  ///< pictures per second: below, they are drawn smaller
+constexpr int looked_at = 12;        ///< pictures, before that is decided
+
 /// Draws the newest state, with the instruments where the hands are by now.
 class Picture {
 public:
-    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping, Stereo stereo,
-            const Ghost* ghost)
+    struct Wishes {
+        Stereo stereo = Stereo::off;
+        const Ghost* ghost = nullptr;
+        bool keep_rate = false;  ///< pictures are drawn smaller where there would be too few
+    };
+
+    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping, const Wishes& wishes)
         : window_(window),
-          stereo_(stereo),
-          ghost_(ghost),
-          renderer_(std::move(renderer)),
+          wishes_(wishes),
+          renderer_(std::make_unique<Renderer>(std::move(renderer))),
           holds_(std::move(holds)),
           mapping_(mapping),
           panels_(window),
@@ -40,26 +52,60 @@ public:
 
     std::vector<UserEvent> draw(Shown& shown, double step_s) {
         run_ahead(shown, step_s);
+        const double before = wall_seconds();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, window_.width(), window_.height());
-        renderer_.show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
-                       {0, 0, window_.width(), window_.height()}, stereo_);
-        std::vector<UserEvent> clicked = panels_.draw(shown, mapping_, ghost_, rate_);
+        renderer_->show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
+                        {0, 0, window_.width(), window_.height()}, wishes_.stereo);
+        std::vector<UserEvent> clicked =
+            panels_.draw(shown, mapping_, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
         window_.show_cursor(shown.hands.paused);
         window_.present();
-        ++count_;
-        const double now = wall_seconds();
-        if (now - begun_s_ >= 1.0) {
-            rate_ = count_ / (now - begun_s_);
-            begun_s_ = now;
-            count_ = 0;
-        }
+        count(wall_seconds() - before);
         return clicked;
     }
 
     [[nodiscard]] double rate() const { return rate_; }
 
 private:
+    void count(double took_s) {
+        ++count_;
+        slow_s_ += took_s;
+        const double now = wall_seconds();
+        if (now - begun_s_ >= 1.0) {
+            rate_ = count_ / (now - begun_s_);
+            begun_s_ = now;
+            count_ = 0;
+        }
+        if (++looked_ < looked_at) {
+            return;
+        }
+        const double mean_s = slow_s_ / looked_;
+        looked_ = 0;
+        slow_s_ = 0.0;
+        if (wishes_.keep_rate && !first_look_ && mean_s > 1.0 / least_rate &&
+            size_ + 1 < static_cast<int>(picture_sizes.size())) {
+            draw_smaller(mean_s);
+        }
+        first_look_ = false;  // textures were painted meanwhile
+    }
+
+    /// As much smaller as it takes: pixels cost the time.
+    void draw_smaller(double mean_s) {
+        const double wanted = picture_sizes[static_cast<std::size_t>(size_)] * std::sqrt(1.0 / (least_rate * mean_s));
+        while (size_ + 1 < static_cast<int>(picture_sizes.size()) &&
+               picture_sizes[static_cast<std::size_t>(size_)] > wanted) {
+            ++size_;
+        }
+        const double share = picture_sizes[static_cast<std::size_t>(size_)];
+        Result<Renderer> smaller = Renderer::create_in_window(static_cast<int>(share * window_.width()),
+                                                              static_cast<int>(share * window_.height()));
+        if (smaller) {
+            renderer_ = std::make_unique<Renderer>(std::move(smaller).value());
+        }
+        first_look_ = true;
+    }
+
     /// What the hands have done since this state was made.
     void run_ahead(Shown& shown, double step_s) {
         while (!ahead_.empty() && ahead_.front().first <= shown.events) {
@@ -86,9 +132,8 @@ private:
     }
 
     Window& window_;
-    Stereo stereo_;
-    const Ghost* ghost_;
-    Renderer renderer_;
+    Wishes wishes_;
+    std::unique_ptr<Renderer> renderer_;
     HoldScript holds_;
     const Mapping& mapping_;
     Panels panels_;
@@ -97,6 +142,10 @@ private:
     double begun_s_;
     double rate_ = 0.0;
     int count_ = 0;
+    int size_ = 0;  ///< in picture_sizes
+    int looked_ = 0;
+    double slow_s_ = 0.0;
+    bool first_look_ = true;
 };
 
 /// A person, not a file or a virtual surgeon.
@@ -228,15 +277,18 @@ Result<StationResult> train(const StationOptions& options) {
         return holds.error();
     }
     Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping,
-                    options.stereo, prepared.ghost ? &*prepared.ghost : nullptr);
+                    {options.stereo, prepared.ghost ? &*prepared.ghost : nullptr, !is_stepped(options)});
     Desk desk;
     Result<std::unique_ptr<EventSource>> made_source = make_source(options, prepared, desk, step_s);
     if (!made_source) {
         return made_source.error();
     }
     const std::unique_ptr<EventSource> source = std::move(made_source).value();
-    const PersonOptions of_person{prepared.mapping, options.pad ? "gamepad" : "mouse", options.attempt.exercise.root,
-                                  static_cast<std::uint64_t>(options.picture_every), is_stepped(options),
+    const PersonOptions of_person{prepared.mapping,
+                                  options.pad ? "gamepad" : "mouse",
+                                  options.attempt.exercise.root,
+                                  static_cast<std::uint64_t>(options.picture_every),
+                                  is_stepped(options),
                                   prepared.ghost.has_value()};
     Person person(of_person, *source, desk, prepared.writer ? &*prepared.writer : nullptr);
     AttemptOptions of_attempt = options.attempt;
