@@ -59,8 +59,8 @@ struct TrainOptions : AttemptArguments {
     int picture_every = 4;
 };
 
-/// The shared object beside the program, or where it is installed. It stays loaded: threads of its libraries may not end
-/// with it.
+/// The shared object beside the program, or where it is installed. It stays loaded: threads of its libraries may not
+/// end with it.
 Result<void*> load_station() {
     std::error_code unknown;
     const std::filesystem::path folder = std::filesystem::canonical(program_path(), unknown).parent_path();

@@ -15,8 +15,8 @@ public:
     /// Of a run's folder or a recording. Fails where it is of other instruments than these.
     static Result<Ghost> read(const std::string& path, const std::vector<std::string>& instruments);
 
-    /// The way of an instrument's tip in the room from where it came nearest to a place, for so long [mm]. Empty: it was
-    /// not used.
+    /// The way of an instrument's tip in the room from where it came nearest to a place, for so long [mm]. Empty: it
+    /// was not used.
     [[nodiscard]] std::vector<Vec3> ahead(int instrument, const Vec3& tip, double seconds) const;
 
 private:

@@ -60,7 +60,7 @@ private:
     std::uint64_t kept_step_ = 0;        ///< the moment to go back to
     std::optional<std::uint64_t> back_;  ///< wanted now
     std::vector<Command> aids_;          ///< to be told with the next step
-    double guided_s_ = 0.0;                      ///< not yet told
+    double guided_s_ = 0.0;              ///< not yet told
     double slowed_s_ = 0.0;              ///< not yet told
 };
 

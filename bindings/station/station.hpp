@@ -17,7 +17,7 @@ struct StationOptions {
     nlohmann::json begun_with =
         nlohmann::json::object();  ///< for that file: "start", "opening", "limit_s" as asked for
     bool again = false;            ///< `events` is done again, step by step
-    std::string ghost;       ///< run or recording whose way is shown on request; empty: none
+    std::string ghost;             ///< run or recording whose way is shown on request; empty: none
     std::string by;                ///< virtual surgeon who works the devices in a person's place; empty: a person does
     bool pad = false;              ///< with pad and pedal, not with mouse and keys
     bool live = false;             ///< that surgeon keeps to the wall clock

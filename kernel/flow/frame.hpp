@@ -44,7 +44,8 @@ struct Camera {
     double aperture = 0.0;   ///< half the angle of the light from a point, as a sine; 0: all is sharp
     double focus_mm = 0.0;   ///< height of what is sharp over the target, along the view [mm]
     double light = 1.0;      ///< of the lamps, times as much
-    double aside_mm = 0.0;   ///< of the camera to its right, while what lies at the target stays where it is: an eye of two
+    double aside_mm =
+        0.0;  ///< of the camera to its right, while what lies at the target stays where it is: an eye of two
 };
 
 /// Pixels, row by row from the top, 8 bits each.

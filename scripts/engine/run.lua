@@ -139,8 +139,8 @@ local function note_aids(self, aids, time_s)
 end
 
 --- Takes one observation: time_s, a row of numbers in the order of the schema, and of the step that led to it the ids
---- of the requests and the aids, a list of { name, value }; or nil. Returns the commands, a list of { kind, name, value,
---- text }. Raises "file:line: message (in step ...)" when the curriculum errs.
+--- of the requests and the aids, a list of { name, value }; or nil. Returns the commands, a list of { kind, name,
+--- value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
 function Run:observe(time_s, row, asked, aids)
     self.commands = {}
     if self.finished then return self.commands end
