@@ -65,9 +65,9 @@ void keep_to_way(const Vec3& wound, double dt, HandState& hand) {
 }
 
 std::optional<Vec3> landmark(const Surroundings& around, const std::string& name) {
-    const auto found = std::find_if(around.landmarks.begin(), around.landmarks.end(),
+    const auto found = std::find_if(around.percept.landmarks.begin(), around.percept.landmarks.end(),
                                     [&](const Landmark& mark) { return mark.visible && mark.name == name; });
-    return found == around.landmarks.end() ? std::nullopt : std::optional<Vec3>(found->position);
+    return found == around.percept.landmarks.end() ? std::nullopt : std::optional<Vec3>(found->position);
 }
 
 /// An instrument that works through one wound works through the other, and so it is with those that work where a wound

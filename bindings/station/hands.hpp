@@ -21,7 +21,7 @@ namespace rhexis::station {
 /// What hands need to know of the scene as it is now.
 struct Surroundings {
     Sight sight;
-    std::vector<Landmark> landmarks;
+    Percept percept;                 ///< what shows, wounds among it
     std::optional<Vec3> microscope;  ///< its position; none: the scene has none
 };
 

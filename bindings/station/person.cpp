@@ -26,8 +26,7 @@ Surroundings surroundings_of(const Session& session, const HandsState& hands) {
     const EyeAnatomy& anatomy = session.eye().anatomy;
     return {Sight(adjusted(microscope_camera(anatomy, world, state.microscope), hands), &anatomy,
                   world.globe ? &*world.globe : nullptr, state.globe ? &*state.globe : nullptr),
-            session.percept().landmarks,
-            state.microscope ? std::optional<Vec3>(state.microscope->position) : std::nullopt};
+            session.percept(), state.microscope ? std::optional<Vec3>(state.microscope->position) : std::nullopt};
 }
 
 Status Person::begin(Timeline& timeline) {

@@ -36,7 +36,7 @@ Result<std::vector<UserEvent>> Scripted::take(std::uint64_t step, bool waits, co
             return started.error();
         }
     }
-    Percept percept = session.percept();
+    Percept percept = around.percept;
     if (std::find(instruments.begin(), instruments.end(), microscope_name) == instruments.end()) {
         percept.field.reset();  // its scene has no microscope
     }

@@ -125,15 +125,28 @@ expect 0 "" "$rhexis" records gates P07 --pass 0
 says "closed: 0 of 2 in a row"
 expect 0 "" "$rhexis" records list --trainee P07
 says "completed, begun at half_way"
-sql "UPDATE attempts SET begun_at = ''"
-cp "$RHEXIS_RECORDS" "$work/older.db"
-python3 -c "import sqlite3, sys
+sql "UPDATE attempts SET begun_at = '', aids = 'rewound guided' WHERE trainee = 'P07'"
+expect 0 "" "$rhexis" records gates P07 --pass 0
+says "closed: 0 of 2 in a row"
+expect 0 "" "$rhexis" records list --trainee P07
+says "with aids: rewound guided"
+sql "UPDATE attempts SET begun_at = '', aids = ''"
+# older VERSION COLUMN...: a store of that version, which had none of these columns.
+older() {
+    cp "$RHEXIS_RECORDS" "$work/older.db"
+    python3 -c "import sqlite3, sys
 sql = sqlite3.connect(sys.argv[1])
-sql.executescript('ALTER TABLE attempts DROP COLUMN begun_at; PRAGMA user_version = 1')" "$work/older.db"
-expect 0 "" "$rhexis" records gates P07 --pass 0 --records "$work/older.db"
-says "open since attempt 2"
-[ "$(python3 -c "import sqlite3, sys; print(*sqlite3.connect(sys.argv[1]).execute('PRAGMA user_version').fetchone())" \
-    "$work/older.db")" = 2 ] || fail "an older store was not brought up to date"
+for column in sys.argv[3:]:
+    sql.execute('ALTER TABLE attempts DROP COLUMN ' + column)
+sql.execute('PRAGMA user_version = ' + sys.argv[2])
+sql.commit()" "$work/older.db" "$@"
+    expect 0 "" "$rhexis" records gates P07 --pass 0 --records "$work/older.db"
+    says "open since attempt 2"
+    [ "$(python3 -c "import sqlite3, sys; print(*sqlite3.connect(sys.argv[1]).execute('PRAGMA user_version').fetchone())" \
+        "$work/older.db")" = 3 ] || fail "a store of version $1 was not brought up to date"
+}
+older 1 begun_at input aids
+older 2 input aids
 
 # An attempt of a trainee is not written over.
 sum=$(sha256sum "$work/p4/recording.rhx")

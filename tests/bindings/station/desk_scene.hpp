@@ -38,9 +38,9 @@ inline Tray a_tray() {
 
 inline Surroundings around_the_eye() {
     const EyeAnatomy eye = an_eye();
-    return {Sight(above(), &eye, nullptr, nullptr),
-            {{"incision", true, Vec3(0.0, -5.0, 1.5), 1.2}, {"side_port", true, Vec3(-5.0, 0.0, 1.5), 0.5}},
-            Vec3(0.0, 0.0, 1.0)};
+    Percept percept;
+    percept.landmarks = {{"incision", true, Vec3(0.0, -5.0, 1.5), 1.2}, {"side_port", true, Vec3(-5.0, 0.0, 1.5), 0.5}};
+    return {Sight(above(), &eye, nullptr, nullptr), percept, Vec3(0.0, 0.0, 1.0)};
 }
 
 /// What stands in assets/station.
