@@ -169,6 +169,9 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, Picture&
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
             continue;
         }
+        if (any && !operates(options) && shown->step == seen) {
+            continue;  // nobody moves anything before the next one
+        }
         any = true;
         const std::vector<UserEvent> clicked = picture.draw(*shown, step_s);
         seen = shown->step;
