@@ -149,7 +149,7 @@ Result<GoingOn> cut_short(const std::string& folder, const TrainOptions& given) 
 /// Where rhexis run leaves one, if it did.
 std::string expert_run(const std::string& curriculum) {
     for (const char* who : {"-expert-1", "-d-101"}) {
-        const std::string folder = "runs/" + exercise_name(curriculum) + who;
+        std::string folder = "runs/" + exercise_name(curriculum) + who;
         std::error_code ignored;
         if (std::filesystem::exists(folder + "/recording.rhx", ignored)) {
             return folder;

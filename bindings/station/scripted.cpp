@@ -7,13 +7,13 @@
 
 namespace rhexis::station {
 
-Result<std::unique_ptr<Scripted>> Scripted::create(const ExerciseOptions& options, Fingers fingers,
+Result<std::unique_ptr<Scripted>> Scripted::create(const ExerciseOptions& options, const Fingers& fingers,
                                                    std::unique_ptr<WallClock> clock) {
     Result<ExerciseHost> host = ExerciseHost::load(options);
     if (!host) {
         return host.error();
     }
-    return std::unique_ptr<Scripted>(new Scripted(std::move(host).value(), std::move(fingers), std::move(clock)));
+    return std::unique_ptr<Scripted>(new Scripted(std::move(host).value(), fingers, std::move(clock)));
 }
 
 Result<std::vector<UserEvent>> Scripted::take(std::uint64_t step, bool waits, const Hands& hands,

@@ -14,7 +14,7 @@ namespace rhexis::station {
 class Scripted final : public EventSource {
 public:
     /// options: of the exercise, with the surgeon. clock: null, steps follow each other as they may.
-    static Result<std::unique_ptr<Scripted>> create(const ExerciseOptions& options, Fingers fingers,
+    static Result<std::unique_ptr<Scripted>> create(const ExerciseOptions& options, const Fingers& fingers,
                                                     std::unique_ptr<WallClock> clock);
 
     Result<std::vector<UserEvent>> take(std::uint64_t step, bool waits, const Hands& hands, const Surroundings& around,
@@ -25,8 +25,8 @@ public:
     [[nodiscard]] nlohmann::json pace() const override { return clock_ ? clock_->pace() : nlohmann::json(nullptr); }
 
 private:
-    Scripted(ExerciseHost host, Fingers fingers, std::unique_ptr<WallClock> clock)
-        : host_(std::move(host)), fingers_(std::move(fingers)), clock_(std::move(clock)) {}
+    Scripted(ExerciseHost host, const Fingers& fingers, std::unique_ptr<WallClock> clock)
+        : host_(std::move(host)), fingers_(fingers), clock_(std::move(clock)) {}
 
     ExerciseHost host_;
     Fingers fingers_;
