@@ -4,11 +4,13 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "base/folder_lock.hpp"
 #include "cli/attempt_arguments.hpp"
@@ -171,6 +173,18 @@ void open_report(const std::string& folder) {
     static_cast<void>(::posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ));
 }
 
+/// A program that was just killed holds its folder until the system has cleared it away.
+Result<FolderLock> lock_when_free(const std::string& folder) {
+    constexpr int tries = 20;
+    for (int i = 0; i < tries; ++i) {
+        if (Result<FolderLock> lock = FolderLock::take(folder)) {
+            return lock;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return FolderLock::take(folder);
+}
+
 /// A person's attempt is not begun where its recording could not be kept.
 Status check_room(const std::string& folder, double limit_s) {
     constexpr double bytes_per_s = 0.3e6;  // of the largest exercises, measured: 0.23e6
@@ -234,7 +248,8 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     options.stereo = stereo_names.at(given.stereo);
     options.picture_every = given.picture_every;
     options.begun_with = {{"start", given.start}, {"opening", given.opening}, {"limit_s", given.limit_s}};
-    const Result<FolderLock> lock = FolderLock::take(options.attempt.folder);
+    const Result<FolderLock> lock =
+        before ? lock_when_free(options.attempt.folder) : FolderLock::take(options.attempt.folder);
     if (!lock) {
         return complain(lock.error());
     }
