@@ -274,13 +274,13 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
         return complain(kept.error());
     }
     options.attempt.comparison = kept.value().comparison();
-    Result<station::StationResult> result = Error{"nothing was done", "", ""};
+    Result<AttemptResult> result = Error{"nothing was done", "", ""};
     entry_of<station::Entry>(opened, station::entry_name)(options, result);
     if (!result) {
         kept.value().give_up();
         return complain(result.error());
     }
-    const AttemptResult& attempt = result.value().attempt;
+    const AttemptResult& attempt = result.value();
     const Status stored = kept.value().finish(attempt.report);
     print_summary(given, "person", options.attempt.folder, attempt);
     if (!given.no_open && given.by.empty() && !given.again && attempt.html_error.empty()) {

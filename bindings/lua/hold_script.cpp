@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lua/hold_script.hpp"
 
+#include "lua/samples.hpp"
 #include "lua/stack.hpp"
 
 namespace rhexis {
 namespace {
-
-/// Number `index` of the list on top of the stack.
-double item(lua_State* L, int index) {
-    lua_rawgeti(L, -1, index);
-    const double value = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    return value;
-}
 
 void push_hold(lua_State* L, const std::string& instrument) {
     lua_getfield(L, -1, "held");
@@ -57,7 +50,7 @@ Result<Vec3> HoldScript::of_wound(const char* function, const Vec3& wound) {
         lua_getfield(L, -1, function);
         lua::push(L, wound);
         lua_call(L, 1, 1);
-        place = Vec3(item(L, 1), item(L, 2), item(L, 3));
+        place = lua::place_from(L);
     });
     return status ? Result<Vec3>(place) : status.error();
 }
@@ -82,7 +75,7 @@ Result<Quat> HoldScript::orientation(const std::string& instrument, const std::o
         lua::push(L, tip);
         lua_pushnumber(L, turned_deg);
         lua_call(L, 4, 1);
-        turned = Quat(item(L, 1), item(L, 2), item(L, 3), item(L, 4));
+        turned = lua::orientation_from(L);
     });
     return status ? Result<Quat>(turned) : status.error();
 }

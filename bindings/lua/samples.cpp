@@ -14,6 +14,13 @@ double item(lua_State* L, lua_Integer i) {
     return value;
 }
 
+}  // namespace
+
+Vec3 place_from(lua_State* L) { return {item(L, 1), item(L, 2), item(L, 3)}; }
+Quat orientation_from(lua_State* L) { return {item(L, 1), item(L, 2), item(L, 3), item(L, 4)}; }
+
+namespace {
+
 double number_field(lua_State* L, const char* name) {
     lua_getfield(L, -1, name);
     const double value = lua_tonumber(L, -1);
@@ -29,10 +36,10 @@ DeviceSample sample_from(lua_State* L) {
     sample.present = lua_toboolean(L, -1) != 0;
     lua_pop(L, 1);
     lua_getfield(L, -1, "position");
-    sample.pose.position = Vec3(item(L, 1), item(L, 2), item(L, 3));
+    sample.pose.position = place_from(L);
     lua_pop(L, 1);
     lua_getfield(L, -1, "orientation");
-    sample.pose.orientation = Quat(item(L, 1), item(L, 2), item(L, 3), item(L, 4));
+    sample.pose.orientation = orientation_from(L);
     lua_pop(L, 1);
     sample.jaw = number_field(L, "jaw");
     sample.pedal = number_field(L, "pedal");

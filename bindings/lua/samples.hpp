@@ -12,6 +12,11 @@
 
 namespace rhexis::lua {
 
+/// The { x, y, z } on top of the stack.
+Vec3 place_from(lua_State* L);
+/// The { w, x, y, z } on top of the stack.
+Quat orientation_from(lua_State* L);
+
 /// The list of { instrument, present, position, orientation = { w, x, y, z }, jaw, pedal } on top of the stack.
 std::vector<DeviceSample> samples_from(lua_State* L);
 

@@ -13,9 +13,9 @@ std::chrono::duration<double> seconds(double value) { return std::chrono::durati
 
 }  // namespace
 
-void Desk::post(const UserEvent& event, double at_s) {
+void Desk::post(const UserEvent& event) {
     const std::lock_guard lock(mutex_);
-    events_.push_back({event, at_s, ++last_number_});
+    events_.push_back({event, ++last_number_});
     posted_.notify_all();
 }
 

@@ -17,7 +17,6 @@ namespace rhexis::station {
 
 struct PostedEvent {
     UserEvent event;
-    double at_s = 0.0;         ///< wall clock, when the device gave it
     std::uint64_t number = 0;  ///< from 1
 };
 
@@ -37,7 +36,7 @@ struct Shown {
 class Desk {
 public:
     // The window's side.
-    void post(const UserEvent& event, double at_s);
+    void post(const UserEvent& event);
     [[nodiscard]] std::shared_ptr<Shown> newest() const;
     /// Waits for a picture after `step`, or until the time is over or the trial has ended.
     std::shared_ptr<Shown> wait_for(std::uint64_t step, double longest_s);

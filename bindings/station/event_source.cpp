@@ -59,7 +59,6 @@ Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const 
 }
 
 void WallClock::note(double late_s, double lost_s) {
-    ++steps_;
     this_second_.push_back(static_cast<float>(late_s / step_s_));
     lost_this_second_s_ += lost_s;
     const double now = wall_seconds();

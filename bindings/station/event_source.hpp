@@ -56,7 +56,6 @@ private:
     int steal_s_ = 0;
     double lost_s_ = 0.0;
     double lost_this_second_s_ = 0.0;
-    std::uint64_t steps_ = 0;
     double due_s_ = 0.0;  ///< of the next step; 0: as soon as it is asked for
     double slowed_ = 1.0;
     std::uint64_t number_ = 0;

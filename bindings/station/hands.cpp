@@ -37,31 +37,35 @@ struct Way {
     double beside = 0.0;  ///< [mm]
     double height = 0.0;  ///< of the tunnel there [mm]
 
-    Way(const Vec3& wound, const Vec3& place) : outward(wound.head<2>().normalized()) {
+    /// way_out: direction of the tunnel, outwards.
+    Way(const Vec3& wound, const Vec3& way_out, const Vec3& place) : outward(way_out.head<2>().normalized()) {
         const Vec2 from = place.head<2>() - wound.head<2>();
         out = outward.dot(from);
         beside = outward.x() * from.y() - outward.y() * from.x();
-        height = wound.z() + 0.5 * out;
+        height = wound.z() + out * rise(way_out);
     }
+
+    /// Of the tunnel, per mm outwards.
+    static double rise(const Vec3& way_out) { return way_out.z() / way_out.head<2>().norm(); }
 };
 
 /// The limbus is a wall, and the wound the way through it. Outside, a tip is as high over the tunnel as it was, so that
 /// it goes in when it is drawn in; inside it is free; drawn out under the wound, it is lifted first.
-void keep_to_way(const Vec3& wound, double dt, HandState& hand) {
-    const Way now(wound, hand.wanted);
+void keep_to_way(const Vec3& wound, const Vec3& way_out, double dt, HandState& hand) {
+    const Way now(wound, way_out, hand.wanted);
     if (hand.inside) {
         if (now.out > 0.0 && hand.wanted.z() < wound.z() - sill_mm) {
             hand.wanted.head<2>() -= now.out * now.outward;
             hand.wanted.z() += lift_mm_s * dt;
         }
-        hand.inside = Way(wound, hand.wanted).out <= 0.0;
+        hand.inside = Way(wound, way_out, hand.wanted).out <= 0.0;
     } else if (now.out > 0.0) {
-        hand.wanted.z() += hand.out > 0.0 ? 0.5 * (now.out - hand.out) : 0.0;
+        hand.wanted.z() += hand.out > 0.0 ? Way::rise(way_out) * (now.out - hand.out) : 0.0;
         hand.wanted.z() = std::max(hand.wanted.z(), now.height);
     } else {
         hand.inside = hand.wanted.z() <= now.height + sill_mm && std::abs(now.beside) < beside_mm;
     }
-    hand.out = Way(wound, hand.wanted).out;
+    hand.out = Way(wound, way_out, hand.wanted).out;
 }
 
 std::optional<Vec3> landmark(const Surroundings& around, const std::string& name) {
@@ -416,7 +420,11 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
     }
     const std::optional<Vec3> wound = landmark(around, hand.wound);
     if (wound && leads_inside(hand.wound)) {
-        keep_to_way(*wound, dt, hand);
+        const Result<Vec3> way_out = holds_->way_out(*wound);
+        if (!way_out) {
+            return way_out.error();
+        }
+        keep_to_way(*wound, way_out.value(), dt, hand);
     }
     const Vec3 left = hand.wanted - hand.tip;
     const double longest = fastest_tip * dt;
@@ -472,7 +480,8 @@ Status Hands::take_over(const Session& session, const Surroundings& around) {
         hand.jaw = tool.jaw;
         hand.wound = wound_on_shaft(around, wounds_[i], pose);
         const std::optional<Vec3> wound = landmark(around, hand.wound);
-        hand.inside = wound && leads_inside(hand.wound) && Way(*wound, hand.tip).out <= 0.0;
+        hand.inside =
+            wound && leads_inside(hand.wound) && wound->head<2>().dot(hand.tip.head<2>() - wound->head<2>()) <= 0.0;
         const Result<Quat> unrolled = holds_->orientation(tool_name(instrument), wound, hand.tip, 0.0);
         if (!unrolled) {
             return unrolled.error();

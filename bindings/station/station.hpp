@@ -28,15 +28,8 @@ struct StationOptions {
     int picture_every = 4;  ///< steps, where events are done again
 };
 
-struct StationResult {
-    AttemptResult attempt;
-    std::string device;  ///< what drew
-    double pictures_per_s = 0.0;
-    double slowest_rate = 1.0;  ///< simulated seconds per second
-};
-
 /// The one function that the shared object shows.
 inline constexpr const char* entry_name = "rhexis_station_train";
-using Entry = void(const StationOptions& options, Result<StationResult>& result);
+using Entry = void(const StationOptions& options, Result<AttemptResult>& result);
 
 }  // namespace rhexis::station

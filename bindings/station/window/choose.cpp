@@ -131,9 +131,8 @@ void draw(const Menu& menu, Choosing& now) {
     ImGui::End();
 }
 
-void heed(const std::vector<TimedEvent>& events, Choosing& now) {
-    for (const TimedEvent& timed : events) {
-        const UserEvent& event = timed.event;
+void heed(const std::vector<UserEvent>& events, Choosing& now) {
+    for (const UserEvent& event : events) {
         now.leave = now.leave || event.kind == EventKind::quit ||
                     (event.kind == EventKind::key && event.name == "Escape" && event.value > 0.5);
         if (event.kind == EventKind::device) {

@@ -65,8 +65,6 @@ public:
         return clicked;
     }
 
-    [[nodiscard]] double rate() const { return rate_; }
-
 private:
     void count(double took_s) {
         ++count_;
@@ -156,11 +154,11 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, Picture&
     std::uint64_t seen = 0;
     bool any = false;
     while (!desk.ended()) {
-        for (const TimedEvent& timed : window.poll()) {
+        for (const UserEvent& event : window.poll()) {
             if (operates(options)) {
-                desk.post(timed.event, timed.at_s);
-                picture.posted(timed.event);
-            } else if (timed.event.kind == EventKind::quit) {
+                desk.post(event);
+                picture.posted(event);
+            } else if (event.kind == EventKind::quit) {
                 desk.close();
             }
         }
@@ -178,7 +176,7 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, Picture&
         desk.drawn(seen);
         for (const UserEvent& event : clicked) {
             if (operates(options)) {
-                desk.post(event, wall_seconds());
+                desk.post(event);
                 picture.posted(event);
             }
         }
@@ -248,7 +246,7 @@ Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, 
     return scripted ? Result<std::unique_ptr<EventSource>>(std::move(scripted).value()) : scripted.error();
 }
 
-Result<StationResult> train(const StationOptions& options) {
+Result<AttemptResult> train(const StationOptions& options) {
     Result<Prepared> made = prepare(options);
     if (!made) {
         return made.error();
@@ -312,13 +310,13 @@ Result<StationResult> train(const StationOptions& options) {
     if (!kept) {
         return kept.error();
     }
-    return StationResult{std::move(*result).value(), "", picture.rate(), source->slowed()};
+    return std::move(*result).value();
 }
 
 }  // namespace
 }  // namespace rhexis::station
 
 extern "C" __attribute__((visibility("default"))) void rhexis_station_train(
-    const rhexis::station::StationOptions& options, rhexis::Result<rhexis::station::StationResult>& result) {
+    const rhexis::station::StationOptions& options, rhexis::Result<rhexis::AttemptResult>& result) {
     result = rhexis::station::train(options);
 }

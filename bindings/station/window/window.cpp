@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <map>
 
-#include "base/clock.hpp"
-
 namespace rhexis::station {
 namespace {
 
@@ -62,10 +60,10 @@ struct Window::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
 
-    void read(const SDL_Event& event, std::vector<TimedEvent>& list);
-    void add_device(int index, std::vector<TimedEvent>& list, double at);
-    void remove_device(SDL_JoystickID id, std::vector<TimedEvent>& list, double at);
-    void axis(const std::string& name, double value, std::vector<TimedEvent>& list, double at);
+    void read(const SDL_Event& event, std::vector<UserEvent>& list);
+    void add_device(int index, std::vector<UserEvent>& list);
+    void remove_device(SDL_JoystickID id, std::vector<UserEvent>& list);
+    void axis(const std::string& name, double value, std::vector<UserEvent>& list);
 };
 
 Result<Window> Window::open(const std::string& title, int width, int height, bool full_screen) {
@@ -100,46 +98,44 @@ Window::Window(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Window::~Window() = default;
 Window::Window(Window&&) noexcept = default;
 
-void Window::Parts::axis(const std::string& name, double value, std::vector<TimedEvent>& list, double at) {
+void Window::Parts::axis(const std::string& name, double value, std::vector<UserEvent>& list) {
     double& before = axes[name];
     if (std::abs(value - before) > axis_grain || ((value == 0.0 || std::abs(value) >= 1.0) && value != before)) {
         before = value;
-        list.push_back({{EventKind::axis, name, value, 0.0, 0.0}, at});
+        list.push_back({EventKind::axis, name, value, 0.0, 0.0});
     }
 }
 
-void Window::Parts::add_device(int index, std::vector<TimedEvent>& list, double at) {
+void Window::Parts::add_device(int index, std::vector<UserEvent>& list) {
     const bool pad = SDL_IsGameController(index) == SDL_TRUE;
     if (pad && pads.empty()) {  // of several equal ones the first counts
         if (SDL_GameController* opened = SDL_GameControllerOpen(index)) {
             pads[SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(opened))] = opened;
-            list.push_back({{EventKind::device, "pad", 1.0, 0.0, 0.0}, at});
+            list.push_back({EventKind::device, "pad", 1.0, 0.0, 0.0});
         }
     } else if (!pad && pedals.empty()) {
         if (SDL_Joystick* opened = SDL_JoystickOpen(index)) {
             pedals[SDL_JoystickInstanceID(opened)] = opened;
-            list.push_back({{EventKind::device, "pedal", 1.0, 0.0, 0.0}, at});
+            list.push_back({EventKind::device, "pedal", 1.0, 0.0, 0.0});
         }
     }
 }
 
-void Window::Parts::remove_device(SDL_JoystickID id, std::vector<TimedEvent>& list, double at) {
+void Window::Parts::remove_device(SDL_JoystickID id, std::vector<UserEvent>& list) {
     if (const auto pad = pads.find(id); pad != pads.end()) {
         SDL_GameControllerClose(pad->second);
         pads.erase(pad);
-        list.push_back({{EventKind::device, "pad", 0.0, 0.0, 0.0}, at});
+        list.push_back({EventKind::device, "pad", 0.0, 0.0, 0.0});
     } else if (const auto pedal = pedals.find(id); pedal != pedals.end()) {
         SDL_JoystickClose(pedal->second);
         pedals.erase(pedal);
-        list.push_back({{EventKind::device, "pedal", 0.0, 0.0, 0.0}, at});
+        list.push_back({EventKind::device, "pedal", 0.0, 0.0, 0.0});
     }
 }
 
-void Window::Parts::read(const SDL_Event& event, std::vector<TimedEvent>& list) {
-    // SDL's clock counts milliseconds since it began
-    const double at = wall_seconds() - 1e-3 * static_cast<double>(SDL_GetTicks() - event.common.timestamp);
+void Window::Parts::read(const SDL_Event& event, std::vector<UserEvent>& list) {
     const auto add = [&](EventKind kind, const std::string& name, double value, double x = 0.0, double y = 0.0) {
-        list.push_back({{kind, name, value, x, y}, at});
+        list.push_back({kind, name, value, x, y});
     };
     switch (event.type) {
         case SDL_QUIT:
@@ -173,16 +169,16 @@ void Window::Parts::read(const SDL_Event& event, std::vector<TimedEvent>& list) 
             }
             break;
         case SDL_JOYDEVICEADDED:
-            add_device(event.jdevice.which, list, at);
+            add_device(event.jdevice.which, list);
             break;
         case SDL_JOYDEVICEREMOVED:
-            remove_device(event.jdevice.which, list, at);
+            remove_device(event.jdevice.which, list);
             break;
         case SDL_CONTROLLERAXISMOTION:
             if (pads.contains(event.caxis.which)) {
                 axis(std::string("pad.") +
                          SDL_GameControllerGetStringForAxis(static_cast<SDL_GameControllerAxis>(event.caxis.axis)),
-                     std::max(-1.0, event.caxis.value / axis_range), list, at);
+                     std::max(-1.0, event.caxis.value / axis_range), list);
             }
             break;
         case SDL_CONTROLLERBUTTONDOWN:
@@ -196,8 +192,7 @@ void Window::Parts::read(const SDL_Event& event, std::vector<TimedEvent>& list) 
             break;
         case SDL_JOYAXISMOTION:
             if (pedals.contains(event.jaxis.which)) {
-                axis("pedal." + std::to_string(event.jaxis.axis), std::max(-1.0, event.jaxis.value / axis_range), list,
-                     at);
+                axis("pedal." + std::to_string(event.jaxis.axis), std::max(-1.0, event.jaxis.value / axis_range), list);
             }
             break;
         case SDL_JOYBUTTONDOWN:
@@ -212,8 +207,8 @@ void Window::Parts::read(const SDL_Event& event, std::vector<TimedEvent>& list) 
     }
 }
 
-std::vector<TimedEvent> Window::poll() {
-    std::vector<TimedEvent> list;
+std::vector<UserEvent> Window::poll() {
+    std::vector<UserEvent> list;
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
         ImGui_ImplSDL2_ProcessEvent(&event);

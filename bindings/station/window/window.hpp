@@ -14,11 +14,6 @@
 
 namespace rhexis::station {
 
-struct TimedEvent {
-    UserEvent event;
-    double at_s = 0.0;  ///< wall clock
-};
-
 class Window {
 public:
     /// The error says whether a display or OpenGL is missing.
@@ -27,7 +22,7 @@ public:
     Window(Window&&) noexcept;
 
     /// What happened since the last call.
-    std::vector<TimedEvent> poll();
+    std::vector<UserEvent> poll();
     [[nodiscard]] int width() const;  ///< pixels
     [[nodiscard]] int height() const;
     /// What was drawn becomes visible.

@@ -29,9 +29,6 @@ blocked report.json 2 "report.json" --no-pictures
 blocked series.json 2 "series.json" --no-pictures
 blocked report.html 2 "no report.html" --no-pictures
 
-# A limit on the size of files stands for a disk that fills up (the signal that comes with it is ignored).
-limited() { (trap '' XFSZ; ulimit -f "$1"; shift; exec "$@"); }
-export -f limited
 expect 2 "recording.rhx.part: cannot write" bash -c 'limited 1 "$@"' _ "$rhexis" run groove "${small[@]}" --out "$work/a"
 expect 2 "recording.rhx.part: cannot write" bash -c 'limited 100 "$@"' _ "$rhexis" run groove "${small[@]}" --out "$work/b"
 [ -z "$(find "$work/a" -type f)" ] || fail "files are left of a run that never began"

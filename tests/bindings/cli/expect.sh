@@ -35,6 +35,21 @@ exercise() {
     echo "$work/$1"
 }
 
+# limited BLOCKS COMMAND...: a limit on the size of files stands for a disk that fills up (the signal that comes with it
+# is ignored).
+limited() { (trap '' XFSZ; ulimit -f "$1"; shift; exec "$@"); }
+export -f limited
+
+# kill_when_recorded FOLDER PROCESS: in the middle, as soon as its recording there has some length.
+kill_when_recorded() {
+    for _ in $(seq 600); do
+        [ "$(stat -c %s "$1/recording.rhx.part" 2>/dev/null || echo 0)" -gt 100000 ] && break
+        sleep 0.05
+    done
+    kill -9 "$2"
+    wait 2>/dev/null
+}
+
 finished() {
     [ "$failures" = 0 ] || exit 1
 }

@@ -261,8 +261,6 @@ store.execute("INSERT INTO padding VALUES (zeroblob(3000000))")
 store.commit()
 P
 blocks=$(($(stat -c %s "$work/large.db") / 1024))
-limited() { (trap '' XFSZ; ulimit -f "$1"; shift; exec "$@"); }
-export -f limited
 expect 2 "the attempt is not stored" bash -c 'limited "$@"' _ "$blocks" "${attempt[@]}" --out "$work/full" --trainee P07 \
     --records "$work/large.db"
 [ -s "$work/full/report.html" ] && [ -s "$work/full/recording.rhx" ] || fail "the run of a full disk is lost"

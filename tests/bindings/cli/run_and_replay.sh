@@ -75,12 +75,7 @@ expect 2 "rhexis: " "${blind[@]}" "$rhexis" run groove --limit 0.5 --set patient
 
 # Killed in the middle: what was done is there.
 "$rhexis" run groove --set patient.tetrahedra=500 --no-pictures --out "$work/g" >/dev/null 2>&1 &
-for _ in $(seq 300); do
-    [ "$(stat -c %s "$work/g/recording.rhx.part" 2>/dev/null || echo 0)" -gt 100000 ] && break
-    sleep 0.05
-done
-kill -9 $!
-wait 2>/dev/null
+kill_when_recorded "$work/g" $!
 if [ -e "$work/g/recording.rhx.part" ]; then
     expect 0 "cut short" "$rhexis" replay "$work/g" --verify
     says "identical"

@@ -79,20 +79,13 @@ says '"rewound"'
 # Killed, and gone on with: nothing of the recording is lost, and it is replayed from its start to its end.
 limit=(--limit 6)
 "$rhexis" train groove "${small[@]}" "${limit[@]}" --out "$work/killed" --by d --live >"$work/stdout" 2>"$work/stderr" &
-for _ in $(seq 300); do
-    [ "$(stat -c %s "$work/killed/recording.rhx.part" 2>/dev/null || echo 0)" -gt 100000 ] && break
-    sleep 0.1
-done
-kill -9 $!
-wait 2>/dev/null
+kill_when_recorded "$work/killed" $!
 expect 0 "" "$rhexis" train --resume "$work/killed" --width 160 --height 120 "${limit[@]}" --by d
 [ -e "$work/killed/left_1.rhx" ] || fail "what was recorded before is gone"
 expect 0 "" "$rhexis" replay "$work/killed" --verify
 says "all 600 steps"
 
 # A disk that fills up.
-limited() { (trap '' XFSZ; ulimit -f "$1"; shift; exec "$@"); }
-export -f limited
 expect 2 "recording.rhx.part: cannot write" bash -c 'limited 1000 "$@"' _ "$rhexis" train groove "${small[@]}" --limit 30 --by d --picture-every 100 --out "$work/full"
 expect 0 "cut short" "$rhexis" replay "$work/full" --verify
 says "identical"

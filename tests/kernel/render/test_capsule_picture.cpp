@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "make_renderer.hpp"
 #include "render/gl_context.hpp"
 #include "render/renderer.hpp"
 #include "render/view.hpp"
@@ -18,12 +19,6 @@ namespace {
 
 constexpr int width = 320;
 constexpr int height = 240;
-
-Renderer make_renderer() {
-    Result<Renderer> renderer = Renderer::create(width, height);
-    REQUIRE(renderer.ok());
-    return std::move(renderer).value();
-}
 
 Image picture(Renderer& renderer, const Frame& frame) { return renderer.draw(frame, microscope_camera(frame)); }
 
@@ -81,7 +76,7 @@ double greatest_change(const Image& a, const Image& b, const std::function<bool(
 
 TEST_SUITE("capsule picture") {
     TEST_CASE("a lens under its capsule looks like one that is a solid") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         for (const double grade : {1.0, 3.0, 5.0}) {
             const Frame frame = capsule_frame(grade);
             Frame solid = patient_frame(grade, 7.5, 1500);
@@ -101,7 +96,7 @@ TEST_SUITE("capsule picture") {
     }
 
     TEST_CASE("a lens that is pushed back shows farther from the microscope") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         Frame frame = capsule_frame();
         const Image before = picture(renderer, frame);
         frame.membranes[0].support.lift = -0.5;
@@ -109,7 +104,7 @@ TEST_SUITE("capsule picture") {
     }
 
     TEST_CASE("a flap shows where it lies and where it came from, and nowhere else") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         const Places places{capsule_frame()};
         Frame flap = places.frame;
         fold_flap(flap.membranes[0]);
@@ -127,7 +122,7 @@ TEST_SUITE("capsule picture") {
     }
 
     TEST_CASE("stain is blue where there is capsule, bluest where it is folded, and gone where it is torn away") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         const Places clear{capsule_frame()};
         Frame stained = capsule_frame(3.0, 1.0);
         const Vec2 rim = clear.pixel(0.0, -3.0);
@@ -154,7 +149,7 @@ TEST_SUITE("capsule picture") {
     }
 
     TEST_CASE("an instrument hides the capsule that lies deeper") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         Frame clear = capsule_frame();
         clear.tools[0].present = true;
         clear.tools[0].pose = hand_pose(Vec3(0.0, 0.0, 2.4), 0.5);
@@ -166,7 +161,7 @@ TEST_SUITE("capsule picture") {
     }
 
     TEST_CASE("the same pixels come twice, also after another eye, and numbers that ran away do no harm") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         Frame frame = capsule_frame(3.0, 0.6);
         fold_flap(frame.membranes[0]);
         const Image first = picture(renderer, frame);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make_renderer.hpp"
 #include "render/renderer.hpp"
 #include "render/view.hpp"
 #include "scenes/pictures.hpp"
@@ -16,12 +17,6 @@ namespace {
 
 constexpr int width = 320;
 constexpr int height = 240;
-
-Renderer make_renderer() {
-    Result<Renderer> renderer = Renderer::create(width, height);
-    REQUIRE(renderer.ok());
-    return std::move(renderer).value();
-}
 
 int red(const Image& image, int x, int y) { return image.rgb[3 * (static_cast<std::size_t>(y) * image.width + x)]; }
 
@@ -60,7 +55,7 @@ TEST_SUITE("eyepiece") {
         const Frame frame = patient_frame(3.0, 7.5, 1500);
         Camera camera = microscope_camera(frame);
         camera.stop_mm = 12.0;
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         const Image image = renderer.draw(frame, camera);
         const double radius = 6.0 * height / camera.field_mm;
         int lit = 0;
@@ -78,7 +73,7 @@ TEST_SUITE("eyepiece") {
 
     TEST_CASE("what is in focus is as sharp as without optics; the rest spreads, and nothing gets lighter or darker") {
         const Frame frame = patient_frame(3.0, 7.5, 1500);
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         const Image plain = renderer.draw(frame, microscope_camera(frame));
         const Image iris = renderer.draw(frame, focused(frame, 0.0));
         const Image high = renderer.draw(frame, focused(frame, 4.0));
@@ -95,7 +90,7 @@ TEST_SUITE("eyepiece") {
         Frame frame = patient_frame(3.0, 7.5, 1500);
         frame.tools[0].present = true;
         frame.tools[0].pose = hand_pose(Vec3(0.0, 0.0, 2.6), 0.0);
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         Camera plain = microscope_camera(frame);
         const double at_tip = 2.6 - frame.eye->iris_z;
         const auto row = [&](double y_mm) { return static_cast<int>(0.5 * height - y_mm / plain.field_mm * height); };
@@ -111,7 +106,7 @@ TEST_SUITE("eyepiece") {
 
     TEST_CASE("the lamp goes with the microscope: the reflex fades beside its middle; and is turned down") {
         const Frame frame = patient_frame(2.0, 7.5, 1500);
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         const auto reflex = [&](const Camera& camera, double beside_mm) {
             const Image image = renderer.draw(frame, camera);
             return red(image, static_cast<int>(0.5 * width - beside_mm / camera.field_mm * height), height / 2 + 20);

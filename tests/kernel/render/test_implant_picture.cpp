@@ -8,6 +8,7 @@
 
 #include "base/index.hpp"
 #include "eye/implant.hpp"
+#include "make_renderer.hpp"
 #include "render/renderer.hpp"
 #include "render/shell_surface.hpp"
 #include "render/view.hpp"
@@ -56,12 +57,6 @@ int change_near(const Image& a, const Image& b, const View& view, const Vec3& pl
         }
     }
     return most;
-}
-
-Renderer make_renderer() {
-    Result<Renderer> renderer = Renderer::create(width, height);
-    REQUIRE(renderer.ok());
-    return std::move(renderer).value();
 }
 
 }  // namespace
@@ -116,7 +111,7 @@ TEST_SUITE("shell surface") {
 
 TEST_SUITE("implant picture") {
     TEST_CASE("it shows by its edge, and hardly between, and not outside the pupil") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         const Frame frame = implant_frame();
         const View view = view_through_cornea(microscope_camera(frame), width, height, *frame.eye);
         const Image with = renderer.draw(frame, microscope_camera(frame));
@@ -137,7 +132,7 @@ TEST_SUITE("implant picture") {
     }
 
     TEST_CASE("folded it is another picture, the same pixels come twice, and numbers that ran away do no harm") {
-        Renderer renderer = make_renderer();
+        Renderer renderer = make_renderer(width, height);
         Frame frame = implant_frame();
         const Image flat = renderer.draw(frame, microscope_camera(frame));
         CHECK(renderer.draw(frame, microscope_camera(frame)).rgb == flat.rgb);

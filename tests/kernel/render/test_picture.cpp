@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "make_renderer.hpp"
 #include "render/renderer.hpp"
 #include "scenes/pictures.hpp"
 
@@ -20,12 +21,6 @@ constexpr int height = 120;
 
 /// A coarse mesh is enough for what a picture shows.
 Frame eye_frame(double grade) { return patient_frame(grade, 7.5, 1500); }
-
-Renderer make_renderer() {
-    Result<Renderer> renderer = Renderer::create(width, height);
-    REQUIRE(renderer.ok());
-    return std::move(renderer).value();
-}
 
 /// Mean of a channel over the pixels within `reach` of a place (shares of the picture, from the top left).
 double mean_around(const Image& image, double x, double y, double reach_x, double reach_y, int channel) {
@@ -69,7 +64,7 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 }  // namespace
 
 TEST_CASE("The reflex in the pupil is more red than green and more green than blue, for every grade") {
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     for (double grade : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
         const Frame frame = eye_frame(grade);
         const Image image = renderer.draw(frame, microscope_camera(frame));
@@ -83,7 +78,7 @@ TEST_CASE("The reflex in the pupil is more red than green and more green than bl
 }
 
 TEST_CASE("A groove brightens as it deepens") {
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     for (double grade : {3.0, 5.0}) {
         const Frame whole = eye_frame(grade);
         std::vector<double> depths;
@@ -105,7 +100,7 @@ TEST_CASE("A groove brightens as it deepens") {
 }
 
 TEST_CASE("Tissues that take no part are not drawn") {
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     const Frame all = eye_frame(3.0);
     const Camera camera = microscope_camera(all);
     const auto drawn = [&](bool iris, bool cornea) {
@@ -150,7 +145,7 @@ TEST_CASE("Tissues that take no part are not drawn") {
 }
 
 TEST_CASE("An eye of which only the front takes part has its lens until it was cut; what shuts a wound shows") {
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     Frame frame = eye_frame(3.0);
     const Camera camera = microscope_camera(frame);
     const std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*frame.model);
@@ -187,10 +182,10 @@ TEST_CASE("The same frame gives the same pixels twice, also from a second render
     frame.tools[0].present = true;
     frame.tools[0].pose = hand_pose(Vec3(0.2, 0.5, 1.4), 0.5);
     const Camera camera = microscope_camera(frame);
-    Renderer one = make_renderer();
+    Renderer one = make_renderer(width, height);
     const Image first = one.draw(frame, camera);
     const Frame other = frame_of(ball(2.0, 500), Vec3(0.1, 0.2, 0.3), true);
-    Renderer two = make_renderer();
+    Renderer two = make_renderer(width, height);
     const Image bare = two.draw(other, microscope_camera(other));
     const Image again = one.draw(frame, camera);
     const Image elsewhere = two.draw(frame, camera);
@@ -203,7 +198,7 @@ TEST_CASE("The same frame gives the same pixels twice, also from a second render
 TEST_CASE("A picture shows the instrument where it is") {
     Frame frame = eye_frame(3.0);
     const Camera camera = microscope_camera(frame);
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     const Image without = renderer.draw(frame, camera);
     frame.tools[0].present = true;
     frame.tools[0].pose = hand_pose(Vec3(0.0, 0.0, 1.9), 0.5);
@@ -226,7 +221,7 @@ TEST_CASE("A picture shows the instrument where it is") {
 
 TEST_CASE("Bare bodies are drawn against their background") {
     const Frame frame = frame_of(bar(8, 3, 3, 0.5), Vec3::Zero(), false);
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     const Image image = renderer.draw(frame, microscope_camera(frame));
     const double middle = mean_around(image, 0.5, 0.5, 0.05, 0.05, 2);
     const double corner = mean_around(image, 0.03, 0.03, 0.03, 0.03, 2);
@@ -248,7 +243,7 @@ TEST_CASE("Pictures can be as small as one pixel, and absurd sizes are refused")
 
 TEST_CASE("A lens that was removed, or that is not finite, does no harm") {
     Frame frame = eye_frame(3.0);
-    Renderer renderer = make_renderer();
+    Renderer renderer = make_renderer(width, height);
     const Camera camera = microscope_camera(frame);
     for (double& share : frame.solids[0].fraction) {
         share = 0.0;
