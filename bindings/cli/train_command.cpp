@@ -57,6 +57,7 @@ struct TrainOptions : AttemptArguments {
     bool full_screen = false;
     std::string stereo = "off";
     std::string ghost;
+    std::string screenshot;
     bool no_open = false;
     int picture_every = 4;
 };
@@ -240,6 +241,7 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     options.by = given.by;
     options.pad = given.input == "gamepad";
     options.live = given.live;
+    options.screenshot = given.screenshot;
     options.width = given.width;
     options.height = given.height;
     options.full_screen = given.full_screen;
@@ -352,6 +354,7 @@ void add_train(CLI::App& app, Context& context) {
     command->add_flag("--full-screen", given->full_screen, "Without borders, on the whole screen");
     command->add_option("--ghost", given->ghost,
                         "Run whose way H shows [runs/EXERCISE-expert-1, or EXERCISE-d-101, where it is]");
+    command->add_option("--screenshot", given->screenshot, "PNG file for what the window shows in the end");
     command->add_flag("--no-open", given->no_open, "Do not open the report at the end");
     command->add_option("--stereo", given->stereo, "off, side-by-side, or anaglyph for red and cyan glasses")
         ->check(CLI::IsMember(stereo_names))

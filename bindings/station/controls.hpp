@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person can do, whatever device it is done with. This table is all there is: the mapping file, the panels, the
-// help and docs/station.md read it.
+// What a person can do, whatever device it is done with. This table is all there is: the mapping file, the panels and
+// the help read it.
 #pragma once
 
 #include <span>
@@ -26,7 +26,7 @@ enum class ControlId {
     hand_roll,
     depth,
     squeeze,
-    release,
+    draw_back,
     leading_x,
     leading_y,
     leading_z,

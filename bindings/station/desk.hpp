@@ -29,7 +29,7 @@ struct Shown {
     std::uint64_t events = 0;  ///< number of the last one that is in it
     double slowed = 1.0;       ///< simulated seconds per second of the clock
     bool waits = false;        ///< the clock stands until the hand meets its instrument, or pause ends
-    std::shared_ptr<const Tray> tray;
+    std::shared_ptr<const Stand> stand;
     std::vector<std::string> lines;  ///< what was said to the trainee of late, the last one last
 };
 

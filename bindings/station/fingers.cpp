@@ -34,7 +34,7 @@ double grained(double value) { return std::round(value * pad_range) / pad_range;
 /// One step's work: events, and the hands as they make them.
 struct Fingers::Work {
     const Fingers& fingers;
-    const Tray& tray;
+    const Stand& stand;
     const Surroundings& around;
     double dt;
     Hands hands;
@@ -139,7 +139,7 @@ struct Fingers::Work {
 
     void take_instrument(int which, int instrument) {
         move_with(which);
-        for (std::size_t i = 0; i < tray.instruments.size() && hand(which).instrument != instrument; ++i) {
+        for (std::size_t i = 0; i < stand.instruments.size() && hand(which).instrument != instrument; ++i) {
             press(ControlId::next_instrument);
         }
     }
@@ -155,7 +155,7 @@ struct Fingers::Work {
         }
         for (const DeviceSample& sample : samples) {
             const bool wanted =
-                sample.present && tray.instruments[static_cast<std::size_t>(sample.instrument)].hand_held;
+                sample.present && stand.instruments[static_cast<std::size_t>(sample.instrument)].hand_held;
             if (!wanted || hand(leading).instrument == sample.instrument ||
                 hand(other).instrument == sample.instrument) {
                 continue;
@@ -214,7 +214,7 @@ struct Fingers::Work {
 
     void squeeze(int which, double jaw) {
         const HandState& now = hand(which);
-        const TrayInstrument& instrument = tray.instruments[static_cast<std::size_t>(now.instrument)];
+        const StandInstrument& instrument = stand.instruments[static_cast<std::size_t>(now.instrument)];
         const double error = jaw - now.jaw;
         const double step = instrument.squeeze_per_s * dt;
         switch (instrument.squeeze) {
@@ -229,7 +229,7 @@ struct Fingers::Work {
             }
             case Squeeze::pushes:
                 level(ControlId::squeeze, std::clamp(error / step, 0.0, 1.0));
-                level(ControlId::release, std::clamp(-error / step, 0.0, 1.0));
+                level(ControlId::draw_back, std::clamp(-error / step, 0.0, 1.0));
                 break;
             case Squeeze::nothing:
                 break;
@@ -292,12 +292,12 @@ struct Fingers::Work {
 
     void ask(const std::vector<Command>& commands) {
         for (const Command& command : commands) {
-            const auto found = std::find_if(tray.requests.begin(), tray.requests.end(),
+            const auto found = std::find_if(stand.requests.begin(), stand.requests.end(),
                                             [&](const Request& request) { return request.id == command.name; });
-            if (command.kind != CommandKind::request || found == tray.requests.end()) {
+            if (command.kind != CommandKind::request || found == stand.requests.end()) {
                 continue;
             }
-            while (hands.state().request != found - tray.requests.begin()) {
+            while (hands.state().request != found - stand.requests.begin()) {
                 press(ControlId::request_next);
             }
             press(ControlId::request);
@@ -305,9 +305,9 @@ struct Fingers::Work {
     }
 };
 
-std::vector<UserEvent> Fingers::reach(const Hands& now, const Tray& tray, const std::vector<DeviceSample>& samples,
+std::vector<UserEvent> Fingers::reach(const Hands& now, const Stand& stand, const std::vector<DeviceSample>& samples,
                                       const std::vector<Command>& commands, const Surroundings& around, double dt) {
-    Work work{*this, tray, around, dt, now};
+    Work work{*this, stand, around, dt, now};
     work.exchange(samples);
     work.ask(commands);
     double pedal = 0.0;

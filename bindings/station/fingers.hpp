@@ -24,7 +24,7 @@ public:
 
     /// What to do so that, after the next step of dt [s], the hands are as near as they can be to these samples, which
     /// are of all instruments of the scene, and ask for what these commands ask for.
-    std::vector<UserEvent> reach(const Hands& now, const Tray& tray, const std::vector<DeviceSample>& samples,
+    std::vector<UserEvent> reach(const Hands& now, const Stand& stand, const std::vector<DeviceSample>& samples,
                                  const std::vector<Command>& commands, const Surroundings& around, double dt);
 
 private:

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double some_depth_mm = 0.2;
 
-bool has_pedal(const Tray& tray) { return !tray.dials.empty(); }
+bool has_pedal(const Stand& stand) { return !stand.dials.empty(); }
 
 }  // namespace
 
-std::optional<std::string> Guide::next(const HandsState& hands, const Tray& tray, const Mapping& mapping) {
+std::optional<std::string> Guide::next(const HandsState& hands, const Stand& stand, const Mapping& mapping) {
     const HandState& hand = hands.hands[static_cast<std::size_t>(hands.moving)];
     const bool holds = hand.instrument >= 0;
     const bool by_cursor = !mapping.inputs_of(ControlId::tip).empty();
@@ -42,11 +42,11 @@ std::optional<std::string> Guide::next(const HandsState& hands, const Tray& tray
         return "Deeper and higher: " + (by_cursor ? std::string("the wheel") : keys(ControlId::hand_z));
     }
     pressed_pedal_ = pressed_pedal_ || hands.pedal > 0.0;
-    if (has_pedal(tray) && !pressed_pedal_) {
+    if (has_pedal(stand) && !pressed_pedal_) {
         return "Irrigation on: " + keys(ControlId::pedal_1) + "; aspiration: " + keys(ControlId::pedal_2);
     }
     const bool squeezes =
-        holds && tray.instruments[static_cast<std::size_t>(hand.instrument)].squeeze != Squeeze::nothing;
+        holds && stand.instruments[static_cast<std::size_t>(hand.instrument)].squeeze != Squeeze::nothing;
     squeezed_ = squeezed_ || (squeezes && std::abs(hand.jaw - jaw_at_first_) > 0.2);
     if (squeezes && !squeezed_) {
         return "Close the jaws, press or push: " + keys(ControlId::squeeze);

@@ -12,7 +12,7 @@ namespace rhexis::station {
 class Guide {
 public:
     /// What to do next, with the keys of the mapping; none: all has been done.
-    std::optional<std::string> next(const HandsState& hands, const Tray& tray, const Mapping& mapping);
+    std::optional<std::string> next(const HandsState& hands, const Stand& stand, const Mapping& mapping);
 
 private:
     bool took_ = false;

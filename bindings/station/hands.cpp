@@ -122,13 +122,13 @@ double rate_of_stick(double value, const Tuning& tuning) {
     return std::copysign(size * size, value);
 }
 
-Hands::Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds)
-    : mapping_(&mapping), tray_(&tray), holds_(&holds) {
-    for (const TrayInstrument& instrument : tray.instruments) {
+Hands::Hands(const Mapping& mapping, const Stand& stand, HoldScript& holds)
+    : mapping_(&mapping), stand_(&stand), holds_(&holds) {
+    for (const StandInstrument& instrument : stand.instruments) {
         const Result<std::string> wound = holds.wound_of(instrument.name);
         wounds_.push_back(wound ? wound.value() : "incision");
     }
-    for (const Dial& dial : tray.dials) {
+    for (const Dial& dial : stand.dials) {
         state_.dials.push_back(dial.value);
     }
 }
@@ -257,8 +257,8 @@ void Hands::follow_cursor(const Cursor& cursor, const Surroundings& around) {
 
 void Hands::press(ControlId id, double notches, const Surroundings& around) {
     HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
-    const int dials = static_cast<int>(tray_->dials.size());
-    const int requests = static_cast<int>(tray_->requests.size());
+    const int dials = static_cast<int>(stand_->dials.size());
+    const int requests = static_cast<int>(stand_->requests.size());
     switch (id) {
         case ControlId::depth:
             hand.wanted.z() += notches * speed_share() * mapping_->tuning().notch_mm;
@@ -323,7 +323,7 @@ void Hands::press(ControlId id, double notches, const Surroundings& around) {
 }
 
 void Hands::turn_dial(int which, double notches) {
-    const Dial& dial = tray_->dials[static_cast<std::size_t>(which)];
+    const Dial& dial = stand_->dials[static_cast<std::size_t>(which)];
     double& value = state_.dials[static_cast<std::size_t>(which)];
     const double turned = std::round((value + notches * dial.notch) / dial.notch) * dial.notch;
     value = std::clamp(turned, dial.low, dial.high);
@@ -342,14 +342,14 @@ void Hands::take_up(int which, int instrument, const Surroundings& around) {
     }
     const Result<Vec3> place = holds_->outside(landmark(around, hand.wound).value_or(Vec3(0.0, -6.0, 2.0)));
     hand.tip = hand.wanted = place ? place.value() : Vec3(0.0, -8.0, 3.0);
-    hand.jaw = tray_->instruments[static_cast<std::size_t>(instrument)].squeeze == Squeeze::closes ? 1.0 : 0.0;
+    hand.jaw = stand_->instruments[static_cast<std::size_t>(instrument)].squeeze == Squeeze::closes ? 1.0 : 0.0;
     lose();
 }
 
 void Hands::put_down(int which) {
     HandState& hand = state_.hands[static_cast<std::size_t>(which)];
     if (hand.instrument >= 0 && hand.inside) {
-        state_.word = "first out of the eye, then put it down";
+        tell("first out of the eye, then put it down");
         return;
     }
     hand = HandState{};
@@ -358,14 +358,14 @@ void Hands::put_down(int which) {
 void Hands::next_instrument(const Surroundings& around) {
     HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
     if (hand.inside) {
-        state_.word = "first out of the eye, then another instrument";
+        tell("first out of the eye, then another instrument");
         return;
     }
-    const int count = static_cast<int>(tray_->instruments.size());
+    const int count = static_cast<int>(stand_->instruments.size());
     const int elsewhere = state_.hands[static_cast<std::size_t>(1 - state_.moving)].instrument;
     for (int i = 1; i <= count; ++i) {
         const int next = (hand.instrument + i + count) % count;
-        if (next != elsewhere && tray_->instruments[static_cast<std::size_t>(next)].hand_held) {
+        if (next != elsewhere && stand_->instruments[static_cast<std::size_t>(next)].hand_held) {
             take_up(state_.moving, next, around);
             return;
         }
@@ -374,12 +374,12 @@ void Hands::next_instrument(const Surroundings& around) {
 
 void Hands::squeeze(int which, double dt) {
     HandState& hand = state_.hands[static_cast<std::size_t>(which)];
-    const TrayInstrument& instrument = tray_->instruments[static_cast<std::size_t>(hand.instrument)];
+    const StandInstrument& instrument = stand_->instruments[static_cast<std::size_t>(hand.instrument)];
     double pressed = level(which == leading ? ControlId::leading_squeeze : ControlId::other_squeeze);
     double drawn = 0.0;
     if (which == state_.moving) {
         pressed = std::max(pressed, level(ControlId::squeeze));
-        drawn = level(ControlId::release);
+        drawn = level(ControlId::draw_back);
     }
     const double most = instrument.squeeze_per_s * speed_share() * dt;
     switch (instrument.squeeze) {
@@ -448,7 +448,17 @@ void Hands::press_pedal(double dt) {
     state_.pedal = std::clamp(state_.pedal, 0.0, 3.0);
 }
 
+void Hands::tell(const std::string& word) {
+    constexpr double shown_s = 4.0;
+    state_.word = word;
+    state_.word_for_s = shown_s;
+}
+
 Status Hands::advance(const Surroundings& around, double dt) {
+    state_.word_for_s -= dt;
+    if (state_.word_for_s <= 0.0) {
+        state_.word.clear();
+    }
     press_pedal(dt);
     state_.zoom =
         std::clamp(state_.zoom * std::exp(level(ControlId::microscope_zoom) * zoom_per_s * dt), least_zoom, most_zoom);
@@ -491,14 +501,14 @@ Status Hands::take_over(const Session& session, const Surroundings& around) {
         state_.pedal = std::max(state_.pedal, tool.pedal);
     }
     const std::map<std::string, double>& settings = session.settings();
-    for (std::size_t i = 0; i < tray_->dials.size(); ++i) {
-        state_.dials[i] = settings.at(tray_->dials[i].setting);
+    for (std::size_t i = 0; i < stand_->dials.size(); ++i) {
+        state_.dials[i] = settings.at(stand_->dials[i].setting);
     }
     return success();
 }
 
 std::vector<DeviceSample> Hands::samples(const Surroundings& around, double dt) const {
-    std::vector<DeviceSample> list(tray_->instruments.size());
+    std::vector<DeviceSample> list(stand_->instruments.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
         list[i].instrument = static_cast<int>(i);
     }
@@ -524,10 +534,10 @@ std::vector<DeviceSample> Hands::samples(const Surroundings& around, double dt) 
 std::vector<Command> Hands::take_commands() {
     std::vector<Command> commands;
     for (const int request : std::exchange(state_.requests, {})) {
-        commands.push_back({CommandKind::request, tray_->requests[static_cast<std::size_t>(request)].id, 0.0, ""});
+        commands.push_back({CommandKind::request, stand_->requests[static_cast<std::size_t>(request)].id, 0.0, ""});
     }
     for (const int dial : std::exchange(state_.turned, {})) {
-        commands.push_back({CommandKind::adjust, tray_->dials[static_cast<std::size_t>(dial)].setting,
+        commands.push_back({CommandKind::adjust, stand_->dials[static_cast<std::size_t>(dial)].setting,
                             state_.dials[static_cast<std::size_t>(dial)], ""});
     }
     return commands;

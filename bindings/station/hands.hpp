@@ -14,7 +14,7 @@
 #include "lua/hold_script.hpp"
 #include "station/mapping.hpp"
 #include "station/sight.hpp"
-#include "station/tray.hpp"
+#include "station/stand.hpp"
 
 namespace rhexis::station {
 
@@ -65,6 +65,7 @@ struct HandsState {
     std::vector<double> dials;  ///< their values
     std::vector<int> turned;    ///< dials since the last step
     std::vector<int> requests;  ///< made since the last step
+    double word_for_s = 0.0;    ///< how much longer it is shown
     std::string word;           ///< why something could not be done; empty: nothing to say
 };
 
@@ -77,7 +78,7 @@ double pedal_of(double share, const Tuning& tuning);
 class Hands {
 public:
     /// All outlive the hands; instruments: of the scene.
-    Hands(const Mapping& mapping, const Tray& tray, HoldScript& holds);
+    Hands(const Mapping& mapping, const Stand& stand, HoldScript& holds);
 
     void take(const UserEvent& event, const Surroundings& around);
     /// Holds what the session's instruments show to be held, where they are; dials as they are set.
@@ -90,6 +91,9 @@ public:
     /// Commands since this was asked last.
     std::vector<Command> take_commands();
 
+    /// Shows a word to the person for a while.
+    void tell(const std::string& word);
+
     /// The clock stands: paused, or the hand has yet to meet its instrument.
     [[nodiscard]] bool waits() const { return state_.paused || !met(); }
     [[nodiscard]] bool met() const;
@@ -101,7 +105,7 @@ public:
     void lose();
     [[nodiscard]] const HandsState& state() const { return state_; }
     HandsState& state() { return state_; }
-    [[nodiscard]] const Tray& tray() const { return *tray_; }
+    [[nodiscard]] const Stand& stand() const { return *stand_; }
     void set_mapping(const Mapping& mapping) { mapping_ = &mapping; }
 
 private:
@@ -115,14 +119,14 @@ private:
     void squeeze(int hand, double dt);
     void press_pedal(double dt);
     [[nodiscard]] const std::string& tool_name(int instrument) const {
-        return tray_->instruments[static_cast<std::size_t>(instrument)].name;
+        return stand_->instruments[static_cast<std::size_t>(instrument)].name;
     }
     [[nodiscard]] double level(ControlId id) const;
     [[nodiscard]] double speed_share() const;
     void choose_wound(const Surroundings& around, HandState& hand) const;
 
     const Mapping* mapping_;
-    const Tray* tray_;
+    const Stand* stand_;
     HoldScript* holds_;
     std::vector<std::string> wounds_;  ///< by instrument, the landmark about which virtual surgeons hold it
     HandsState state_;

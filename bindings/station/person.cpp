@@ -9,7 +9,8 @@ namespace rhexis::station {
 namespace {
 
 constexpr double slowed_below = 0.95;  ///< simulated seconds per second: slower is an aid
-constexpr std::size_t most_lines = 4;  ///< said to the trainee, that are still shown
+constexpr std::size_t most_lines = 3;  ///< said to the trainee, that are still shown
+constexpr double shown_s = 10.0;       ///< each, unless it is the last [s]
 
 }  // namespace
 
@@ -44,8 +45,8 @@ Status Person::begin(Timeline& timeline) {
         return stands.error();
     }
     exam_ = stands.value().value("mode", "") == "exam";
-    tray_ = std::make_shared<const Tray>(make_tray(*timeline.session(), requests.value()));
-    hands_.emplace(options_.mapping, *tray_, *holds_);
+    stand_ = std::make_shared<const Stand>(make_stand(*timeline.session(), requests.value()));
+    hands_.emplace(options_.mapping, *stand_, *holds_);
     around_ = surroundings_of(*timeline.session(), hands_->state());
     return timeline.step_count() > 0 ? hands_->take_over(*timeline.session(), *around_) : success();
 }
@@ -62,11 +63,12 @@ nlohmann::json Person::pace() const {
 Status Person::look(Moment& moment) {
     for (const Command& command : moment.commands) {
         if (command.kind == CommandKind::say) {
-            said_.push_back(command.text);
+            said_.push_back({moment.timeline.observation().time_s, command.text});
         }
     }
-    if (said_.size() > most_lines) {
-        said_.erase(said_.begin(), said_.end() - most_lines);
+    const double now = moment.timeline.observation().time_s;
+    while (said_.size() > most_lines || (said_.size() > 1 && said_.front().time_s + shown_s < now)) {
+        said_.erase(said_.begin());
     }
     return success();
 }
@@ -92,11 +94,11 @@ void Person::heed_wishes(const Session& session) {
     HandsState& state = hands_->state();
     if (std::exchange(state.keep_moment, false)) {
         kept_step_ = session.step_count();
-        state.word = "this moment is kept";
+        hands_->tell("this moment is kept");
     }
     if (std::exchange(state.try_again, false)) {
         if (exam_) {
-            state.word = "an exam has no second try";
+            hands_->tell("an exam has no second try");
         } else if (kept_step_ < session.step_count()) {
             back_ = kept_step_;
             aids_.push_back({CommandKind::aid, "rewound",
@@ -104,11 +106,11 @@ void Person::heed_wishes(const Session& session) {
         }
     }
     if (exam_ && std::exchange(state.ghost, false)) {
-        state.word = "an exam shows no ghost";
+        hands_->tell("an exam shows no ghost");
     }
     if (state.ghost && !options_.has_ghost) {
         state.ghost = false;
-        state.word = "there is no expert's way: rhexis train --ghost RUN, of rhexis run";
+        hands_->tell("there is no expert's way: rhexis train --ghost RUN, of rhexis run");
     }
 }
 
@@ -125,8 +127,13 @@ void Person::note_aids(double dt) {
 }
 
 void Person::show(const Session& session, bool waits) {
-    desk_.show(std::make_shared<Shown>(Shown{session.frame(), hands_->state(), *around_, session.step_count(),
-                                             source_.last_number(), source_.slowed(), waits, tray_, said_}));
+    std::vector<std::string> lines;
+    for (const Said& said : said_) {
+        lines.push_back(said.text);
+    }
+    desk_.show(
+        std::make_shared<Shown>(Shown{session.frame(), hands_->state(), *around_, session.step_count(),
+                                      source_.last_number(), source_.slowed(), waits, stand_, std::move(lines)}));
     if (options_.wait_for_pictures && !waits) {
         desk_.wait_until_drawn(session.step_count());
     }

@@ -40,6 +40,12 @@ public:
     Status look(Moment& moment) override;
 
 private:
+    /// To the trainee.
+    struct Said {
+        double time_s = 0.0;
+        std::string text;
+    };
+
     Result<bool> take_events(const Session& session);
     void heed_wishes(const Session& session);
     void note_aids(double dt);
@@ -51,10 +57,10 @@ private:
     EventWriter* writer_;
     ExerciseHost* host_ = nullptr;
     std::optional<HoldScript> holds_;
-    std::shared_ptr<const Tray> tray_;
+    std::shared_ptr<const Stand> stand_;
     std::optional<Hands> hands_;
     std::optional<Surroundings> around_;
-    std::vector<std::string> said_;
+    std::vector<Said> said_;
     bool exam_ = false;                  ///< aids are refused
     std::uint64_t made_ = 0;             ///< steps, those that were gone back over too: to which events belong
     std::uint64_t kept_step_ = 0;        ///< the moment to go back to

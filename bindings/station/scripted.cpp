@@ -51,7 +51,7 @@ Result<std::vector<UserEvent>> Scripted::take(std::uint64_t step, bool waits, co
     for (const DeviceSample& sample : wanted.value().samples) {
         samples[static_cast<std::size_t>(sample.instrument)] = sample;
     }
-    return fingers_.reach(hands, hands.tray(), samples, wanted.value().commands, around, session.scene().step_s);
+    return fingers_.reach(hands, hands.stand(), samples, wanted.value().commands, around, session.scene().step_s);
 }
 
 }  // namespace rhexis::station

@@ -25,7 +25,8 @@ struct StationOptions {
     int height = 960;
     bool full_screen = false;
     Stereo stereo = Stereo::off;
-    int picture_every = 4;  ///< steps, where events are done again
+    std::string screenshot;  ///< file for what the window shows in the end; empty: none
+    int picture_every = 4;   ///< steps, where events are done again
 };
 
 /// The one function that the shared object shows.

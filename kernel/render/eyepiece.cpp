@@ -19,7 +19,7 @@ Vec2 pixel_from_below(const View& view, const Vec3& place) {
     return {pixel.x(), view.height - pixel.y()};
 }
 
-/// Where each instrument begins and ends in the picture, and how high.
+/// Where the parts of each instrument begin and end in the picture, and how high.
 void set_tools(const Program& program, const Frame& frame, const View& outer, const View& inner) {
     std::size_t count = 0;
     const auto add = [&](const Vec3& place) {
@@ -29,11 +29,15 @@ void set_tools(const Program& program, const Frame& frame, const View& outer, co
         end << pixel_from_below(inside ? inner : outer, place), place.z(), 1.0;
         program.set(name.c_str(), end);
     };
-    for (std::size_t i = 0; i < frame.tools.size() && count + 2 <= most_tool_ends; ++i) {
-        if (frame.tools[i].present && !frame.model->tools[i].parts.empty()) {
-            constexpr double shown_mm = 15.0;  // of a shaft, which goes on out of the picture
-            add(frame.tools[i].pose.position);
-            add(frame.tools[i].pose.to_world(Vec3(0.0, 0.0, shown_mm)));
+    for (std::size_t i = 0; i < frame.tools.size(); ++i) {
+        if (!frame.tools[i].present) {
+            continue;
+        }
+        for (const RoundedCone& part : drawn_parts(frame.model->tools[i])) {
+            if (count + 2 <= most_tool_ends) {
+                add(frame.tools[i].pose.to_world(part.a));
+                add(frame.tools[i].pose.to_world(part.b));
+            }
         }
     }
     for (; count < most_tool_ends; ++count) {

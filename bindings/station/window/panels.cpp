@@ -19,26 +19,26 @@ constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
 
 UserEvent worked(ControlId id, double value = 1.0) { return {EventKind::control, control(id).name, value, 0.0, 0.0}; }
 
-std::string held(const Shown& shown, const Tray& tray, int which) {
+std::string held(const Shown& shown, const Stand& stand, int which) {
     const HandState& hand = shown.hands.hands[static_cast<std::size_t>(which)];
-    return hand.instrument < 0 ? "-" : tray.instruments[static_cast<std::size_t>(hand.instrument)].name;
+    return hand.instrument < 0 ? "-" : stand.instruments[static_cast<std::size_t>(hand.instrument)].name;
 }
 
-void draw_state(const Shown& shown, const Tray& tray, const DrawingRate& rate) {
+void draw_state(const Shown& shown, const Stand& stand, const DrawingRate& rate) {
     ImGui::SetNextWindowPos({8.0F, 8.0F});
     ImGui::SetNextWindowBgAlpha(0.45F);
     ImGui::Begin("state", nullptr, plain | ImGuiWindowFlags_NoInputs);
     ImGui::Text("%.1f s   pedal %.1f", shown.frame.time_s, shown.hands.pedal);
-    ImGui::Text("%s leading: %s", shown.hands.moving == leading ? ">" : " ", held(shown, tray, leading).c_str());
-    ImGui::Text("%s other:   %s", shown.hands.moving == other ? ">" : " ", held(shown, tray, other).c_str());
-    if (!tray.dials.empty()) {
+    ImGui::Text("%s leading: %s", shown.hands.moving == leading ? ">" : " ", held(shown, stand, leading).c_str());
+    ImGui::Text("%s other:   %s", shown.hands.moving == other ? ">" : " ", held(shown, stand, other).c_str());
+    if (!stand.dials.empty()) {
         const auto at = static_cast<std::size_t>(shown.hands.dial);
-        const Dial& dial = tray.dials[at];
+        const Dial& dial = stand.dials[at];
         ImGui::Text("%s = %g %s", dial.setting.c_str(), shown.hands.dials[at],
                     dial.unit == "1" ? "" : dial.unit.c_str());
     }
-    if (!tray.requests.empty()) {
-        ImGui::Text("ask: %s", tray.requests[static_cast<std::size_t>(shown.hands.request)].title.c_str());
+    if (!stand.requests.empty()) {
+        ImGui::Text("ask: %s", stand.requests[static_cast<std::size_t>(shown.hands.request)].title.c_str());
     }
     if (rate.size < 1.0) {
         ImGui::Text("%.0f pictures/s, at %.0f %% of the size", rate.pictures_per_s, 100.0 * rate.size);
@@ -138,11 +138,11 @@ void draw_next(const std::string& text) {
 }
 
 /// While the clock stands the cursor is free to choose.
-void draw_tray(const Shown& shown, const Tray& tray, std::vector<UserEvent>& clicked) {
+void draw_stand(const Shown& shown, const Stand& stand, std::vector<UserEvent>& clicked) {
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, 0.5F * io.DisplaySize.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.85F);
-    ImGui::Begin("tray", nullptr, plain);
+    ImGui::Begin("stand", nullptr, plain);
     ImGui::TextUnformatted("The clock stands.");
     if (ImGui::Button("Go on")) {
         clicked.push_back(worked(ControlId::pause));
@@ -159,7 +159,7 @@ void draw_tray(const Shown& shown, const Tray& tray, std::vector<UserEvent>& cli
     if (ImGui::Button("Other hand")) {
         clicked.push_back(worked(ControlId::swap));
     }
-    if (!tray.dials.empty()) {
+    if (!stand.dials.empty()) {
         const auto at = static_cast<std::size_t>(shown.hands.dial);
         if (ImGui::Button("Next dial")) {
             clicked.push_back(worked(ControlId::dial_next));
@@ -173,7 +173,7 @@ void draw_tray(const Shown& shown, const Tray& tray, std::vector<UserEvent>& cli
             clicked.push_back(worked(ControlId::dial_turn, 1.0));
         }
         ImGui::SameLine();
-        ImGui::Text("%s = %g", tray.dials[at].setting.c_str(), shown.hands.dials[at]);
+        ImGui::Text("%s = %g", stand.dials[at].setting.c_str(), shown.hands.dials[at]);
     }
     ImGui::Separator();
     if (ImGui::Button("End the exercise")) {
@@ -201,7 +201,7 @@ Panels::~Panels() {
 
 std::vector<UserEvent> Panels::draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost,
                                     const DrawingRate& rate) {
-    const Tray& tray = *shown.tray;
+    const Stand& stand = *shown.stand;
     std::vector<UserEvent> clicked;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
@@ -209,16 +209,16 @@ std::vector<UserEvent> Panels::draw(const Shown& shown, const Mapping& mapping, 
     if (shown.hands.ghost && ghost != nullptr) {
         draw_ghost(shown, *ghost);
     }
-    if (const std::optional<std::string> next = guide_.next(shown.hands, tray, mapping)) {
+    if (const std::optional<std::string> next = guide_.next(shown.hands, stand, mapping)) {
         draw_next(*next);
     }
-    draw_state(shown, tray, rate);
+    draw_state(shown, stand, rate);
     draw_lines(shown);
     if (shown.hands.help) {
         draw_help(mapping);
     }
     if (shown.hands.paused) {
-        draw_tray(shown, tray, clicked);
+        draw_stand(shown, stand, clicked);
     }
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

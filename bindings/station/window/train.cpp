@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/clock.hpp"
+#include "render/image_file.hpp"
 #include "render/renderer.hpp"
 #include "station/mapping.hpp"
 #include "station/person.hpp"
@@ -50,7 +51,8 @@ public:
 
     void posted(const UserEvent& event) { ahead_.push_back({++posted_, event}); }
 
-    std::vector<UserEvent> draw(Shown& shown, double step_s) {
+    /// taken: receives what the window shows; null: nobody wants it.
+    std::vector<UserEvent> draw(Shown& shown, double step_s, Image* taken = nullptr) {
         run_ahead(shown, step_s);
         const double before = wall_seconds();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -60,12 +62,28 @@ public:
         std::vector<UserEvent> clicked =
             panels_.draw(shown, mapping_, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
         window_.show_cursor(shown.hands.paused);
+        if (taken != nullptr) {
+            *taken = read_window();
+        }
         window_.present();
         count(wall_seconds() - before);
         return clicked;
     }
 
 private:
+    [[nodiscard]] Image read_window() const {
+        const int width = window_.width();
+        const int height = window_.height();
+        Image image{width, height, std::vector<unsigned char>(3 * static_cast<std::size_t>(width) * height)};
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        for (int row = 0; row < height; ++row) {  // the window's first one is at the bottom
+            glReadPixels(0, height - 1 - row, width, 1, GL_RGB, GL_UNSIGNED_BYTE,
+                         &image.rgb[3 * static_cast<std::size_t>(row) * width]);
+        }
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        return image;
+    }
+
     void count(double took_s) {
         ++count_;
         slow_s_ += took_s;
@@ -109,7 +127,7 @@ private:
         while (!ahead_.empty() && ahead_.front().first <= shown.events) {
             ahead_.pop_front();
         }
-        Hands hands(mapping_, *shown.tray, holds_);
+        Hands hands(mapping_, *shown.stand, holds_);
         hands.state() = shown.hands;
         for (const auto& [number, event] : ahead_) {
             hands.take(event, shown.around);
@@ -181,6 +199,17 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, Picture&
             }
         }
     }
+}
+
+/// What the window shows in the end.
+Status keep_picture(const StationOptions& options, const Desk& desk, Picture& picture, double step_s) {
+    const std::shared_ptr<Shown> last = desk.newest();
+    if (options.screenshot.empty() || !last) {
+        return success();
+    }
+    Image image;
+    picture.draw(*last, step_s, &image);
+    return write_png(image, options.screenshot);
 }
 
 struct Prepared {
@@ -303,6 +332,10 @@ Result<AttemptResult> train(const StationOptions& options) {
     look_on(options, desk, window.value(), picture, step_s);
     desk.close();
     simulation.join();
+    const Status pictured = keep_picture(options, desk, picture, step_s);
+    if (!pictured) {
+        return pictured.error();
+    }
     if (!result->ok()) {
         return result->error();
     }

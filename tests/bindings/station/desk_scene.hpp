@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tray, an eye to look at and hands over it, without a session.
+// A stand, an eye to look at and hands over it, without a session.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -24,16 +24,16 @@ inline Camera above() {
 }
 
 /// Phaco, spatula, forceps, injector, in this order, and a microscope.
-inline Tray a_tray() {
-    Tray tray;
-    tray.instruments = {{"phaco", Squeeze::nothing, 0.0, true},
-                        {"spatula", Squeeze::nothing, 0.0, true},
-                        {"forceps", Squeeze::closes, 4.0, true},
-                        {"injector", Squeeze::pushes, 0.3, true},
-                        {"microscope", Squeeze::nothing, 0.0, false}};
-    tray.dials = {{"machine.vacuum_mmhg", "mmHg", 0.0, 650.0, 10.0, 80.0}};
-    tray.requests = {{"bottle_down", "Bottle down"}, {"help", "Help"}};
-    return tray;
+inline Stand a_stand() {
+    Stand stand;
+    stand.instruments = {{"phaco", Squeeze::nothing, 0.0, true},
+                         {"spatula", Squeeze::nothing, 0.0, true},
+                         {"forceps", Squeeze::closes, 4.0, true},
+                         {"injector", Squeeze::pushes, 0.3, true},
+                         {"microscope", Squeeze::nothing, 0.0, false}};
+    stand.dials = {{"machine.vacuum_mmhg", "mmHg", 0.0, 650.0, 10.0, 80.0}};
+    stand.requests = {{"bottle_down", "Bottle down"}, {"help", "Help"}};
+    return stand;
 }
 
 inline Surroundings around_the_eye() {
@@ -55,12 +55,12 @@ inline UserEvent key(const std::string& name, double value) { return {EventKind:
 /// A desk with hands over it.
 struct DeskScene {
     Mapping mapping;
-    Tray tray = a_tray();
+    Stand stand = a_stand();
     HoldScript holds;
     Surroundings around = around_the_eye();
     Hands hands;
 
-    explicit DeskScene(bool pad = false) : mapping(standard(pad)), holds(loaded()), hands(mapping, tray, holds) {}
+    explicit DeskScene(bool pad = false) : mapping(standard(pad)), holds(loaded()), hands(mapping, stand, holds) {}
     DeskScene(const DeskScene&) = delete;
     DeskScene& operator=(const DeskScene&) = delete;
 

@@ -14,7 +14,7 @@ namespace {
 
 /// What is wanted of the instruments at a time: the tip of the phaco goes round in the eye.
 std::vector<DeviceSample> wanted(DeskScene& scene, double time_s) {
-    std::vector<DeviceSample> samples(scene.tray.instruments.size());
+    std::vector<DeviceSample> samples(scene.stand.instruments.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         samples[i].instrument = static_cast<int>(i);
     }
@@ -43,7 +43,8 @@ TEST_SUITE("fingers") {
             for (int step = 0; step < 600; ++step) {
                 const double time_s = 0.01 * step;
                 const std::vector<DeviceSample> samples = wanted(scene, time_s);
-                for (const UserEvent& event : fingers.reach(scene.hands, scene.tray, samples, {}, scene.around, 0.01)) {
+                for (const UserEvent& event :
+                     fingers.reach(scene.hands, scene.stand, samples, {}, scene.around, 0.01)) {
                     // through the text that a file holds
                     const Result<UserEvent> again = event_from(to_json(event));
                     REQUIRE(again.ok());
@@ -71,7 +72,7 @@ TEST_SUITE("fingers") {
         Fingers fingers(scene.mapping, Style::mouse, 640, 480);
         const std::vector<Command> asked = {{CommandKind::request, "help", 0.0, ""}};
         for (const UserEvent& event :
-             fingers.reach(scene.hands, scene.tray, std::vector<DeviceSample>(5), asked, scene.around, 0.01)) {
+             fingers.reach(scene.hands, scene.stand, std::vector<DeviceSample>(5), asked, scene.around, 0.01)) {
             scene.take(event);
         }
         const std::vector<Command> commands = scene.hands.take_commands();

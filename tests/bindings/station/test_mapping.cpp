@@ -27,7 +27,7 @@ TEST_SUITE("mapping") {
                                        ControlId::put_down,
                                        ControlId::swap,
                                        ControlId::squeeze,
-                                       ControlId::release,
+                                       ControlId::draw_back,
                                        ControlId::pedal_up,
                                        ControlId::pedal_1,
                                        ControlId::pedal_2,

@@ -104,6 +104,30 @@ TEST_SUITE("eyepiece") {
         CHECK(around(shaft, -1.0) < 0.6 * around(sharp, -1.0));
     }
 
+    TEST_CASE("a shaft that is bent off its end is as high as it is drawn") {
+        Frame frame = patient_frame(3.0, 7.5, 1500);
+        std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*frame.model);
+        model->tools = {make_tool("cystotome").value()};
+        frame.model = model;
+        frame.tools[0].present = true;
+        frame.tools[0].pose.position = Vec3(0.0, 1.0, 2.6);
+        const RoundedCone& shaft = model->tools[0].parts[1];
+        const Vec3 from = frame.tools[0].pose.to_world(shaft.a);
+        const Vec3 way = frame.tools[0].pose.to_world(shaft.b) - from;
+        const Vec3 place = from + 4.0 * way.normalized();
+        Renderer renderer = make_renderer(width, height);
+        const Camera plain = microscope_camera(frame);
+        const auto around = [&](const Image& image) {
+            const Vec2 pixel = pixel_of(view_in_air(plain, width, height), place);
+            const int x = static_cast<int>(pixel.x());
+            const int y = static_cast<int>(pixel.y());
+            return sharpness(image, x - 8, y - 4, x + 8, y + 4);
+        };
+        const double sharp = around(renderer.draw(frame, plain));
+        CHECK(around(renderer.draw(frame, focused(frame, place.z() - frame.eye->iris_z))) > 0.8 * sharp);
+        CHECK(around(renderer.draw(frame, focused(frame, place.z() - frame.eye->iris_z - 12.0))) < 0.7 * sharp);
+    }
+
     TEST_CASE("the lamp goes with the microscope: the reflex fades beside its middle; and is turned down") {
         const Frame frame = patient_frame(2.0, 7.5, 1500);
         Renderer renderer = make_renderer(width, height);

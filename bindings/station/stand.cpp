@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "station/tray.hpp"
+#include "station/stand.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 constexpr double fingers = 4.0;  ///< whole ways per second: as virtual surgeons have it
 constexpr double plunger = 0.3;  ///< likewise, of what takes its time
 
-TrayInstrument instrument_of(const ToolModel& tool) {
+StandInstrument instrument_of(const ToolModel& tool) {
     switch (tool.kind) {
         case ToolKind::forceps:
             return {tool.name, Squeeze::closes, fingers, true};
@@ -78,19 +78,19 @@ std::vector<Dial> dials_of(const Session& session) {
 
 }  // namespace
 
-Tray make_tray(const Session& session, const nlohmann::json& declared) {
-    Tray tray;
+Stand make_stand(const Session& session, const nlohmann::json& declared) {
+    Stand stand;
     for (const ToolModel& tool : session.world().tools) {
-        tray.instruments.push_back(instrument_of(tool));
+        stand.instruments.push_back(instrument_of(tool));
     }
     if (session.world().microscope) {
-        tray.instruments.push_back({microscope_name, Squeeze::nothing, 0.0, false});
+        stand.instruments.push_back({microscope_name, Squeeze::nothing, 0.0, false});
     }
-    tray.dials = dials_of(session);
+    stand.dials = dials_of(session);
     for (const nlohmann::json& request : declared) {
-        tray.requests.push_back({request.value("id", ""), request.value("title", "")});
+        stand.requests.push_back({request.value("id", ""), request.value("title", "")});
     }
-    return tray;
+    return stand;
 }
 
 }  // namespace rhexis::station

@@ -19,7 +19,7 @@ enum class Squeeze {
     pushes    ///< a plunger, or what stays as it was left
 };
 
-struct TrayInstrument {
+struct StandInstrument {
     std::string name;
     Squeeze squeeze = Squeeze::nothing;
     double squeeze_per_s = 0.0;  ///< how fast, whole ways
@@ -40,13 +40,13 @@ struct Request {
     std::string title;
 };
 
-struct Tray {
-    std::vector<TrayInstrument> instruments;  ///< in the scene's order
+struct Stand {
+    std::vector<StandInstrument> instruments;  ///< in the scene's order
     std::vector<Dial> dials;
     std::vector<Request> requests;
 };
 
 /// declared: of the exercise, [{"id", "title", "name"}].
-Tray make_tray(const Session& session, const nlohmann::json& declared);
+Stand make_stand(const Session& session, const nlohmann::json& declared);
 
 }  // namespace rhexis::station
