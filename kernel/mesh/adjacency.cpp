@@ -2,6 +2,7 @@
 #include "mesh/adjacency.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "mesh/tet_mesh.hpp"
 
@@ -19,20 +20,38 @@ struct Face {
     }
 };
 
+Face face_of(const std::array<int, 4>& tet, std::size_t t, std::size_t k) {
+    Face face{{}, static_cast<int>(t), static_cast<int>(k)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        face.nodes[i] = tet[static_cast<std::size_t>(tet_faces[k][i])];
+    }
+    std::sort(face.nodes.begin(), face.nodes.end());
+    return face;
+}
+
+/// Counted by their lowest nodes, then sorted among the few that share it.
 std::vector<Face> sorted_faces(const std::vector<std::array<int, 4>>& tets) {
-    std::vector<Face> faces;
-    faces.reserve(4 * tets.size());
+    std::vector<Face> unsorted;
+    unsorted.reserve(4 * tets.size());
+    std::vector<std::size_t> first(1, 0);
     for (std::size_t t = 0; t < tets.size(); ++t) {
         for (std::size_t k = 0; k < 4; ++k) {
-            Face face{{}, static_cast<int>(t), static_cast<int>(k)};
-            for (std::size_t i = 0; i < 3; ++i) {
-                face.nodes[i] = tets[t][static_cast<std::size_t>(tet_faces[k][i])];
-            }
-            std::sort(face.nodes.begin(), face.nodes.end());
-            faces.push_back(face);
+            unsorted.push_back(face_of(tets[t], t, k));
+            const std::size_t lowest = static_cast<std::size_t>(unsorted.back().nodes[0]);
+            first.resize(std::max(first.size(), lowest + 2), 0);
+            ++first[lowest + 1];
         }
     }
-    std::sort(faces.begin(), faces.end());
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Face> faces(unsorted.size());
+    std::vector<std::size_t> next = first;
+    for (const Face& face : unsorted) {
+        faces[next[static_cast<std::size_t>(face.nodes[0])]++] = face;
+    }
+    for (std::size_t node = 0; node + 1 < first.size(); ++node) {
+        std::sort(faces.begin() + static_cast<std::ptrdiff_t>(first[node]),
+                  faces.begin() + static_cast<std::ptrdiff_t>(first[node + 1]));
+    }
     return faces;
 }
 

@@ -344,7 +344,8 @@ Result<Physics> Physics::create(std::shared_ptr<const WorldModel> model, const P
     }
     std::unique_ptr<Solvers> solvers = std::make_unique<Solvers>(model, settings);
     for (int solid = 0; solid < static_cast<int>(model->solids.size()); ++solid) {
-        Result<SolidStepper> stepper = SolidStepper::create(*model, solid, settings, solvers->pool);
+        const SolidStepper* of_before = before != nullptr ? &before->solvers_->steppers[at(solid)] : nullptr;
+        Result<SolidStepper> stepper = SolidStepper::create(*model, solid, settings, solvers->pool, of_before);
         if (!stepper) {
             return stepper.error();
         }

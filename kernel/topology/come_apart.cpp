@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "base/assert.hpp"
+#include "base/index.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/components.hpp"
+#include "mesh/tet_mesh.hpp"
 
 namespace rhexis {
 
@@ -94,12 +97,56 @@ void join_same_piece(UnionFind& pieces, std::vector<std::vector<int>>& groups) {
     }
 }
 
+/// Numbers of edges in the order in which they are first asked for.
+class EdgeNumbers {
+public:
+    explicit EdgeNumbers(std::size_t nodes) : upwards_(nodes) {}
+
+    int number(int a, int b) {
+        const int low = std::min(a, b);
+        const int high = std::max(a, b);
+        for (const auto& [end, number] : upwards_[at(low)]) {
+            if (end == high) {
+                return number;
+            }
+        }
+        upwards_[at(low)].emplace_back(high, static_cast<int>(edges.size()));
+        edges.push_back({low, high});
+        return static_cast<int>(edges.size()) - 1;
+    }
+
+    std::vector<std::array<int, 2>> edges;
+
+private:
+    std::vector<std::vector<std::pair<int, int>>> upwards_;  ///< per node: other ends above it, and the edge's number
+};
+
+/// Neighbours stay where their common face has the same corners on both sides.
+std::vector<std::array<int, 4>> kept_neighbours(const std::vector<std::array<int, 4>>& before,
+                                                const std::vector<std::array<int, 4>>& tets) {
+    std::vector<std::array<int, 4>> neighbours = before;
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int other = neighbours[t][k];
+            const auto parted = [&](int local) {
+                const std::array<int, 4>& beside = tets[at(other)];
+                return std::find(beside.begin(), beside.end(), tets[t][at(local)]) == beside.end();
+            };
+            if (other >= 0 && std::any_of(tet_faces[k].begin(), tet_faces[k].end(), parted)) {
+                neighbours[t][k] = -1;
+            }
+        }
+    }
+    return neighbours;
+}
+
 /// The same children with the corners that their coarse tetrahedra have now.
 FineMesh follow_coarse(const SolidModel& base, const TetMesh& coarse) {
     FineMesh fine;
     const int old_nodes = static_cast<int>(base.coarse.nodes.size());
     const int nodes = static_cast<int>(coarse.nodes.size());
-    std::map<std::array<int, 2>, int> numbers;
+    EdgeNumbers numbers(coarse.nodes.size());
+    fine.tets.reserve(base.fine.tets.size());
     for (std::size_t f = 0; f < base.fine.tets.size(); ++f) {
         const std::array<int, 4>& before = base.coarse.tets[f / 8];
         const std::array<int, 4>& now = coarse.tets[f / 8];
@@ -113,17 +160,12 @@ FineMesh follow_coarse(const SolidModel& base, const TetMesh& coarse) {
                 continue;
             }
             const std::array<int, 2>& ends = base.fine.edges[corner - old_nodes];
-            const std::array<int, 2> edge{std::min(moved(ends[0]), moved(ends[1])),
-                                          std::max(moved(ends[0]), moved(ends[1]))};
-            const auto [found, fresh] = numbers.emplace(edge, static_cast<int>(fine.edges.size()));
-            if (fresh) {
-                fine.edges.push_back(edge);
-            }
-            corner = nodes + found->second;
+            corner = nodes + numbers.number(moved(ends[0]), moved(ends[1]));
         }
         fine.tets.push_back(tet);
     }
-    fine.neighbours = face_neighbours(fine.tets);
+    fine.edges = std::move(numbers.edges);
+    fine.neighbours = kept_neighbours(base.fine.neighbours, fine.tets);
     return fine;
 }
 

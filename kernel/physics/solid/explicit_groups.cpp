@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include "base/index.hpp"
 
@@ -23,9 +24,18 @@ public:
 
     [[nodiscard]] bool empty() const { return order_.empty(); }
 
-    /// Busiest first. Sorting again only now and then costs little fill and makes the whole nearly linear.
+    /// Busiest first: by the most that meet at one of its nodes, then by how many meet at all. Sorting again only now
+    /// and then costs little fill and makes the whole nearly linear.
     void sort() {
-        std::stable_sort(order_.begin(), order_.end(), [this](int a, int b) { return urgency(a) > urgency(b); });
+        sort_by([this](int t) {
+            const std::array<int, 4>& tet = tets_[at(t)];
+            return degree_[at(tet[0])] + degree_[at(tet[1])] + degree_[at(tet[2])] + degree_[at(tet[3])];
+        });
+        sort_by([this](int t) {
+            const std::array<int, 4>& tet = tets_[at(t)];
+            return std::max(std::max(degree_[at(tet[0])], degree_[at(tet[1])]),
+                            std::max(degree_[at(tet[2])], degree_[at(tet[3])]));
+        });
     }
 
     /// Takes up to `lanes` tetrahedra that share no node.
@@ -58,20 +68,34 @@ private:
             degree_[at(node)] += change;
         }
     }
-    [[nodiscard]] int urgency(int t) const {
-        const std::array<int, 4>& tet = tets_[at(t)];
-        int most = 0;
-        int sum = 0;
-        for (const int node : tet) {
-            most = std::max(most, degree_[at(node)]);
-            sum += degree_[at(node)];
+
+    /// Largest first, equal ones as they were; by counting, for keys are small.
+    template <typename Key>
+    void sort_by(Key key) {
+        keys_.clear();
+        first_.assign(1, 0);
+        for (const int t : order_) {
+            keys_.push_back(key(t));
+            first_.resize(std::max(first_.size(), at(keys_.back()) + 1), 0);
+            ++first_[at(keys_.back())];
         }
-        return 1000 * most + sum;
+        int before = 0;
+        for (std::size_t k = first_.size(); k-- > 0;) {
+            before += std::exchange(first_[k], before);
+        }
+        sorted_.resize(order_.size());
+        for (std::size_t i = 0; i < order_.size(); ++i) {
+            sorted_[at(first_[at(keys_[i])]++)] = order_[i];
+        }
+        order_.swap(sorted_);
     }
 
     const std::vector<std::array<int, 4>>& tets_;
     std::vector<int> degree_;
     std::vector<int> order_;
+    std::vector<int> keys_;   ///< scratch of a sort, as what follows
+    std::vector<int> first_;  ///< per key: where the first with it goes
+    std::vector<int> sorted_;
 };
 
 }  // namespace

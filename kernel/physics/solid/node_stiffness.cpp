@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "energy/nodal_pressure.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace rhexis {
 
@@ -29,26 +31,33 @@ NodeStiffness::NodeStiffness(const TetMesh& mesh, Formulation formulation) : mes
     if (formulation_ != Formulation::nodal_pressure) {
         return;
     }
-    std::vector<std::array<int, 2>> rows;
-    for (const std::array<int, 4>& tet : mesh.tets) {
-        for (const int patch : tet) {
-            for (const int node : tet) {
-                rows.push_back({patch, node});
-            }
-        }
+    pair_.resize(mesh.tets.size());
+    const NodeTets around = node_tets(mesh.tets, static_cast<int>(mesh.nodes.size()));
+    for (std::size_t patch = 0; patch < mesh.nodes.size(); ++patch) {
+        add_rows(static_cast<int>(patch),
+                 std::span(around.tets)
+                     .subspan(at(around.offset[patch]), at(around.offset[patch + 1] - around.offset[patch])));
     }
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    for (const std::array<int, 4>& tet : mesh.tets) {
-        std::array<int, 16>& pair = pair_.emplace_back();
-        for (std::size_t k = 0; k < 16; ++k) {
-            const std::array<int, 2> wanted{tet[k / 4], tet[k % 4]};
-            pair[k] = static_cast<int>(std::lower_bound(rows.begin(), rows.end(), wanted) - rows.begin());
-        }
+}
+
+/// A row for each node of the tetrahedra around one, ascending.
+void NodeStiffness::add_rows(int patch, std::span<const int> star) {
+    const std::size_t begin = node_.size();
+    for (const int t : star) {
+        const std::array<int, 4>& tet = mesh_->tets[at(t)];
+        node_.insert(node_.end(), tet.begin(), tet.end());
     }
-    for (const std::array<int, 2>& row : rows) {
-        patch_.push_back(row[0]);
-        node_.push_back(row[1]);
+    const auto first = node_.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::sort(first, node_.end());
+    node_.erase(std::unique(first, node_.end()), node_.end());
+    patch_.resize(node_.size(), patch);
+    for (const int t : star) {
+        const std::array<int, 4>& tet = mesh_->tets[at(t)];
+        const std::size_t own = 4 * static_cast<std::size_t>(std::find(tet.begin(), tet.end(), patch) - tet.begin());
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto row = std::lower_bound(node_.begin() + static_cast<std::ptrdiff_t>(begin), node_.end(), tet[k]);
+            pair_[at(t)][own + k] = static_cast<int>(row - node_.begin());
+        }
     }
 }
 

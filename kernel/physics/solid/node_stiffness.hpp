@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "flow/solid.hpp"
@@ -19,6 +20,8 @@ public:
     const std::vector<double>& traces(const std::vector<TetStiffness>& shares);
 
 private:
+    void add_rows(int patch, std::span<const int> star);
+
     const TetMesh* mesh_;
     Formulation formulation_;
     std::vector<std::array<Vec3, 4>> gradients_;  ///< of the four shape functions [1/mm]

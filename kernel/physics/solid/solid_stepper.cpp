@@ -143,8 +143,9 @@ SolidStepper::SolidStepper(const WorldModel& model, int solid, const PhysicsSett
       energy_(model.solids[solid]) {}
 
 Result<SolidStepper> SolidStepper::create(const WorldModel& model, int solid, const PhysicsSettings& settings,
-                                          ThreadPool& pool) {
+                                          ThreadPool& pool, const SolidStepper* before) {
     SolidStepper stepper(model, solid, settings, pool);
+    stepper.rest_step_ = before != nullptr ? before->rest_step_ : 0.0;
     const Advance asked = model.solids[solid].advance;
     const bool stands_in = model.solids[solid].formulation == Formulation::edge_smoothed;
     if (asked == Advance::explicit_ || (asked == Advance::automatic && !stands_in)) {
@@ -173,8 +174,9 @@ Status SolidStepper::make_explicit() {
         return made.error();
     }
     explicit_.emplace(std::move(made).value());
-    explicit_->load(rest_state(*solid_model_));
-    rest_step_ = solid_model_->coarse.tets.empty() ? 0.0 : explicit_->stable_step();
+    if (rest_step_ == 0.0 && !solid_model_->coarse.tets.empty()) {
+        rest_step_ = explicit_->stable_step();
+    }
     return success();
 }
 

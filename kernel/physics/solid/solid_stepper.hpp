@@ -43,8 +43,9 @@ struct StepTry {
 
 class SolidStepper {
 public:
+    /// before: of the same solid with fewer splits, whose choice between the two ways goes on to hold; or null.
     static Result<SolidStepper> create(const WorldModel& model, int solid, const PhysicsSettings& settings,
-                                       ThreadPool& pool);
+                                       ThreadPool& pool, const SolidStepper* before);
 
     /// Finds what can touch what during the step; before its tries.
     void look_for_contacts(const StepTask& task);
@@ -82,7 +83,7 @@ private:
     ContactCandidates candidates_;    ///< scratch of one step
     std::vector<PiecePair> pairs_;    ///< scratch of one step
     std::vector<SuctionGrip> grips_;  ///< scratch of one step
-    double rest_step_ = 0.0;          ///< explicit stability limit at rest [s]
+    double rest_step_ = 0.0;          ///< explicit stability limit at rest, unsplit [s]; 0: not yet known
 };
 
 }  // namespace rhexis
