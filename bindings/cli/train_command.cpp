@@ -309,6 +309,10 @@ int train(const TrainOptions& given, const Context& context) {
     for (;;) {
         const station::Menu menu = station::collect_menu(
             context.root, "runs", given.language.empty() ? language_of_environment(context.root) : given.language);
+        if (menu.exercises.empty()) {
+            return complain({"there is no exercise to choose", context.root + "/curricula",
+                             "RHEXIS_HOME names the folder that has them"});
+        }
         Result<station::MenuChoice> choice = Error{"nothing was chosen", "", ""};
         entry_of<station::MenuEntry>(opened.value(), station::menu_entry_name)(menu, choice);
         if (!choice) {

@@ -55,6 +55,9 @@ constexpr auto table = std::to_array<Control>({
     {Id::ghost, "ghost", press, "Shows, or hides, how an expert does it"},
     {Id::help, "help", press, "Shows, or hides, what each key and button does"},
     {Id::stop, "stop", press, "Ends the exercise; the report opens"},
+    {Id::take_instrument, "take_instrument", choice, "Takes this instrument of the stand into the hand that moves"},
+    {Id::choose_dial, "choose_dial", choice, "Chooses this dial of the machine"},
+    {Id::choose_request, "choose_request", choice, "Chooses this request to the staff"},
 });
 
 }  // namespace

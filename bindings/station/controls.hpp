@@ -15,7 +15,8 @@ enum class ControlKind {
     rate,   ///< -1 to 1, held: goes on as long as it is held
     level,  ///< 0 to 1: as far as it is pressed
     notch,  ///< so many notches, each a little way
-    press   ///< once, when it goes down
+    press,  ///< once, when it goes down
+    choice  ///< of a list, by its number from 0: from panels only
 };
 
 enum class ControlId {
@@ -62,7 +63,10 @@ enum class ControlId {
     try_again,
     ghost,
     help,
-    stop
+    stop,
+    take_instrument,
+    choose_dial,
+    choose_request
 };
 
 struct Control {

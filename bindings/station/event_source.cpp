@@ -15,6 +15,7 @@ namespace rhexis::station {
 namespace {
 
 constexpr double may_catch_up_s = 0.05;  ///< what runs later than that slows the clock
+constexpr double away_s = 0.5;           ///< without running, after which the clock stands
 constexpr double waits_s = 0.05;         ///< between two looks for events while the clock stands
 constexpr double smoothing = 0.02;       ///< of the rate that is shown
 constexpr double bears_steal = 0.01;     ///< share of a second, of one core
@@ -36,6 +37,11 @@ double stolen_seconds() {
 Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const Hands&, const Surroundings&,
                                                const Session&) {
     const double now = wall_seconds();
+    std::vector<UserEvent> events;
+    if (was_away(now)) {
+        events.push_back({EventKind::focus, "away"});
+        due_s_ = 0.0;  // not caught up, and nobody's slow clock
+    }
     if (waits) {
         desk_.wait_for_event(now + waits_s);
         due_s_ = 0.0;
@@ -50,12 +56,18 @@ Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const 
         note(std::max(0.0, late), lost);
         slowed_ += smoothing * (step_s_ / (step_s_ + lost) - slowed_);
     }
-    std::vector<UserEvent> events;
     for (PostedEvent& posted : desk_.take()) {
         number_ = posted.number;
         events.push_back(std::move(posted.event));
     }
+    left_s_ = wall_seconds();
+    left_cpu_s_ = process_cpu_seconds();
     return events;
+}
+
+/// A process that was suspended, or that others kept from running: a step that only takes long is not that.
+bool WallClock::was_away(double now) const {
+    return left_s_ > 0.0 && now - left_s_ - (process_cpu_seconds() - left_cpu_s_) > away_s;
 }
 
 void WallClock::note(double late_s, double lost_s) {

@@ -46,6 +46,7 @@ public:
 
 private:
     void note(double late_s, double lost_s);
+    [[nodiscard]] bool was_away(double now) const;
 
     Desk& desk_;
     double step_s_;
@@ -56,7 +57,9 @@ private:
     int steal_s_ = 0;
     double lost_s_ = 0.0;
     double lost_this_second_s_ = 0.0;
-    double due_s_ = 0.0;  ///< of the next step; 0: as soon as it is asked for
+    double due_s_ = 0.0;       ///< of the next step; 0: as soon as it is asked for
+    double left_s_ = 0.0;      ///< when the clock was asked last; 0: not yet
+    double left_cpu_s_ = 0.0;  ///< of the process, by then
     double slowed_ = 1.0;
     std::uint64_t number_ = 0;
 };

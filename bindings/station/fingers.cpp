@@ -72,7 +72,7 @@ struct Fingers::Work {
     /// What works a control in this direction, of the style's own devices first. Empty: nothing does.
     [[nodiscard]] std::string source_of(ControlId id, double sign, bool axes) const {
         std::string found;
-        for (const auto& [source, binding] : fingers.mapping_.bindings()) {
+        for (const auto& [source, binding] : hands.mapping().bindings()) {
             if (binding.control->id != id || source == "mouse.move" || source == "mouse.wheel" ||
                 is_axis(source) != axes || (!axes && binding.sign * sign < 0.0)) {
                 continue;
@@ -103,13 +103,13 @@ struct Fingers::Work {
 
     /// A rate, as a share of the fastest: by an axis as it is, by keys on or off.
     void rate(ControlId id, double share) {
-        const Tuning& tuning = fingers.mapping_.tuning();
+        const Tuning& tuning = hands.mapping().tuning();
         const std::string axis = source_of(id, 1.0, true);
         if (fingers.style_ == Style::pad && !axis.empty()) {
             const double size = std::min(1.0, std::abs(share));
             const double push =
                 size == 0.0 ? 0.0 : inverse_of([&](double v) { return rate_of_stick(v, tuning); }, size);
-            const double sign = fingers.mapping_.find(axis)->sign;
+            const double sign = hands.mapping().find(axis)->sign;
             set(axis, grained(sign * std::copysign(push, share)));
             return;
         }
@@ -183,7 +183,7 @@ struct Fingers::Work {
         }
         point_coarsely(which, goal, 1.0);
         level(ControlId::fine, 1.0);
-        point_coarsely(which, goal, fingers.mapping_.tuning().fine);
+        point_coarsely(which, goal, hands.mapping().tuning().fine);
         level(ControlId::fine, 0.0);
     }
 
@@ -197,7 +197,7 @@ struct Fingers::Work {
             const Cursor cursor = grained_cursor(around.sight.cursor_on(to, now.inside));
             emit({EventKind::pointer, "", 0.0, cursor.x(), cursor.y()});
         }
-        const double notch = share * fingers.mapping_.tuning().notch_mm;
+        const double notch = share * hands.mapping().tuning().notch_mm;
         const double notches = std::round((goal.z() - hand(which).wanted.z()) / notch);
         if (notches != 0.0) {
             emit({EventKind::wheel, "", std::clamp(notches, -most_notches, most_notches), 0.0, 0.0});
@@ -206,7 +206,7 @@ struct Fingers::Work {
 
     void steer(int which, const Vec3& goal) {
         move_with(which);
-        const Vec3 left = (goal - hand(which).wanted) / (fingers.mapping_.tuning().tip_mm_s * dt);
+        const Vec3 left = (goal - hand(which).wanted) / (hands.mapping().tuning().tip_mm_s * dt);
         rate(ControlId::hand_x, left.x());
         rate(ControlId::hand_y, left.y());
         rate(ControlId::hand_z, left.z());
@@ -241,11 +241,11 @@ struct Fingers::Work {
         const Quat turn = now.orientation.conjugate() * sample.pose.orientation;
         const double degrees = 2.0 * std::atan2(turn.z(), turn.w()) * 180.0 / std::numbers::pi;
         const double wrapped = std::remainder(degrees, 360.0);
-        rate(ControlId::hand_roll, wrapped / (fingers.mapping_.tuning().roll_deg_s * dt));
+        rate(ControlId::hand_roll, wrapped / (hands.mapping().tuning().roll_deg_s * dt));
     }
 
     void press_pedal(double goal) {
-        const Tuning& tuning = fingers.mapping_.tuning();
+        const Tuning& tuning = hands.mapping().tuning();
         const std::string axis = source_of(ControlId::pedal, 1.0, true);
         if (fingers.style_ == Style::pad && !axis.empty()) {
             double share = 0.0;

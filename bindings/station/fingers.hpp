@@ -19,8 +19,7 @@ enum class Style {
 class Fingers {
 public:
     /// width, height: of the window, whose pixels are the grain of a cursor.
-    Fingers(const Mapping& mapping, Style style, int width, int height)
-        : mapping_(mapping), style_(style), width_(width), height_(height) {}
+    Fingers(Style style, int width, int height) : style_(style), width_(width), height_(height) {}
 
     /// What to do so that, after the next step of dt [s], the hands are as near as they can be to these samples, which
     /// are of all instruments of the scene, and ask for what these commands ask for.
@@ -29,7 +28,6 @@ public:
 
 private:
     struct Work;
-    const Mapping& mapping_;
     Style style_;
     int width_;
     int height_;

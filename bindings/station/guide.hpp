@@ -6,13 +6,14 @@
 #include <string>
 
 #include "station/hands.hpp"
+#include "station/words.hpp"
 
 namespace rhexis::station {
 
 class Guide {
 public:
     /// What to do next, with the keys of the mapping; none: all has been done.
-    std::optional<std::string> next(const HandsState& hands, const Stand& stand, const Mapping& mapping);
+    std::optional<std::string> next(const HandsState& hands, const Stand& stand, const Words& words);
 
 private:
     bool took_ = false;

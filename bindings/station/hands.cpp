@@ -26,7 +26,9 @@ constexpr double most_light = 2.0;
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-constexpr double down = 0.5;  ///< from which a button or trigger is pressed
+constexpr double fully_pushed = 0.98;  ///< of a stick: it may be held there
+constexpr double stuck_after_s = 2.0;  ///< [s]
+constexpr double down = 0.5;           ///< from which a button or trigger is pressed
 
 double step_towards(double value, double goal, double most) { return value + std::clamp(goal - value, -most, most); }
 
@@ -122,12 +124,16 @@ double rate_of_stick(double value, const Tuning& tuning) {
     return std::copysign(size * size, value);
 }
 
-Hands::Hands(const Mapping& mapping, const Stand& stand, HoldScript& holds)
-    : mapping_(&mapping), stand_(&stand), holds_(&holds) {
+Hands::Hands(HandsState state, const Stand& stand, HoldScript& holds)
+    : stand_(&stand), holds_(&holds), state_(std::move(state)) {
     for (const StandInstrument& instrument : stand.instruments) {
         const Result<std::string> wound = holds.wound_of(instrument.name);
         wounds_.push_back(wound ? wound.value() : "incision");
     }
+}
+
+Hands::Hands(const Mapping& mapping, const Stand& stand, HoldScript& holds) : Hands(HandsState{}, stand, holds) {
+    state_.mapping = std::make_shared<const Mapping>(mapping);
     for (const Dial& dial : stand.dials) {
         state_.dials.push_back(dial.value);
     }
@@ -156,7 +162,7 @@ void Hands::lose() { state_.cursor.reset(); }
 double Hands::level(ControlId id) const {
     double sum = 0.0;
     for (const auto& [source, value] : state_.held) {
-        const Binding* binding = mapping_->find(source);
+        const Binding* binding = mapping().find(source);
         if (binding != nullptr && binding->control->id == id) {
             sum += binding->sign * value;
         }
@@ -164,39 +170,68 @@ double Hands::level(ControlId id) const {
     return std::clamp(sum, control(id).kind == ControlKind::rate ? -1.0 : 0.0, 1.0);
 }
 
-double Hands::speed_share() const { return level(ControlId::fine) > down ? mapping_->tuning().fine : 1.0; }
+double Hands::speed_share() const { return level(ControlId::fine) > down ? mapping().tuning().fine : 1.0; }
 
 void Hands::take(const UserEvent& given, const Surroundings& around) {
     if (!std::isfinite(given.value) || !std::isfinite(given.x) || !std::isfinite(given.y)) {
         return;  // a device that is broken
     }
     UserEvent event = given;
-    if (event.kind == EventKind::axis) {
-        event.value = std::clamp(event.value, -1.0, 1.0);
+    switch (event.kind) {
+        case EventKind::quit:
+            state_.stop = true;
+            break;
+        case EventKind::focus:
+        case EventKind::device:
+            take_device(event);
+            break;
+        case EventKind::bind:
+            rebind(event);
+            break;
+        case EventKind::control:
+            if (const Control* chosen = find_control(event.name)) {
+                press(chosen->id, event.value, around);
+            }
+            break;
+        case EventKind::axis:
+            event.value = std::clamp(event.value, -1.0, 1.0);
+            take_input(event, around);
+            break;
+        default:
+            take_input(event, around);
+            break;
     }
-    if (event.kind == EventKind::quit) {
-        state_.stop = true;
+}
+
+/// The foot comes up and the clock stands where a device, or the keyboard, is lost.
+void Hands::take_device(const UserEvent& event) {
+    if (event.value >= down) {
         return;
     }
-    if (event.kind == EventKind::focus || event.kind == EventKind::device) {
-        if (event.value < down) {
-            const std::string prefix = event.kind == EventKind::device ? event.name + "." : "";
-            std::erase_if(state_.held, [&](const auto& one) { return one.first.starts_with(prefix); });
-            state_.pedal = 0.0;
-            state_.pedal_goal.reset();
-            state_.paused = true;
-            lose();
-        }
+    const std::string prefix = event.kind == EventKind::device ? event.name + "." : "";
+    std::erase_if(state_.held, [&](const auto& one) { return one.first.starts_with(prefix); });
+    state_.pedal = 0.0;
+    state_.pedal_goal.reset();
+    state_.paused = true;
+    lose();
+    if (event.kind == EventKind::focus && event.name == "away") {
+        tell("the computer was away for a moment: the clock stands");
+    }
+}
+
+void Hands::rebind(const UserEvent& event) {
+    Mapping changed = mapping();
+    if (const Status bound = changed.rebind(event); !bound) {
+        tell(bound.error().text());
         return;
     }
-    if (event.kind == EventKind::control) {
-        if (const Control* chosen = find_control(event.name)) {
-            press(chosen->id, event.value, around);
-        }
-        return;
-    }
+    state_.held.erase(event.name);  // what is down works nothing until it is pressed again
+    state_.mapping = std::make_shared<const Mapping>(std::move(changed));
+}
+
+void Hands::take_input(const UserEvent& event, const Surroundings& around) {
     const std::string source = source_of(event);
-    const Binding* binding = mapping_->find(source);
+    const Binding* binding = mapping().find(source);
     if (binding == nullptr) {
         return;
     }
@@ -219,16 +254,38 @@ void Hands::take(const UserEvent& given, const Surroundings& around) {
             break;
         }
         case ControlKind::rate:
-        case ControlKind::level: {
-            const bool stick = event.kind == EventKind::axis && binding->control->kind == ControlKind::rate;
-            const double key = !stick && moves_instrument(binding->control->id) ? mapping_->tuning().key_share : 1.0;
-            state_.held[source] = stick ? rate_of_stick(event.value, mapping_->tuning()) : key * event.value;
-            if (binding->control->id == ControlId::pedal) {
-                const Tuning& tuning = mapping_->tuning();
-                const double travel = (event.value - tuning.pedal_rest) / (tuning.pedal_full - tuning.pedal_rest);
-                state_.pedal_goal = pedal_of(std::clamp(travel, 0.0, 1.0), tuning);
-            }
+        case ControlKind::level:
+            hold(source, *binding, event);
             break;
+        case ControlKind::choice:
+            break;  // of panels
+    }
+}
+
+void Hands::hold(const std::string& source, const Binding& binding, const UserEvent& event) {
+    const Tuning& tuning = mapping().tuning();
+    const bool stick = event.kind == EventKind::axis && binding.control->kind == ControlKind::rate;
+    const double key = !stick && moves_instrument(binding.control->id) ? tuning.key_share : 1.0;
+    state_.held[source] = stick ? rate_of_stick(event.value, tuning) : key * event.value;
+    if (stick && std::abs(event.value) < fully_pushed) {
+        state_.unmoved_s[source] = 0.0;
+    } else {
+        state_.unmoved_s.erase(source);
+    }
+    if (binding.control->id == ControlId::pedal) {
+        const double travel = (event.value - tuning.pedal_rest) / (tuning.pedal_full - tuning.pedal_rest);
+        state_.pedal_goal = pedal_of(std::clamp(travel, 0.0, 1.0), tuning);
+    }
+}
+
+/// No hand holds a stick half way without the least trembling: it is worn, or stuck.
+void Hands::let_go_of_stuck_sticks(double dt) {
+    for (auto& [source, unmoved_s] : state_.unmoved_s) {
+        unmoved_s += dt;
+        double& pushed = state_.held[source];
+        if (unmoved_s > stuck_after_s && pushed != 0.0) {
+            pushed = 0.0;
+            tell("a stick is stuck: it counts as let go until it moves");
         }
     }
 }
@@ -238,8 +295,8 @@ void Hands::follow_cursor(const Cursor& cursor, const Surroundings& around) {
     HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
     state_.cursor_moves = true;
     state_.last_cursor = cursor;
-    if (hand.instrument < 0) {
-        return;
+    if (hand.instrument < 0 || state_.paused) {
+        return;  // it chooses from panels
     }
     if (!state_.cursor) {
         const Vec3 place = around.sight.under(cursor, hand.tip.z(), hand.inside);
@@ -261,7 +318,7 @@ void Hands::press(ControlId id, double notches, const Surroundings& around) {
     const int requests = static_cast<int>(stand_->requests.size());
     switch (id) {
         case ControlId::depth:
-            hand.wanted.z() += notches * speed_share() * mapping_->tuning().notch_mm;
+            hand.wanted.z() += state_.paused ? 0.0 : notches * speed_share() * mapping().tuning().notch_mm;
             break;
         case ControlId::swap:
             state_.moving = 1 - state_.moving;
@@ -317,8 +374,31 @@ void Hands::press(ControlId id, double notches, const Surroundings& around) {
         case ControlId::stop:
             state_.stop = true;
             break;
+        case ControlId::take_instrument:
+        case ControlId::choose_dial:
+        case ControlId::choose_request:
+            choose(id, notches, around);
+            break;
         default:
             break;
+    }
+}
+
+/// Of a list, by its number; what is on none of them is not chosen.
+void Hands::choose(ControlId id, double number, const Surroundings& around) {
+    const std::size_t count = id == ControlId::take_instrument ? stand_->instruments.size()
+                              : id == ControlId::choose_dial   ? stand_->dials.size()
+                                                               : stand_->requests.size();
+    if (!(number >= 0.0 && number < static_cast<double>(count))) {
+        return;
+    }
+    const int chosen = static_cast<int>(number);
+    if (id == ControlId::choose_dial) {
+        state_.dial = chosen;
+    } else if (id == ControlId::choose_request) {
+        state_.request = chosen;
+    } else {
+        take_instrument(chosen, around);
     }
 }
 
@@ -355,18 +435,27 @@ void Hands::put_down(int which) {
     hand = HandState{};
 }
 
-void Hands::next_instrument(const Surroundings& around) {
-    HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
+/// False: it cannot be taken now.
+bool Hands::take_instrument(int instrument, const Surroundings& around) {
+    const HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
     if (hand.inside) {
         tell("first out of the eye, then another instrument");
-        return;
+        return false;
     }
+    const bool elsewhere = state_.hands[static_cast<std::size_t>(1 - state_.moving)].instrument == instrument;
+    if (elsewhere || !stand_->instruments[static_cast<std::size_t>(instrument)].hand_held) {
+        return false;
+    }
+    take_up(state_.moving, instrument, around);
+    return true;
+}
+
+void Hands::next_instrument(const Surroundings& around) {
+    const HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
+    const int now = hand.instrument;
     const int count = static_cast<int>(stand_->instruments.size());
-    const int elsewhere = state_.hands[static_cast<std::size_t>(1 - state_.moving)].instrument;
     for (int i = 1; i <= count; ++i) {
-        const int next = (hand.instrument + i + count) % count;
-        if (next != elsewhere && stand_->instruments[static_cast<std::size_t>(next)].hand_held) {
-            take_up(state_.moving, next, around);
+        if (take_instrument((now + i + count) % count, around) || hand.inside) {
             return;
         }
     }
@@ -408,11 +497,11 @@ Status Hands::move(int which, const Surroundings& around, double dt) {
         return std::clamp(level(first ? own : of_other) + (moves ? level(of_moving) : 0.0), -1.0, 1.0);
     };
     const double share = speed_share();
-    const double way = share * mapping_->tuning().tip_mm_s * dt;
+    const double way = share * mapping().tuning().tip_mm_s * dt;
     hand.wanted += way * Vec3(rate(ControlId::leading_x, ControlId::other_x, ControlId::hand_x),
                               rate(ControlId::leading_y, ControlId::other_y, ControlId::hand_y),
                               rate(ControlId::leading_z, ControlId::other_z, ControlId::hand_z));
-    hand.roll += share * mapping_->tuning().roll_deg_s * dt *
+    hand.roll += share * mapping().tuning().roll_deg_s * dt *
                  rate(ControlId::leading_roll, ControlId::other_roll, ControlId::hand_roll);
     squeeze(which, dt);
     if (!hand.inside) {
@@ -441,7 +530,7 @@ void Hands::press_pedal(double dt) {
     const double travel = level(ControlId::pedal_travel);
     if (travel != 0.0) {
         state_.pedal_goal.reset();
-        state_.pedal += travel * speed_share() * mapping_->tuning().pedal_per_s * dt;
+        state_.pedal += travel * speed_share() * mapping().tuning().pedal_per_s * dt;
     } else if (state_.pedal_goal) {
         state_.pedal = step_towards(state_.pedal, *state_.pedal_goal, foot_per_s * dt);
     }
@@ -459,6 +548,7 @@ Status Hands::advance(const Surroundings& around, double dt) {
     if (state_.word_for_s <= 0.0) {
         state_.word.clear();
     }
+    let_go_of_stuck_sticks(dt);
     press_pedal(dt);
     state_.zoom =
         std::clamp(state_.zoom * std::exp(level(ControlId::microscope_zoom) * zoom_per_s * dt), least_zoom, most_zoom);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,10 +45,12 @@ struct HandState {
 
 /// Changes with each event and step.
 struct HandsState {
+    std::shared_ptr<const Mapping> mapping;  ///< never null
     std::array<HandState, 2> hands{};
-    int moving = leading;                ///< the hand that the cursor moves
-    std::map<std::string, double> held;  ///< by source, what is down or pushed
-    std::optional<Cursor> cursor;        ///< none: it has not met its instrument
+    int moving = leading;                     ///< the hand that the cursor moves
+    std::map<std::string, double> held;       ///< by source, what is down or pushed
+    std::map<std::string, double> unmoved_s;  ///< by stick that is pushed: since it moved last
+    std::optional<Cursor> cursor;             ///< none: it has not met its instrument
     Cursor last_cursor = Cursor::Zero();
     bool cursor_moves = false;  ///< a cursor is what moves the hand: it must meet the instrument
     double pedal = 0.0;         ///< 0 to 3
@@ -77,8 +80,10 @@ double pedal_of(double share, const Tuning& tuning);
 
 class Hands {
 public:
-    /// All outlive the hands; instruments: of the scene.
+    /// Stand and script outlive the hands.
     Hands(const Mapping& mapping, const Stand& stand, HoldScript& holds);
+    /// Goes on from a state of hands at the same stand.
+    Hands(HandsState state, const Stand& stand, HoldScript& holds);
 
     void take(const UserEvent& event, const Surroundings& around);
     /// Holds what the session's instruments show to be held, where they are; dials as they are set.
@@ -106,14 +111,21 @@ public:
     [[nodiscard]] const HandsState& state() const { return state_; }
     HandsState& state() { return state_; }
     [[nodiscard]] const Stand& stand() const { return *stand_; }
-    void set_mapping(const Mapping& mapping) { mapping_ = &mapping; }
+    [[nodiscard]] const Mapping& mapping() const { return *state_.mapping; }
 
 private:
+    void take_device(const UserEvent& event);
+    void rebind(const UserEvent& event);
+    void take_input(const UserEvent& event, const Surroundings& around);
+    void hold(const std::string& source, const Binding& binding, const UserEvent& event);
+    void choose(ControlId id, double number, const Surroundings& around);
+    void let_go_of_stuck_sticks(double dt);
     void press(ControlId id, double notches, const Surroundings& around);
     void follow_cursor(const Cursor& cursor, const Surroundings& around);
     void turn_dial(int dial, double notches);
     void take_up(int hand, int instrument, const Surroundings& around);
     void put_down(int hand);
+    bool take_instrument(int instrument, const Surroundings& around);
     void next_instrument(const Surroundings& around);
     Status move(int hand, const Surroundings& around, double dt);
     void squeeze(int hand, double dt);
@@ -125,7 +137,6 @@ private:
     [[nodiscard]] double speed_share() const;
     void choose_wound(const Surroundings& around, HandState& hand) const;
 
-    const Mapping* mapping_;
     const Stand* stand_;
     HoldScript* holds_;
     std::vector<std::string> wounds_;  ///< by instrument, the landmark about which virtual surgeons hold it

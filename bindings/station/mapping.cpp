@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <vector>
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "base/output_file.hpp"
 #include "trial/places.hpp"
 
 namespace rhexis::station {
@@ -37,13 +40,19 @@ constexpr auto tuning_fields = std::to_array<TuningField>({
 constexpr std::array devices = {"key", "mouse", "pad", "pedal"};
 const std::vector<std::string> of_the_mouse = {"move", "wheel", "left", "middle", "right", "back", "forward"};
 
+/// Of those that an input can work.
 std::vector<std::string> control_names() {
     std::vector<std::string> names;
     for (const Control& one : control_table()) {
-        names.emplace_back(one.name);
+        if (one.kind != ControlKind::choice) {
+            names.emplace_back(one.name);
+        }
     }
     return names;
 }
+
+/// As a file says it: "swap", "-hand.y".
+std::string said(const Binding& binding) { return std::string(binding.sign < 0.0 ? "-" : "") + binding.control->name; }
 
 /// What a device can give to a control: a cursor is no button.
 bool suits(const std::string& source, ControlKind kind) {
@@ -60,7 +69,7 @@ Result<Binding> binding_of(const std::string& source, const nlohmann::json& give
         name.erase(0, 1);
     }
     binding.control = find_control(name);
-    if (binding.control == nullptr) {
+    if (binding.control == nullptr || binding.control->kind == ControlKind::choice) {
         return Error{"there is no control " + name, source, suggestion(name, control_names())};
     }
     if (!suits(source, binding.control->kind)) {
@@ -94,6 +103,10 @@ Status read_tuning(const nlohmann::json& json, Tuning& tuning) {
                      "pedal_first below pedal_second below pedal_third, and pedal_rest other than pedal_full"};
     }
     return success();
+}
+
+std::string file_name(bool pad, bool left) {
+    return std::string(pad ? "gamepad" : "mouse") + (left ? "-left" : "") + ".json";
 }
 
 }  // namespace
@@ -147,6 +160,48 @@ Result<Mapping> Mapping::read(const std::string& path) {
     return mapping;
 }
 
+Status Mapping::rebind(const UserEvent& event) {
+    const std::size_t dot = event.name.find('.');
+    const std::string device = event.name.substr(0, dot);
+    const std::string input = dot == std::string::npos ? "" : event.name.substr(dot + 1);
+    nlohmann::json changed = to_json();
+    if (device == "tuning") {
+        changed[device][input] = event.value;
+    } else if (event.control.empty()) {
+        bindings_.erase(event.name);
+        return success();
+    } else {
+        changed[device][input] = event.control;
+    }
+    Result<Mapping> mapping = from(changed);
+    if (!mapping) {
+        return mapping.error();
+    }
+    *this = std::move(mapping).value();
+    return success();
+}
+
+std::vector<UserEvent> Mapping::changes_to(const Mapping& that) const {
+    std::vector<UserEvent> events;
+    for (const auto& [source, binding] : bindings_) {
+        if (that.find(source) == nullptr) {
+            events.push_back({EventKind::bind, source, 0.0, 0.0, 0.0, ""});
+        }
+    }
+    for (const auto& [source, binding] : that.bindings_) {
+        const Binding* now = find(source);
+        if (now == nullptr || now->control != binding.control || now->sign != binding.sign) {
+            events.push_back({EventKind::bind, source, 0.0, 0.0, 0.0, said(binding)});
+        }
+    }
+    for (const TuningField& field : tuning_fields) {
+        if (tuning_.*field.value != that.tuning_.*field.value) {
+            events.push_back({EventKind::bind, std::string("tuning.") + field.name, that.tuning_.*field.value});
+        }
+    }
+    return events;
+}
+
 const Binding* Mapping::find(const std::string& source) const {
     const auto found = bindings_.find(source);
     return found == bindings_.end() ? nullptr : &found->second;
@@ -156,8 +211,7 @@ nlohmann::json Mapping::to_json() const {
     nlohmann::json json = nlohmann::json::object();
     for (const auto& [source, binding] : bindings_) {
         const std::size_t dot = source.find('.');
-        json[source.substr(0, dot)][source.substr(dot + 1)] =
-            std::string(binding.sign < 0.0 ? "-" : "") + binding.control->name;
+        json[source.substr(0, dot)][source.substr(dot + 1)] = said(binding);
     }
     for (const TuningField& field : tuning_fields) {
         json["tuning"][field.name] = tuning_.*field.value;
@@ -165,15 +219,21 @@ nlohmann::json Mapping::to_json() const {
     return json;
 }
 
-std::string Mapping::inputs_of(ControlId id) const {
+std::string Mapping::inputs_of(ControlId id, double way) const {
     std::string list;
     for (const auto& [source, binding] : bindings_) {
-        if (binding.control->id == id) {
+        if (binding.control->id == id && (way == 0.0 || binding.sign == way)) {
             const std::string shown = source.starts_with("key.") ? source.substr(4) : source;
-            list += (list.empty() ? "" : ", ") + shown + (binding.sign < 0.0 ? " (-)" : "");
+            list += (list.empty() ? "" : ", ") + shown + (way == 0.0 && binding.sign < 0.0 ? " (-)" : "");
         }
     }
     return list;
+}
+
+Status write_mapping(const Mapping& mapping, const std::string& path) {
+    std::error_code ignored;
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+    return write_file(path, mapping.to_json().dump(2) + "\n");
 }
 
 std::string source_of(const UserEvent& event) {
@@ -194,8 +254,17 @@ std::string source_of(const UserEvent& event) {
     }
 }
 
-std::string standard_mapping(const std::string& root, bool pad) {
-    return root + "/assets/station/" + (pad ? "gamepad" : "mouse") + ".json";
+std::string standard_mapping(const std::string& root, bool pad, bool left) {
+    return root + "/assets/station/" + file_name(pad, left);
+}
+
+std::string own_mapping(bool pad, bool left) {
+    const char* settings = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    if (settings != nullptr && *settings == '/') {
+        return std::string(settings) + "/rhexis/" + file_name(pad, left);
+    }
+    return home != nullptr && *home == '/' ? std::string(home) + "/.config/rhexis/" + file_name(pad, left) : "";
 }
 
 }  // namespace rhexis::station

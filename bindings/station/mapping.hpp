@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "station/controls.hpp"
@@ -45,24 +46,39 @@ public:
     static Result<Mapping> from(const nlohmann::json& json);
     static Result<Mapping> read(const std::string& path);
 
+    /// Changes one input or tuning, as the event says. Fails, and changes nothing, where a file could not say it.
+    Status rebind(const UserEvent& event);
+    /// What makes this mapping that one, event by event.
+    [[nodiscard]] std::vector<UserEvent> changes_to(const Mapping& that) const;
+
     /// Null: nothing is on it. source: "key.Tab", "mouse.left", "pad.a", "pedal.0".
     [[nodiscard]] const Binding* find(const std::string& source) const;
     [[nodiscard]] const std::map<std::string, Binding>& bindings() const { return bindings_; }
     [[nodiscard]] const Tuning& tuning() const { return tuning_; }
+    /// A cursor moves the tips, not sticks.
+    [[nodiscard]] bool by_cursor() const { return find("mouse.move") != nullptr; }
     [[nodiscard]] nlohmann::json to_json() const;
 
-    /// What works a control: "Tab, pad.y"; empty: nothing does.
-    [[nodiscard]] std::string inputs_of(ControlId id) const;
+    /// What works a control: "Tab, pad.y"; empty: nothing does. way: 1 and -1 for those that work it this way or turned
+    /// round, 0 for all, told apart.
+    [[nodiscard]] std::string inputs_of(ControlId id, double way = 0.0) const;
 
 private:
     std::map<std::string, Binding> bindings_;
     Tuning tuning_;
 };
 
+/// Whole, or not at all; its folder is made.
+Status write_mapping(const Mapping& mapping, const std::string& path);
+
 /// Of an event: "key.Tab", "mouse.move"; empty: it is of no input.
 std::string source_of(const UserEvent& event);
 
-/// Where the file lies that is taken where none is named.
-std::string standard_mapping(const std::string& root, bool pad);
+/// Where the file lies that is taken where none is named. left: for who leads with the left hand.
+std::string standard_mapping(const std::string& root, bool pad, bool left);
+
+/// Where a person's own is kept, which is taken before the standard one: beside other programs' settings. Empty: there
+/// is no home.
+std::string own_mapping(bool pad, bool left);
 
 }  // namespace rhexis::station

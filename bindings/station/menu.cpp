@@ -7,7 +7,6 @@
 
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
-#include "station/mapping.hpp"
 #include "trial/places.hpp"
 #include "trial/report_json.hpp"
 
@@ -79,7 +78,7 @@ std::vector<MenuPatient> patients_in(const std::string& root) {
 }  // namespace
 
 Menu collect_menu(const std::string& root, const std::string& runs, const std::string& language) {
-    return {exercises_in(root, runs, language), patients_in(root), standard_mapping(root, false)};
+    return {exercises_in(root, runs, language), patients_in(root), root, language};
 }
 
 }  // namespace rhexis::station

@@ -25,7 +25,8 @@ struct MenuPatient {
 struct Menu {
     std::vector<MenuExercise> exercises;
     std::vector<MenuPatient> patients;
-    std::string mapping;  ///< file of the mouse's, for what is shown of keys
+    std::string root;      ///< folder of scripts/, for words
+    std::string language;  ///< "": English
 };
 
 struct MenuChoice {

@@ -12,9 +12,9 @@
 namespace rhexis::station {
 namespace {
 
-constexpr std::array kind_names = {"key",   "pointer", "button", "wheel",  "axis",
-                                   "press", "control", "focus",  "device", "quit"};
-constexpr double farthest = 20.0;  ///< a pointer or wheel beyond is no person's
+constexpr std::array kind_names = {"key",     "pointer", "button", "wheel",  "axis", "press",
+                                   "control", "bind",    "focus",  "device", "quit"};
+constexpr double farthest = 1000.0;  ///< of a number beyond is no device's and no tuning's
 
 Result<double> number_in(const nlohmann::json& json, const char* field) {
     if (!json.contains(field)) {
@@ -42,6 +42,9 @@ nlohmann::json to_json(const UserEvent& event) {
     } else if (event.kind != EventKind::quit) {
         json["value"] = event.value;
     }
+    if (event.kind == EventKind::bind) {
+        json["control"] = event.control;
+    }
     return json;
 }
 
@@ -55,11 +58,13 @@ Result<UserEvent> event_from(const nlohmann::json& json) {
     }
     UserEvent event;
     event.kind = static_cast<EventKind>(found - kind_names.begin());
-    const nlohmann::json name = json.value("name", nlohmann::json(""));
-    if (!name.is_string()) {
-        return Error{"the event's name is " + name.dump(), "", "a text"};
+    for (const auto& [field, to] : {std::pair("name", &event.name), {"control", &event.control}}) {
+        const nlohmann::json text = json.value(field, nlohmann::json(""));
+        if (!text.is_string()) {
+            return Error{std::string("the event's ") + field + " is " + text.dump(), "", "a text"};
+        }
+        *to = text.get<std::string>();
     }
-    event.name = name.get<std::string>();
     for (const auto& [field, to] : {std::pair("value", &event.value), {"x", &event.x}, {"y", &event.y}}) {
         const Result<double> number = number_in(json, field);
         if (!number) {

@@ -18,7 +18,10 @@ enum class EventKind {
     axis,     ///< of a pad or pedal: name "pad.leftx", "pedal.0"; value -1 to 1, of a trigger 0 to 1
     press,    ///< a button of a pad or pedal: name "pad.a", "pedal.1"; value 1 down, 0 up
     control,  ///< from a panel: name of a control (controls.hpp), value
-    focus,    ///< value 1: the window has the keyboard; 0: it has lost it, and with it all keys that were held
+    bind,     ///< the mapping changes: name of an input ("key.Tab") and its control ("-hand.y"; "": none), or of a
+              ///< tuning ("tuning.fine") and its value
+    focus,    ///< value 1: the window has the keyboard; 0: it has lost it, and with it all keys that were held; name
+              ///< "away": the whole computer was away, or too busy, for a moment
     device,   ///< name "pad" or "pedal"; value 1: it is there; 0: it has gone, and with it all that it held
     quit      ///< the window is closed
 };
@@ -29,6 +32,7 @@ struct UserEvent {
     double value = 0.0;
     double x = 0.0;
     double y = 0.0;
+    std::string control{};
 };
 
 /// One line of an event file, without its end: {"event":"key","name":"Tab","value":1}.

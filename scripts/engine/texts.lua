@@ -80,7 +80,8 @@ function texts.known(name, where, exercise)
     words.fail(where, ("there are no texts in '%s'%s"):format(name, words.hint(name, known)))
 end
 
-local function shared(language)
+--- The words of engine, rubric and report in a language; none in English.
+function texts.of(language)
     for _, name in ipairs(texts.shared) do
         if name == language then return require("texts." .. name) end
     end
@@ -91,7 +92,7 @@ end
 function texts.translator(language, exercise)
     if not language or language == "en" then return function(text) return text end end
     local own = exercise and exercise.texts[language] or {}
-    local file, common = exercise and files[language] or {}, shared(language)
+    local file, common = exercise and files[language] or {}, texts.of(language)
     return function(text)
         if text == nil then return nil end
         return own[text] or file[text] or common[text] or text
@@ -101,7 +102,7 @@ end
 --- Whether a text has a translation.
 function texts.has(language, exercise, text)
     local own, file = exercise.texts[language] or {}, files[language] or {}
-    return own[text] ~= nil or file[text] ~= nil or shared(language)[text] ~= nil
+    return own[text] ~= nil or file[text] ~= nil or texts.of(language)[text] ~= nil
 end
 
 --- Calls f(owner, key) for every text of an exercise that someone reads.

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The menu before an exercise: what to do, on whom, how hard, and whether hands and pictures are ready.
-#include <backends/imgui_impl_opengl3.h>
-#include <backends/imgui_impl_sdl.h>
 #include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "base/clock.hpp"
+#include "base/numbers.hpp"
 #include "station/menu.hpp"
-#include "station/window/panels.hpp"
+#include "station/window/overlay.hpp"
 #include "station/window/window.hpp"
+#include "station/words.hpp"
 
 namespace rhexis::station {
 namespace {
@@ -49,52 +51,54 @@ void draw_list(const Menu& menu, Choosing& now) {
     ImGui::EndChild();
 }
 
-void draw_levels(const MenuExercise& exercise, Choosing& now) {
+void draw_levels(const MenuExercise& exercise, const Words& words, Choosing& now) {
     const auto& levels = exercise.levels;
-    const std::string shown = now.level == 0 ? "as it is" : levels[static_cast<std::size_t>(now.level - 1)];
-    if (levels.empty() || !ImGui::BeginCombo("Difficulty", shown.c_str())) {
+    const std::string shown = now.level == 0 ? words("as it is") : levels[static_cast<std::size_t>(now.level - 1)];
+    if (levels.empty() || !ImGui::BeginCombo(words("Difficulty").c_str(), shown.c_str())) {
         return;
     }
     for (int i = 0; i <= static_cast<int>(levels.size()); ++i) {
-        const char* name = i == 0 ? "as it is" : levels[static_cast<std::size_t>(i - 1)].c_str();
-        if (ImGui::Selectable(name, now.level == i)) {
+        const std::string name = i == 0 ? words("as it is") : levels[static_cast<std::size_t>(i - 1)];
+        if (ImGui::Selectable(name.c_str(), now.level == i)) {
             now.level = i;
         }
     }
     ImGui::EndCombo();
 }
 
-void draw_patients(const Menu& menu, Choosing& now) {
+void draw_patients(const Menu& menu, const Words& words, Choosing& now) {
     const auto note = [&](int i) {
-        return i == 0 ? "as the exercise says" : menu.patients[static_cast<std::size_t>(i - 1)].note.c_str();
+        return i == 0 ? words("as the exercise says") : menu.patients[static_cast<std::size_t>(i - 1)].note;
     };
-    if (!ImGui::BeginCombo("Patient", note(now.patient))) {
+    if (!ImGui::BeginCombo(words("Patient").c_str(), note(now.patient).c_str())) {
         return;
     }
     for (int i = 0; i <= static_cast<int>(menu.patients.size()); ++i) {
-        if (ImGui::Selectable(note(i), now.patient == i)) {
+        if (ImGui::Selectable(note(i).c_str(), now.patient == i)) {
             now.patient = i;
         }
     }
     ImGui::EndCombo();
 }
 
-void draw_check(Choosing& now) {
+void draw_check(const Words& words, Choosing& now) {
     ImGui::Separator();
-    ImGui::TextUnformatted("This machine");
-    ImGui::BulletText("%.0f pictures/s of this menu", now.pictures_per_s);
-    ImGui::BulletText("gamepad: %s", now.pad_there ? "found" : "none");
-    ImGui::BulletText("pedal: %s", now.pedal_there ? "found" : "none; keys 0 to 3 and Space press it");
-    if (ImGui::RadioButton("Mouse and keys", !now.pad)) {
+    ImGui::TextUnformatted(words("This machine").c_str());
+    ImGui::BulletText("%s",
+                      words("%s pictures/s of this menu", {short_number(std::round(now.pictures_per_s))}).c_str());
+    ImGui::BulletText("%s", words(now.pad_there ? "gamepad: found" : "gamepad: none").c_str());
+    ImGui::BulletText("%s",
+                      words(now.pedal_there ? "pedal: found" : "pedal: none; keys 0 to 3 and Space press it").c_str());
+    if (ImGui::RadioButton(words("Mouse and keys").c_str(), !now.pad)) {
         now.pad = false;
     }
     ImGui::SameLine();
-    if (ImGui::RadioButton("Gamepad", now.pad)) {
+    if (ImGui::RadioButton(words("Gamepad").c_str(), now.pad)) {
         now.pad = true;
     }
 }
 
-void draw_chosen(const Menu& menu, Choosing& now) {
+void draw_chosen(const Menu& menu, const Words& words, Choosing& now) {
     const MenuExercise& one = menu.exercises[static_cast<std::size_t>(now.exercise)];
     ImGui::BeginChild("chosen", {0.0F, 0.0F}, true);
     ImGui::TextWrapped("%s", one.title.c_str());
@@ -103,23 +107,25 @@ void draw_chosen(const Menu& menu, Choosing& now) {
         ImGui::Bullet();
         ImGui::TextWrapped("%s", objective.c_str());
     }
-    ImGui::TextWrapped("Last time: %s", one.last.empty() ? "not yet" : one.last.c_str());
+    ImGui::TextWrapped("%s", words("Last time: %s", {one.last.empty() ? words("not yet") : one.last}).c_str());
     ImGui::Separator();
-    draw_patients(menu, now);
-    draw_levels(one, now);
-    draw_check(now);
+    draw_patients(menu, words, now);
+    draw_levels(one, words, now);
+    draw_check(words, now);
     ImGui::Separator();
-    now.begin = ImGui::Button("Begin") || now.begin;
+    now.begin = ImGui::Button(words("Begin").c_str()) || now.begin;
     ImGui::SameLine();
-    now.leave = ImGui::Button("Leave");
+    now.leave = ImGui::Button(words("Leave").c_str());
     ImGui::Spacing();
-    ImGui::TextWrapped(
-        "In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the mouse "
-        "moves its tip and the wheel its depth; 1, 2, 3 press the pedal; P stops the clock.");
+    ImGui::TextWrapped("%s",
+                       words("In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the "
+                             "mouse moves its tip and the wheel its depth; 1, 2, 3 press the pedal; P stops the "
+                             "clock.")
+                           .c_str());
     ImGui::EndChild();
 }
 
-void draw(const Menu& menu, Choosing& now) {
+void draw(const Menu& menu, const Words& words, Choosing& now) {
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize(io.DisplaySize);
@@ -127,7 +133,7 @@ void draw(const Menu& menu, Choosing& now) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     draw_list(menu, now);
     ImGui::SameLine();
-    draw_chosen(menu, now);
+    draw_chosen(menu, words, now);
     ImGui::End();
 }
 
@@ -142,29 +148,27 @@ void heed(const std::vector<UserEvent>& events, Choosing& now) {
 }
 
 Result<MenuChoice> choose(const Menu& menu) {
-    if (menu.exercises.empty()) {
-        return Error{"there is no exercise to choose", "curricula", "RHEXIS_HOME names the folder that has them"};
-    }
     Result<Window> window = Window::open("rhexis", width, height, false);
     if (!window) {
         return window.error();
     }
-    const Panels panels(window.value());
+    const Overlay overlay(window.value());
+    const Result<Words> words = Words::load(menu.root, menu.language, {});
+    if (!words) {
+        return words.error();
+    }
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
     Choosing now;
     double began = wall_seconds();
     int pictures = 0;
     while (!now.begin && !now.leave) {
         heed(window.value().poll(), now);
-        ImGui_ImplOpenGL3_NewFrame();
-        ImGui_ImplSDL2_NewFrame();
-        ImGui::NewFrame();
-        draw(menu, now);
-        ImGui::Render();
         glViewport(0, 0, window.value().width(), window.value().height());
         glClearColor(0.05F, 0.06F, 0.07F, 1.0F);
         glClear(GL_COLOR_BUFFER_BIT);
-        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        overlay.begin();
+        draw(menu, words.value(), now);
+        overlay.end();
         window.value().present();
         if (++pictures % 20 == 0) {
             now.pictures_per_s = 20.0 / std::max(1e-6, wall_seconds() - began);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/panels.hpp"
 
-#include <backends/imgui_impl_opengl3.h>
-#include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,85 +8,46 @@
 #include <sstream>
 #include <utility>
 
+#include "base/clock.hpp"
+#include "base/numbers.hpp"
+
 namespace rhexis::station {
 namespace {
 
 constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+const ImVec4 warning{1.0F, 0.8F, 0.2F, 1.0F};
+const ImVec4 to_learn{0.5F, 1.0F, 0.6F, 1.0F};
+constexpr double notice_s = 6.0;
+constexpr double pushed = 0.6;  ///< of an axis that is to work a control
 
-UserEvent worked(ControlId id, double value = 1.0) { return {EventKind::control, control(id).name, value, 0.0, 0.0}; }
+UserEvent worked(ControlId id, double value = 1.0) { return {EventKind::control, control(id).name, value}; }
 
-std::string held(const Shown& shown, const Stand& stand, int which) {
-    const HandState& hand = shown.hands.hands[static_cast<std::size_t>(which)];
-    return hand.instrument < 0 ? "-" : stand.instruments[static_cast<std::size_t>(hand.instrument)].name;
-}
+double number(std::size_t i) { return static_cast<double>(i); }
 
-void draw_state(const Shown& shown, const Stand& stand, const DrawingRate& rate) {
-    ImGui::SetNextWindowPos({8.0F, 8.0F});
-    ImGui::SetNextWindowBgAlpha(0.45F);
-    ImGui::Begin("state", nullptr, plain | ImGuiWindowFlags_NoInputs);
-    ImGui::Text("%.1f s   pedal %.1f", shown.frame.time_s, shown.hands.pedal);
-    ImGui::Text("%s leading: %s", shown.hands.moving == leading ? ">" : " ", held(shown, stand, leading).c_str());
-    ImGui::Text("%s other:   %s", shown.hands.moving == other ? ">" : " ", held(shown, stand, other).c_str());
-    if (!stand.dials.empty()) {
-        const auto at = static_cast<std::size_t>(shown.hands.dial);
-        const Dial& dial = stand.dials[at];
-        ImGui::Text("%s = %g %s", dial.setting.c_str(), shown.hands.dials[at],
-                    dial.unit == "1" ? "" : dial.unit.c_str());
-    }
-    if (!stand.requests.empty()) {
-        ImGui::Text("ask: %s", stand.requests[static_cast<std::size_t>(shown.hands.request)].title.c_str());
-    }
-    if (rate.size < 1.0) {
-        ImGui::Text("%.0f pictures/s, at %.0f %% of the size", rate.pictures_per_s, 100.0 * rate.size);
-    } else {
-        ImGui::Text("%.0f pictures/s", rate.pictures_per_s);
-    }
-    if (shown.slowed < 0.97) {
-        ImGui::TextColored({1.0F, 0.8F, 0.2F, 1.0F}, "slow clock: %.0f %%", 100.0 * shown.slowed);
-    }
-    ImGui::End();
-}
-
-void draw_lines(const Shown& shown) {
-    if (shown.lines.empty() && shown.hands.word.empty()) {
-        return;
-    }
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, io.DisplaySize.y - 8.0F}, ImGuiCond_Always, {0.5F, 1.0F});
-    ImGui::SetNextWindowBgAlpha(0.55F);
-    ImGui::Begin("lines", nullptr, plain | ImGuiWindowFlags_NoInputs);
-    ImGui::PushTextWrapPos(0.8F * io.DisplaySize.x);
-    for (const std::string& line : shown.lines) {
-        ImGui::TextWrapped("%s", line.c_str());
-    }
-    if (!shown.hands.word.empty()) {
-        ImGui::TextColored({1.0F, 0.8F, 0.2F, 1.0F}, "%s", shown.hands.word.c_str());
-    }
-    ImGui::PopTextWrapPos();
-    ImGui::End();
+std::string dial_text(const Dial& dial, double value) {
+    return short_number(value) + (dial.unit == "1" ? "" : " " + dial.unit);
 }
 
 /// What is worked by the devices that are there: of a pad nothing where there is none.
 std::string shown_inputs(const Mapping& mapping, ControlId id) {
-    const bool pad = mapping.inputs_of(ControlId::tip).empty();
     std::string shown;
     std::istringstream inputs(mapping.inputs_of(id));
     for (std::string one; std::getline(inputs, one, ',');) {
         one.erase(0, one.find_first_not_of(' '));
-        if (pad || (!one.starts_with("pad.") && !one.starts_with("pedal."))) {
+        if (!mapping.by_cursor() || (!one.starts_with("pad.") && !one.starts_with("pedal."))) {
             shown += (shown.empty() ? "" : ", ") + one;
         }
     }
     return shown;
 }
 
-void draw_help(const Mapping& mapping) {
-    std::vector<std::pair<std::string, const char*>> rows;
+void draw_help(const Mapping& mapping, const Words& words) {
+    std::vector<std::pair<std::string, std::string>> rows;
     for (const Control& one : control_table()) {
         if (std::string inputs = shown_inputs(mapping, one.id); !inputs.empty()) {
-            rows.emplace_back(std::move(inputs), one.meaning);
+            rows.emplace_back(std::move(inputs), words(one.meaning));
         }
     }
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -102,7 +61,7 @@ void draw_help(const Mapping& mapping) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(inputs.c_str());
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(meaning);
+            ImGui::TextUnformatted(meaning.c_str());
         }
         ImGui::EndTable();
     }
@@ -126,103 +85,304 @@ void draw_ghost(const Shown& shown, const Ghost& ghost) {
     }
 }
 
-void draw_next(const std::string& text) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, 8.0F}, ImGuiCond_Always, {0.5F, 0.0F});
-    ImGui::SetNextWindowBgAlpha(0.6F);
-    const ImVec2 wide = ImGui::CalcTextSize(text.c_str());
-    ImGui::SetNextWindowSize({wide.x + 20.0F, wide.y + 18.0F});
-    ImGui::Begin("next", nullptr, plain | ImGuiWindowFlags_NoInputs);
-    ImGui::TextColored({0.5F, 1.0F, 0.6F, 1.0F}, "%s", text.c_str());
-    ImGui::End();
+/// What a press of a key, a button or an axis says of an input: its name, and -1 where the other way was pushed.
+std::optional<std::pair<std::string, double>> input_of(const UserEvent& event, ControlKind kind) {
+    if (event.kind == EventKind::wheel && kind == ControlKind::notch) {
+        return std::pair(source_of(event), event.value < 0.0 ? -1.0 : 1.0);
+    }
+    const bool pressed =
+        (event.kind == EventKind::key || event.kind == EventKind::button || event.kind == EventKind::press) &&
+        event.value > 0.5;
+    if (pressed) {
+        return std::pair(source_of(event), 1.0);
+    }
+    if (event.kind == EventKind::axis && std::abs(event.value) > pushed) {
+        return std::pair(source_of(event), event.value < 0.0 ? -1.0 : 1.0);
+    }
+    return std::nullopt;
 }
 
-/// While the clock stands the cursor is free to choose.
-void draw_stand(const Shown& shown, const Stand& stand, std::vector<UserEvent>& clicked) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, 0.5F * io.DisplaySize.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowBgAlpha(0.85F);
-    ImGui::Begin("stand", nullptr, plain);
-    ImGui::TextUnformatted("The clock stands.");
-    if (ImGui::Button("Go on")) {
-        clicked.push_back(worked(ControlId::pause));
-    }
-    ImGui::Separator();
-    if (ImGui::Button("Next instrument")) {
-        clicked.push_back(worked(ControlId::next_instrument));
-    }
-    ImGui::SameLine();
-    if (ImGui::Button("Put down")) {
-        clicked.push_back(worked(ControlId::put_down));
-    }
-    ImGui::SameLine();
-    if (ImGui::Button("Other hand")) {
-        clicked.push_back(worked(ControlId::swap));
-    }
-    if (!stand.dials.empty()) {
-        const auto at = static_cast<std::size_t>(shown.hands.dial);
-        if (ImGui::Button("Next dial")) {
-            clicked.push_back(worked(ControlId::dial_next));
+/// The control is worked by this input, and no more by another of its device.
+std::vector<UserEvent> bound(const Mapping& mapping, const Control& to, const std::string& source, double sign) {
+    std::vector<UserEvent> events;
+    const std::string device = source.substr(0, source.find('.') + 1);
+    for (const auto& [input, binding] : mapping.bindings()) {
+        if (binding.control == &to && binding.sign == sign && input.starts_with(device) && input != source) {
+            events.push_back({EventKind::bind, input});
         }
-        ImGui::SameLine();
-        if (ImGui::Button("-")) {
-            clicked.push_back(worked(ControlId::dial_turn, -1.0));
-        }
-        ImGui::SameLine();
-        if (ImGui::Button("+")) {
-            clicked.push_back(worked(ControlId::dial_turn, 1.0));
-        }
-        ImGui::SameLine();
-        ImGui::Text("%s = %g", stand.dials[at].setting.c_str(), shown.hands.dials[at]);
     }
-    ImGui::Separator();
-    if (ImGui::Button("End the exercise")) {
-        clicked.push_back(worked(ControlId::stop));
-    }
-    ImGui::End();
+    events.push_back(
+        {EventKind::bind, source, 0.0, 0.0, 0.0, std::string(sign < 0.0 ? "-" : "") + std::string(to.name)});
+    return events;
 }
 
 }  // namespace
 
-Panels::Panels(const Window& window) {
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-    ImGui::StyleColorsDark();
-    ImGui_ImplSDL2_InitForOpenGL(window.handle(), window.context());
-    ImGui_ImplOpenGL3_Init("#version 330");
+Panels::Panels(const Window& window, Words words, std::vector<MappingOffer> offers, std::string own)
+    : overlay_(window), words_(std::move(words)), offers_(std::move(offers)), own_(std::move(own)) {}
+
+void Panels::notice(const std::string& text) {
+    notice_ = text;
+    notice_until_s_ = wall_seconds() + notice_s;
 }
 
-Panels::~Panels() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplSDL2_Shutdown();
-    ImGui::DestroyContext();
+std::string Panels::held(const Shown& shown, int which) const {
+    const int instrument = shown.hands.hands[static_cast<std::size_t>(which)].instrument;
+    return instrument < 0 ? "-"
+                          : words_.instrument(shown.stand->instruments[static_cast<std::size_t>(instrument)].name);
 }
 
-std::vector<UserEvent> Panels::draw(const Shown& shown, const Mapping& mapping, const Ghost* ghost,
-                                    const DrawingRate& rate) {
+void Panels::draw_state(const Shown& shown, const DrawingRate& rate) const {
     const Stand& stand = *shown.stand;
+    ImGui::SetNextWindowPos({8.0F, 8.0F});
+    ImGui::SetNextWindowBgAlpha(0.45F);
+    ImGui::Begin("state", nullptr, plain | ImGuiWindowFlags_NoInputs);
+    ImGui::Text("%.1f s   %s %.1f", shown.frame.time_s, words_("pedal").c_str(), shown.hands.pedal);
+    for (const auto& [which, name] : {std::pair(leading, "leading hand"), {other, "other hand"}}) {
+        ImGui::Text("%s%s: %s", shown.hands.moving == which ? "> " : "   ", words_(name).c_str(),
+                    held(shown, which).c_str());
+    }
+    if (!stand.dials.empty()) {
+        const auto at = static_cast<std::size_t>(shown.hands.dial);
+        ImGui::Text("%s: %s", words_.setting(stand.dials[at].setting).c_str(),
+                    dial_text(stand.dials[at], shown.hands.dials[at]).c_str());
+    }
+    if (!stand.requests.empty()) {
+        ImGui::Text("%s: %s", words_("ask").c_str(),
+                    stand.requests[static_cast<std::size_t>(shown.hands.request)].title.c_str());
+    }
+    if (rate.size < 1.0) {
+        ImGui::TextUnformatted(words_("%s pictures/s, at %s % of the size",
+                                      {short_number(std::round(rate.pictures_per_s)), short_number(100.0 * rate.size)})
+                                   .c_str());
+    } else {
+        ImGui::TextUnformatted(words_("%s pictures/s", {short_number(std::round(rate.pictures_per_s))}).c_str());
+    }
+    if (shown.slowed < 0.97) {
+        ImGui::TextColored(warning, "%s",
+                           words_("slow clock: %s %", {short_number(std::round(100.0 * shown.slowed))}).c_str());
+    }
+    ImGui::End();
+}
+
+void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& next) const {
+    const bool noticed = wall_seconds() < notice_until_s_;
+    if (!next && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
+        return;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, io.DisplaySize.y - 8.0F}, ImGuiCond_Always, {0.5F, 1.0F});
+    ImGui::SetNextWindowBgAlpha(0.55F);
+    ImGui::Begin("lines", nullptr, plain | ImGuiWindowFlags_NoInputs);
+    ImGui::PushTextWrapPos(0.8F * io.DisplaySize.x);
+    if (next) {
+        ImGui::TextColored(to_learn, "%s", next->c_str());
+    }
+    for (const std::string& line : shown.lines) {
+        ImGui::TextWrapped("%s", line.c_str());
+    }
+    if (!shown.hands.word.empty()) {
+        ImGui::TextColored(warning, "%s", words_(shown.hands.word).c_str());
+    }
+    if (noticed) {
+        ImGui::TextColored(warning, "%s", notice_.c_str());
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+}
+
+void Panels::draw_instruments(const Shown& shown, std::vector<UserEvent>& clicked) const {
+    const Stand& stand = *shown.stand;
+    const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
+    ImGui::TextDisabled(
+        "%s",
+        words_(shown.hands.moving == leading ? "Take with the leading hand" : "Take with the other hand").c_str());
+    for (std::size_t i = 0; i < stand.instruments.size(); ++i) {
+        if (!stand.instruments[i].hand_held) {
+            continue;
+        }
+        const std::string label = words_.instrument(stand.instruments[i].name) + "##" + std::to_string(i);
+        if (ImGui::Selectable(label.c_str(), hand.instrument == static_cast<int>(i))) {
+            clicked.push_back(worked(ControlId::take_instrument, number(i)));
+        }
+    }
+    if (ImGui::Button(words_("Put down").c_str())) {
+        clicked.push_back(worked(ControlId::put_down));
+    }
+    ImGui::SameLine();
+    if (ImGui::Button(words_("Other hand").c_str())) {
+        clicked.push_back(worked(ControlId::swap));
+    }
+}
+
+void Panels::draw_dials(const Shown& shown, std::vector<UserEvent>& clicked) const {
+    const Stand& stand = *shown.stand;
+    if (stand.dials.empty()) {
+        return;
+    }
+    ImGui::TextDisabled("%s", words_("The machine").c_str());
+    if (!ImGui::BeginTable("dials", 3, ImGuiTableFlags_SizingFixedFit)) {
+        return;
+    }
+    for (std::size_t i = 0; i < stand.dials.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(words_.setting(stand.dials[i].setting).c_str());
+        ImGui::TableNextColumn();
+        for (const double notch : {-1.0, 1.0}) {
+            if (ImGui::SmallButton(notch < 0.0 ? " - " : " + ")) {
+                clicked.push_back(worked(ControlId::choose_dial, number(i)));
+                clicked.push_back(worked(ControlId::dial_turn, notch));
+            }
+            ImGui::SameLine();
+        }
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(dial_text(stand.dials[i], shown.hands.dials[i]).c_str());
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+void Panels::draw_requests(const Shown& shown, std::vector<UserEvent>& clicked) const {
+    const std::vector<Request>& requests = shown.stand->requests;
+    if (requests.empty()) {
+        return;
+    }
+    ImGui::TextDisabled("%s", words_("Ask the staff").c_str());
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Button(requests[i].title.c_str())) {
+            clicked.push_back(worked(ControlId::choose_request, number(i)));
+            clicked.push_back(worked(ControlId::request));
+        }
+        ImGui::PopID();
+    }
+}
+
+/// Those that are offered, and the file in which a person's own is kept.
+void Panels::draw_offers(const Mapping& now, std::vector<UserEvent>& clicked) {
+    for (const MappingOffer& offer : offers_) {
+        if (ImGui::Button(words_(offer.title).c_str())) {
+            const std::vector<UserEvent> changes = now.changes_to(offer.mapping);
+            clicked.insert(clicked.end(), changes.begin(), changes.end());
+        }
+        ImGui::SameLine();
+    }
+    if (!own_.empty() && ImGui::Button(words_("Keep as mine").c_str())) {
+        keep_as_own(now);
+    }
+    ImGui::NewLine();
+}
+
+void Panels::keep_as_own(const Mapping& mapping) {
+    const Status kept = write_mapping(mapping, own_);
+    notice(kept ? words_("kept in %s", {own_}) : kept.error().text());
+}
+
+void Panels::draw_keys(const Shown& shown, std::vector<UserEvent>& clicked) {
+    const Mapping& mapping = *shown.hands.mapping;
+    draw_offers(mapping, clicked);
+    ImGui::TextDisabled("%s", asked_ ? words_("Press what shall work it; Escape leaves it as it is").c_str()
+                                     : words_("Click what shall be worked otherwise").c_str());
+    ImGui::BeginChild("keys", {0.0F, 0.55F * ImGui::GetIO().DisplaySize.y});
+    if (ImGui::BeginTable("inputs", 2, ImGuiTableFlags_SizingStretchProp)) {
+        for (const Control& one : control_table()) {
+            if (one.kind == ControlKind::place || one.kind == ControlKind::choice) {
+                continue;
+            }
+            const bool both_ways = one.kind == ControlKind::rate || one.kind == ControlKind::notch;
+            for (const bool turned : {false, true}) {
+                if (turned && !both_ways) {
+                    continue;
+                }
+                ImGui::TableNextColumn();
+                const std::string meaning = words_(one.meaning) + (turned ? " (-)" : both_ways ? " (+)" : "");
+                const std::string label = meaning + "##" + one.name + (turned ? "-" : "");
+                if (ImGui::Selectable(label.c_str(), asked_ == one.id && asked_turned_ == turned)) {
+                    asked_ = one.id;
+                    asked_turned_ = turned;
+                }
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(mapping.inputs_of(one.id, both_ways ? (turned ? -1.0 : 1.0) : 0.0).c_str());
+            }
+        }
+        ImGui::EndTable();
+    }
+    ImGui::EndChild();
+}
+
+/// While the clock stands the cursor is free to choose.
+void Panels::draw_break(const Shown& shown, std::vector<UserEvent>& clicked) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowBgAlpha(0.9F);
+    ImGui::SetNextWindowSizeConstraints({std::min(520.0F, size.x), 0.0F}, {size.x, size.y});
+    ImGui::Begin("break", nullptr, plain);
+    ImGui::TextUnformatted(words_("The clock stands.").c_str());
+    ImGui::SameLine();
+    for (const auto& [title, id] : {std::pair("Go on", ControlId::pause),
+                                    {"Keep this moment", ControlId::keep_moment},
+                                    {"Try again from there", ControlId::try_again},
+                                    {"Expert's way", ControlId::ghost},
+                                    {"End the exercise", ControlId::stop}}) {
+        if (ImGui::Button(words_(title).c_str())) {
+            clicked.push_back(worked(id));
+        }
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    if (ImGui::BeginTabBar("tabs")) {
+        if (ImGui::BeginTabItem(words_("Stand").c_str())) {
+            draw_instruments(shown, clicked);
+            draw_dials(shown, clicked);
+            draw_requests(shown, clicked);
+            ImGui::EndTabItem();
+        }
+        if (ImGui::BeginTabItem(words_("Keys").c_str())) {
+            draw_keys(shown, clicked);
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+}
+
+std::vector<UserEvent> Panels::draw(const Shown& shown, const Ghost* ghost, const DrawingRate& rate) {
     std::vector<UserEvent> clicked;
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplSDL2_NewFrame();
-    ImGui::NewFrame();
+    overlay_.begin();
     if (shown.hands.ghost && ghost != nullptr) {
         draw_ghost(shown, *ghost);
     }
-    if (const std::optional<std::string> next = guide_.next(shown.hands, stand, mapping)) {
-        draw_next(*next);
-    }
-    draw_state(shown, stand, rate);
-    draw_lines(shown);
+    draw_state(shown, rate);
+    draw_lines(shown, guide_.next(shown.hands, *shown.stand, words_));
     if (shown.hands.help) {
-        draw_help(mapping);
+        draw_help(*shown.hands.mapping, words_);
     }
     if (shown.hands.paused) {
-        draw_stand(shown, stand, clicked);
+        draw_break(shown, clicked);
+    } else {
+        asked_.reset();
     }
-    ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    mapping_ = shown.hands.mapping;
+    overlay_.end();
     return clicked;
+}
+
+std::optional<std::vector<UserEvent>> Panels::captured(const UserEvent& event) {
+    if (!asked_ || !mapping_) {
+        return std::nullopt;
+    }
+    if (event.kind == EventKind::key && event.name == "Escape") {
+        asked_.reset();
+        return std::vector<UserEvent>{};
+    }
+    const Control& wanted = control(*asked_);
+    const auto input = input_of(event, wanted.kind);
+    if (!input) {
+        return std::nullopt;
+    }
+    asked_.reset();
+    return bound(*mapping_, wanted, input->first, asked_turned_ ? -input->second : input->second);
 }
 
 }  // namespace rhexis::station

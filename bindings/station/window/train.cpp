@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -40,13 +41,12 @@ public:
         bool keep_rate = false;  ///< pictures are drawn smaller where there would be too few
     };
 
-    Picture(Window& window, Renderer renderer, HoldScript holds, const Mapping& mapping, const Wishes& wishes)
+    Picture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes)
         : window_(window),
+          panels_(panels),
           wishes_(wishes),
           renderer_(std::make_unique<Renderer>(std::move(renderer))),
           holds_(std::move(holds)),
-          mapping_(mapping),
-          panels_(window),
           begun_s_(wall_seconds()) {}
 
     void posted(const UserEvent& event) { ahead_.push_back({++posted_, event}); }
@@ -60,7 +60,7 @@ public:
         renderer_->show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
                         {0, 0, window_.width(), window_.height()}, wishes_.stereo);
         std::vector<UserEvent> clicked =
-            panels_.draw(shown, mapping_, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
+            panels_.draw(shown, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
         window_.show_cursor(shown.hands.paused);
         if (taken != nullptr) {
             *taken = read_window();
@@ -127,8 +127,7 @@ private:
         while (!ahead_.empty() && ahead_.front().first <= shown.events) {
             ahead_.pop_front();
         }
-        Hands hands(mapping_, *shown.stand, holds_);
-        hands.state() = shown.hands;
+        Hands hands(shown.hands, *shown.stand, holds_);
         for (const auto& [number, event] : ahead_) {
             hands.take(event, shown.around);
         }
@@ -148,11 +147,10 @@ private:
     }
 
     Window& window_;
+    Panels& panels_;
     Wishes wishes_;
     std::unique_ptr<Renderer> renderer_;
     HoldScript holds_;
-    const Mapping& mapping_;
-    Panels panels_;
     std::deque<std::pair<std::uint64_t, UserEvent>> ahead_;
     std::uint64_t posted_ = 0;
     double begun_s_;
@@ -167,18 +165,69 @@ private:
 /// A person, not a file or a virtual surgeon.
 bool operates(const StationOptions& options) { return !options.again && options.by.empty(); }
 
+/// A mapping's file that is edited while the station runs.
+class MappingFile {
+public:
+    MappingFile(std::string path, Mapping read)
+        : path_(std::move(path)), read_(std::move(read)), written_(last_written()) {}
+
+    /// What has changed in it since it was read last; what is wrong with it is told.
+    std::vector<UserEvent> changes(Panels& panels) {
+        const double now = wall_seconds();
+        if (now - looked_s_ < 1.0) {
+            return {};
+        }
+        looked_s_ = now;
+        const std::filesystem::file_time_type written = last_written();
+        if (written == written_) {
+            return {};
+        }
+        written_ = written;
+        Result<Mapping> mapping = Mapping::read(path_);
+        if (!mapping) {
+            panels.notice(mapping.error().text());
+            return {};
+        }
+        std::vector<UserEvent> events = read_.changes_to(mapping.value());
+        read_ = std::move(mapping).value();
+        panels.notice(panels.words()("read again: %s", {path_}));
+        return events;
+    }
+
+private:
+    [[nodiscard]] std::filesystem::file_time_type last_written() const {
+        std::error_code unknown;
+        return std::filesystem::last_write_time(path_, unknown);
+    }
+
+    std::string path_;
+    Mapping read_;
+    std::filesystem::file_time_type written_;
+    double looked_s_ = 0.0;
+};
+
 /// Until the trial has ended.
-void look_on(const StationOptions& options, Desk& desk, Window& window, Picture& picture, double step_s) {
+void look_on(const StationOptions& options, Desk& desk, Window& window, Panels& panels, MappingFile& file,
+             Picture& picture, double step_s) {
     std::uint64_t seen = 0;
     bool any = false;
+    const auto post = [&](const std::vector<UserEvent>& events) {
+        for (const UserEvent& event : events) {
+            desk.post(event);
+            picture.posted(event);
+        }
+    };
     while (!desk.ended()) {
         for (const UserEvent& event : window.poll()) {
             if (operates(options)) {
-                desk.post(event);
-                picture.posted(event);
+                const std::optional<std::vector<UserEvent>> captured = panels.captured(event);
+                post(captured ? *captured : std::vector{event});
             } else if (event.kind == EventKind::quit) {
                 desk.close();
             }
+        }
+        if (operates(options)) {
+            post(file.changes(panels));
         }
         const std::shared_ptr<Shown> shown = any ? desk.wait_for(seen, longest_wait_s) : desk.newest();
         if (!shown) {
@@ -192,11 +241,8 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, Picture&
         const std::vector<UserEvent> clicked = picture.draw(*shown, step_s);
         seen = shown->step;
         desk.drawn(seen);
-        for (const UserEvent& event : clicked) {
-            if (operates(options)) {
-                desk.post(event);
-                picture.posted(event);
-            }
+        if (operates(options)) {
+            post(clicked);
         }
     }
 }
@@ -213,7 +259,10 @@ Status keep_picture(const StationOptions& options, const Desk& desk, Picture& pi
 }
 
 struct Prepared {
+    std::string mapping_file;
     Mapping mapping;
+    std::vector<MappingOffer> offers;
+    std::string own;  ///< where a person's mapping is kept
     std::optional<EventFile> file;
     std::optional<EventWriter> writer;
     std::optional<Ghost> ghost;
@@ -229,11 +278,42 @@ nlohmann::json events_header(const StationOptions& options, const Mapping& mappi
     return header;
 }
 
+std::string setting_of(const StationOptions& options, const char* name) {
+    const auto found = options.attempt.exercise.set.find(name);
+    return found == options.attempt.exercise.set.end() ? "" : found->second;
+}
+
+/// The one that is named, else a person's own, else the standard one.
+std::string mapping_file(const StationOptions& options) {
+    const bool left = setting_of(options, "handedness") == "left";
+    const std::string own = own_mapping(options.pad, left);
+    std::error_code unknown;
+    if (options.mapping.empty() && operates(options) && !own.empty() && std::filesystem::exists(own, unknown)) {
+        return own;
+    }
+    return options.mapping.empty() ? standard_mapping(options.attempt.exercise.root, options.pad, left)
+                                   : options.mapping;
+}
+
+Status offer_mappings(const StationOptions& options, Prepared& prepared) {
+    for (const auto& [title, left] : {std::pair("Right-handed", false), {"Left-handed", true}}) {
+        Result<Mapping> mapping = Mapping::read(standard_mapping(options.attempt.exercise.root, options.pad, left));
+        if (!mapping) {
+            return mapping.error();
+        }
+        prepared.offers.push_back({title, std::move(mapping).value()});
+    }
+    prepared.own = own_mapping(options.pad, setting_of(options, "handedness") == "left");
+    return success();
+}
+
 Result<Prepared> prepare(const StationOptions& options) {
     Prepared prepared;
-    const std::string path =
-        options.mapping.empty() ? standard_mapping(options.attempt.exercise.root, options.pad) : options.mapping;
-    Result<Mapping> mapping = Mapping::read(path);
+    prepared.mapping_file = mapping_file(options);
+    if (const Status offered = offer_mappings(options, prepared); !offered) {
+        return offered.error();
+    }
+    Result<Mapping> mapping = Mapping::read(prepared.mapping_file);
     if (options.again) {
         Result<EventFile> file = read_events(options.events);
         if (!file) {
@@ -269,9 +349,9 @@ Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, 
     }
     ExerciseOptions of_surgeon = options.attempt.exercise;
     of_surgeon.surgeon = options.by;
-    Result<std::unique_ptr<Scripted>> scripted = Scripted::create(
-        of_surgeon, Fingers(prepared.mapping, options.pad ? Style::pad : Style::mouse, options.width, options.height),
-        options.live ? std::make_unique<WallClock>(desk, step_s) : nullptr);
+    Result<std::unique_ptr<Scripted>> scripted =
+        Scripted::create(of_surgeon, Fingers(options.pad ? Style::pad : Style::mouse, options.width, options.height),
+                         options.live ? std::make_unique<WallClock>(desk, step_s) : nullptr);
     return scripted ? Result<std::unique_ptr<EventSource>>(std::move(scripted).value()) : scripted.error();
 }
 
@@ -306,7 +386,14 @@ Result<AttemptResult> train(const StationOptions& options) {
     if (!holds) {
         return holds.error();
     }
-    Picture picture(window.value(), std::move(renderer).value(), std::move(holds).value(), prepared.mapping,
+    Result<Words> words =
+        Words::load(options.attempt.exercise.root, setting_of(options, "language"), host.value().scene().instruments);
+    if (!words) {
+        return words.error();
+    }
+    Panels panels(window.value(), std::move(words).value(), std::move(prepared.offers), prepared.own);
+    MappingFile mapping_file(prepared.mapping_file, prepared.mapping);
+    Picture picture(window.value(), panels, std::move(renderer).value(), std::move(holds).value(),
                     {options.stereo, prepared.ghost ? &*prepared.ghost : nullptr, !is_stepped(options)});
     Desk desk;
     Result<std::unique_ptr<EventSource>> made_source = make_source(options, prepared, desk, step_s);
@@ -329,7 +416,7 @@ Result<AttemptResult> train(const StationOptions& options) {
         result.emplace(attempt(of_attempt));
         desk.end();
     });
-    look_on(options, desk, window.value(), picture, step_s);
+    look_on(options, desk, window.value(), panels, mapping_file, picture, step_s);
     desk.close();
     simulation.join();
     const Status pictured = keep_picture(options, desk, picture, step_s);

@@ -63,6 +63,7 @@ struct Window::Parts {
     void read(const SDL_Event& event, std::vector<UserEvent>& list);
     void add_device(int index, std::vector<UserEvent>& list);
     void remove_device(SDL_JoystickID id, std::vector<UserEvent>& list);
+    void take_another(std::vector<UserEvent>& list);
     void axis(const std::string& name, double value, std::vector<UserEvent>& list);
 };
 
@@ -126,10 +127,19 @@ void Window::Parts::remove_device(SDL_JoystickID id, std::vector<UserEvent>& lis
         SDL_GameControllerClose(pad->second);
         pads.erase(pad);
         list.push_back({EventKind::device, "pad", 0.0, 0.0, 0.0});
+        take_another(list);
     } else if (const auto pedal = pedals.find(id); pedal != pedals.end()) {
         SDL_JoystickClose(pedal->second);
         pedals.erase(pedal);
         list.push_back({EventKind::device, "pedal", 0.0, 0.0, 0.0});
+        take_another(list);
+    }
+}
+
+/// In the place of one that has gone.
+void Window::Parts::take_another(std::vector<UserEvent>& list) {
+    for (int i = 0; i < SDL_NumJoysticks(); ++i) {
+        add_device(i, list);
     }
 }
 

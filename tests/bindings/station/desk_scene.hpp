@@ -44,8 +44,8 @@ inline Surroundings around_the_eye() {
 }
 
 /// What stands in assets/station.
-inline Mapping standard(bool pad) {
-    Result<Mapping> mapping = Mapping::read(standard_mapping(".", pad));
+inline Mapping standard(bool pad, bool left = false) {
+    Result<Mapping> mapping = Mapping::read(standard_mapping(".", pad, left));
     REQUIRE(mapping.ok());
     return std::move(mapping).value();
 }

@@ -55,7 +55,7 @@ TEST_SUITE("events") {
         CHECK(in_file(first + "{\"event\":\"pointr\",\"step\":1}\n").find("did you mean pointer") != std::string::npos);
         CHECK(in_file(first + "{\"event\":\"key\",\"name\":3,\"step\":1}\n").find(":2") != std::string::npos);
         CHECK(in_file(first + "{\"event\":\"axis\",\"name\":\"pad.leftx\",\"value\":1e9,\"step\":1}\n")
-                  .find("-20 to 20") != std::string::npos);
+                  .find("-1000 to 1000") != std::string::npos);
         CHECK(in_file(first + "{\"event\":\"key\",\"name\":\"A\",\"value\":1,\"step\":-1}\n").find("whole number") !=
               std::string::npos);
         CHECK(in_file(first + "{\"event\":\"quit\",\"step\":5}\n{\"event\":\"quit\",\"step\":4}\n").find(":3") !=

@@ -36,7 +36,7 @@ TEST_SUITE("fingers") {
         for (const bool pad : {false, true}) {
             CAPTURE(pad);
             DeskScene scene(pad);
-            Fingers fingers(scene.mapping, pad ? Style::pad : Style::mouse, 640, 480);
+            Fingers fingers(pad ? Style::pad : Style::mouse, 640, 480);
             double worst_mm = 0.0;
             double worst_pedal = 0.0;
             double worst_roll = 0.0;
@@ -69,7 +69,7 @@ TEST_SUITE("fingers") {
 
     TEST_CASE("requests are chosen and made") {
         DeskScene scene;
-        Fingers fingers(scene.mapping, Style::mouse, 640, 480);
+        Fingers fingers(Style::mouse, 640, 480);
         const std::vector<Command> asked = {{CommandKind::request, "help", 0.0, ""}};
         for (const UserEvent& event :
              fingers.reach(scene.hands, scene.stand, std::vector<DeviceSample>(5), asked, scene.around, 0.01)) {

@@ -53,6 +53,84 @@ TEST_SUITE("hands") {
         CHECK(highest_inside == doctest::Approx(1.5).epsilon(0.02));
     }
 
+    TEST_CASE("a panel takes what is clicked, and nothing that is not there") {
+        DeskScene scene;
+        const auto click = [&](const char* name, double value) {
+            scene.take({EventKind::control, name, value, 0.0, 0.0});
+        };
+        click("take_instrument", 2.0);
+        CHECK(scene.hand(leading).instrument == 2);
+        for (const double none : {-1.0, 4.0, 5.0, 900.0}) {  // 4: the microscope, which no hand holds
+            click("take_instrument", none);
+            CHECK(scene.hand(leading).instrument == 2);
+        }
+        click("swap", 1.0);
+        click("take_instrument", 2.0);  // the leading hand has it
+        CHECK(scene.hand(other).instrument == -1);
+        click("choose_request", 1.0);
+        click("request", 1.0);
+        click("choose_dial", 0.0);
+        click("dial.turn", -2.0);
+        const std::vector<Command> commands = scene.hands.take_commands();
+        REQUIRE(commands.size() == 2);
+        CHECK(commands[0].name == "help");
+        CHECK(commands[1].value == 60.0);
+    }
+
+    TEST_CASE("a key gets another use while the station runs; what it holds it lets go of") {
+        DeskScene scene;
+        scene.press("E");
+        scene.take(key("PageUp", 1.0));
+        scene.take({EventKind::bind, "key.PageUp", 0.0, 0.0, 0.0, "next_instrument"});
+        const double before = scene.hand(leading).tip.z();
+        scene.advance(0.1);
+        CHECK(scene.hand(leading).tip.z() == before);
+        scene.press("PageUp");
+        CHECK(scene.hand(leading).instrument == 1);
+        scene.take({EventKind::bind, "key.PageUp"});
+        scene.press("PageUp");
+        CHECK(scene.hand(leading).instrument == 1);
+        scene.take({EventKind::bind, "key.PageUp", 0.0, 0.0, 0.0, "swop"});
+        CHECK(scene.hands.state().word.find("swap") != std::string::npos);
+    }
+
+    TEST_CASE("while the clock stands the cursor moves nothing") {
+        DeskScene scene;
+        scene.press("E");
+        scene.press("F");
+        scene.press("P");
+        const Vec3 before = scene.hand(leading).wanted;
+        const Cursor over = scene.around.sight.cursor_on(scene.hand(leading).tip, false);
+        scene.take({EventKind::pointer, "", 0.0, over.x(), over.y()});
+        scene.take({EventKind::pointer, "", 0.0, over.x() + 0.2, over.y()});
+        scene.take({EventKind::wheel, "", -5.0});
+        CHECK(scene.hand(leading).wanted == before);
+        scene.press("P");
+        CHECK(scene.hands.waits());  // the hand has to meet it again
+    }
+
+    TEST_CASE("a stick that is stuck half way counts as let go; one that is held or pushed all the way does not") {
+        DeskScene scene(true);
+        const auto rises_in_a_second = [&] {
+            const double before = scene.hand(leading).tip.z();
+            scene.advance(1.0);
+            return scene.hand(leading).tip.z() - before;
+        };
+        scene.take({EventKind::press, "pad.a", 1.0});
+        scene.take({EventKind::axis, "pad.righty", -0.6});
+        CHECK(rises_in_a_second() > 0.1);
+        scene.take({EventKind::axis, "pad.righty", -0.61});
+        CHECK(rises_in_a_second() > 0.1);
+        scene.advance(1.1);
+        CHECK(scene.hands.state().word.find("stuck") != std::string::npos);
+        CHECK(rises_in_a_second() == 0.0);
+        scene.take({EventKind::axis, "pad.righty", -0.5});
+        CHECK(rises_in_a_second() > 0.1);
+        scene.take({EventKind::axis, "pad.righty", -1.0});
+        scene.advance(3.0);
+        CHECK(rises_in_a_second() > 0.1);
+    }
+
     TEST_CASE("it stays in the hand as long as it is in the eye") {
         DeskScene scene;
         scene.press("E");

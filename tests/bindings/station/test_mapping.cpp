@@ -3,7 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <set>
+#include <string>
 
 #include "desk_scene.hpp"
 
@@ -20,9 +24,9 @@ std::string complaint(const char* text) {
 }  // namespace
 
 TEST_SUITE("mapping") {
-    TEST_CASE("both standard files reach every control that an exercise needs") {
-        for (const bool pad : {false, true}) {
-            const Mapping mapping = standard(pad);
+    TEST_CASE("all standard files reach every control that an exercise needs") {
+        for (const int which : {0, 1, 2, 3}) {
+            const Mapping mapping = standard(which % 2 == 1, which > 1);
             for (const ControlId id : {ControlId::next_instrument,
                                        ControlId::put_down,
                                        ControlId::swap,
@@ -79,6 +83,51 @@ TEST_SUITE("mapping") {
         CHECK(complaint(R"({"tuning": {"pedal_first": 0.5}})").find("follow each other") != std::string::npos);
         CHECK(complaint(R"([1])").find("no list") != std::string::npos);
         CHECK(complaint(R"({"key": {"A": "-hand.x"}, "tuning": {"fine": 0.1}})").empty());
+    }
+
+    TEST_CASE("a mapping becomes another event by event") {
+        for (const bool pad : {false, true}) {
+            Mapping mapping = standard(pad);
+            const Mapping left = standard(pad, true);
+            const std::vector<UserEvent> changes = mapping.changes_to(left);
+            CHECK(changes.size() > 4);
+            for (const UserEvent& event : changes) {
+                const Result<UserEvent> read = event_from(to_json(event));
+                REQUIRE(read.ok());
+                CHECK(mapping.rebind(read.value()).ok());
+            }
+            CHECK(mapping.to_json() == left.to_json());
+            CHECK(mapping.changes_to(left).empty());
+        }
+    }
+
+    TEST_CASE("a change that a file could not say changes nothing") {
+        Mapping mapping = standard(false);
+        const nlohmann::json before = mapping.to_json();
+        for (const auto& [source, to] : {std::pair("key.W", "swop"),
+                                         {"mouse.move", "swap"},
+                                         {"keys.W", "swap"},
+                                         {"W", "swap"},
+                                         {"key.W", "take_instrument"},
+                                         {"mouse.whel", "depth"}}) {
+            CAPTURE(source);
+            CHECK_FALSE(mapping.rebind({EventKind::bind, source, 0.0, 0.0, 0.0, to}).ok());
+            CHECK(mapping.to_json() == before);
+        }
+        CHECK_FALSE(mapping.rebind({EventKind::bind, "tuning.fine", 3.0}).ok());
+        CHECK(mapping.rebind({EventKind::bind, "tuning.fine", 0.5}).ok());
+        CHECK(mapping.tuning().fine == 0.5);
+    }
+
+    TEST_CASE("a person's own is written whole and read again") {
+        const std::filesystem::path folder =
+            std::filesystem::temp_directory_path() / ("rhexis_mapping_" + std::to_string(::getpid()));
+        const std::string path = folder / "a" / "mouse.json";
+        REQUIRE(write_mapping(standard(false), path).ok());
+        const Result<Mapping> again = Mapping::read(path);
+        REQUIRE(again.ok());
+        CHECK(again.value().to_json() == standard(false).to_json());
+        std::filesystem::remove_all(folder);
     }
 
     TEST_CASE("what is read is what is written") {

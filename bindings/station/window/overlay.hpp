@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Dear ImGui on a window: its context, its font, and the frame around what is drawn with it.
+#pragma once
+
+#include "station/window/window.hpp"
+
+namespace rhexis::station {
+
+class Overlay {
+public:
+    explicit Overlay(const Window& window);
+    ~Overlay();
+    Overlay(const Overlay&) = delete;
+    Overlay& operator=(const Overlay&) = delete;
+
+    // Around what is drawn of a picture.
+    void begin() const;
+    void end() const;
+};
+
+}  // namespace rhexis::station
