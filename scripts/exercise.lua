@@ -102,6 +102,7 @@ local exercise_rules = {
     mode = { kind = "text", default = "teaching", choices = { "teaching", "exam" } },
     levels = { kind = "table", default = {} },     -- easy = { patient, settings, goals, ... }: see level_rules
     handedness = { kind = "text", default = "right", choices = { "right", "left" } },  -- hand of the main instrument
+    input = { kind = "text", default = "hands", choices = { "hands", "mouse", "gamepad" } },  -- what it is done with
     texts = { kind = "table", default = {} },      -- fr = { ["English text"] = "French text" }
     surgeon = { kind = "text", default = "surgeon" },  -- the plan that virtual surgeons follow: a file beside this one
     step_s = { kind = "number", default = 0.01, from = 0.001, to = 0.02 },
@@ -406,7 +407,7 @@ end
 
 -- Fields of the exercise that --set may change, besides patient.*, goal.* and the settings of the machine.
 local changeable = { "mode", "step_s", "advance", "time_limit_s", "recover_within_s", "hold_within_s",
-    "handedness" }
+    "handedness", "input" }
 
 --- Every name that --set knows. settings: names of the machine's settings, from the kernel.
 function language.changeable(exercise, settings)

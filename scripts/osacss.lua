@@ -14,14 +14,18 @@
 -- per = "path_mm" divides by the number of that name in `reference` of the exercise: what an expert needed. An exercise
 -- that has no such number is not judged by that measure.
 --
--- source says where thresholds come from. "proposal": nobody has published a figure; discuss and change it.
--- These scores have not been validated clinically.
+-- not_with: inputs that do not show what is measured and are not judged by it; pace = true: likewise where simulated
+-- time ran slower than the clock. source says where thresholds come from. "proposal": nobody has published a figure;
+-- discuss and change it. These scores have not been validated clinically.
 
 local scoring = require "scoring"
 
 -- Some measures count only where an exercise has the goal that they tell of.
 local parting = "goal.bridge_percent >= 0"
 local removing = "fragments.count ~= 1 and goal.left_percent > 0"
+
+-- A tip under a cursor or a stick does not tremble as a hand does, and the station turns its shaft about the wound.
+local no_hands = { "mouse", "gamepad" }
 
 -- The least that there is to judge.
 local moved = "instruments.path_mm > 0"
@@ -227,11 +231,11 @@ return scoring.rubric {
                 better = "Work deeper, in the plane of the iris or behind it." },
             { id = "T8.tremor", name = "Trembling of the tip (6 to 12 Hz)", unit = "um", digits = 0,
                 of = "phaco.tremor_um", take = "mean", during = "phaco.aspirating", five = 60, three = 130, one = 250,
-                weight = 1, source = "Riviere 1997: 49 um holding still, 133 um while actuating",
+                weight = 1, not_with = no_hands, source = "Riviere 1997: 49 um holding still, 133 um while actuating",
                 better = "Rest the hand on the patient's forehead and steady the handpiece with the second hand." },
             { id = "T8.probe_tremor", name = "Trembling of the probe (6 to 12 Hz)", unit = "um", digits = 0,
                 of = "probe.tremor_um", take = "mean", during = "probe.present", five = 60, three = 130, one = 250,
-                weight = 1, source = "Riviere 1997: 49 um holding still, 133 um while actuating",
+                weight = 1, not_with = no_hands, source = "Riviere 1997: 49 um holding still, 133 um while actuating",
                 better = "Rest the hand on the patient's forehead, and hold the instrument near its tip." },
             { id = "T8.chamber", name = "Change of the chamber's depth (standard deviation, share of its depth)",
                 unit = "%", digits = 1, of = "100 * chamber.depth_share", take = "deviation",
@@ -446,18 +450,19 @@ return scoring.rubric {
             begun = moved, not_scored = "the wound and the rolling of the eye are not simulated.", measures = {
             { id = "G1.rotation", name = "Roll of the eye while instruments were in it (RMS)", unit = "degrees",
                 digits = 1, of = "globe.rotation_deg", take = "rms", during = "instruments.out_s <= 0", five = 3,
-                three = 7, one = 15, weight = 1, source = "proposal",
+                three = 7, one = 15, weight = 1, not_with = no_hands, source = "proposal",
                 better = "Turn the instrument about its wound: the wound is the pivot and stays where it is." },
             { id = "G1.excursion", name = "Shaft off the middle of its wound (mean)", unit = "mm", digits = 2,
                 of = "globe.excursion_mm", take = "mean", during = "instruments.out_s <= 0", five = 0.2, three = 0.5,
-                one = 1.0, weight = 1, source = "proposal",
+                one = 1.0, weight = 1, not_with = no_hands, source = "proposal",
                 better = "When the tip goes to one side, the hand goes to the other." },
             { id = "G1.deflection", name = "Most that the cornea was bent beside a wound", unit = "mm", digits = 2,
                 of = "globe.corneal_deflection_mm", take = "max", five = 0.1, three = 0.3, one = 0.6, weight = 1,
-                source = "proposal", better = "Look for folds of the cornea at the wound, and ease the hand." },
+                not_with = no_hands, source = "proposal",
+                better = "Look for folds of the cornea at the wound, and ease the hand." },
             { id = "G1.enlargement", name = "By which a wound was stretched", unit = "mm", digits = 2,
                 of = "globe.enlargement_mm", take = "last", five = 0.1, three = 0.3, one = 0.6, weight = 1,
-                source = "proposal", better = "Do not lever an instrument in its wound." },
+                not_with = no_hands, source = "proposal", better = "Do not lever an instrument in its wound." },
         } },
         { id = "G2", name = "Eye positioned centrally within microscope view",
             begun = moved, not_scored = "the microscope is not moved.", measures = {
@@ -565,6 +570,7 @@ return scoring.rubric {
             { id = "G6.time", name = "Time, as a multiple of what an expert needs", unit = "x", digits = 2,
                 of = "time_s / reference.time_s", take = "last", five = 1.0, three = 1.67, one = 2.67, weight = 1,
                 whole = true,
+                pace = true,
                 source = "15, 25 and 40 min of a whole operation; BMJ Open 2013: seniors 13.4, juniors 17.8 min",
                 better = "Plan the next stroke while the tip comes back." },
             { id = "G6.path", name = "Way of the instruments, as a multiple of what an expert needs", unit = "x",
@@ -579,11 +585,11 @@ return scoring.rubric {
                 better = "Know the next two movements before you begin the first." },
             { id = "G6.idle", name = "Time in which all instruments rested for more than 2 s", unit = "%", digits = 0,
                 of = "instruments.idle", take = "share", hold_s = 2, five = 5, three = 15, one = 30, weight = 0.5,
-                source = "proposal",
+                pace = true, source = "proposal",
                 better = "Plan before you go in; inside, go on." },
             { id = "G6.jerk", name = "Jerk of the tips without tremor (RMS), as a multiple of an expert's", unit = "x",
                 digits = 2, of = "instruments.jerk_mm_s3", per = "jerk_mm_s3", take = "last", five = 1.2, three = 2,
-                one = 3, weight = 0.5, source = "proposal; measured by Mikhail 2025, without thresholds",
+                one = 3, weight = 0.5, pace = true, source = "proposal; measured by Mikhail 2025, without thresholds",
                 better = "Begin and end every movement gently." },
             { id = "G6.entries", name = "Entries into the eye, as a multiple of what an expert needs", unit = "x",
                 digits = 2, of = "instruments.entries", per = "entries", take = "total", five = 1.1, three = 1.5,

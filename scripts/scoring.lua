@@ -31,6 +31,9 @@ local measure_rules = {
                                                  -- measured, and the measure is not judged
     whole = { kind = "yes_no" },                 -- tells of all of the work: of an attempt that was not completed it
                                                  -- counts only where it costs points already
+    not_with = { kind = "texts" },               -- inputs (see `input` of an exercise) that do not show it: not judged
+    pace = { kind = "yes_no" },                  -- tells of how fast hands are: not judged where simulated time ran
+                                                 -- slower than the clock
     unit = { kind = "text", required = true },
     digits = { kind = "number", default = 1, from = 0, to = 4, whole = true },
     curve = { kind = "table", required = true }, -- { {value, score}, ... } made of five, three, one
@@ -378,6 +381,14 @@ local full_points = 4.995  -- from here on a measure shows as 5
 
 local function round(value, digits) return tonumber(("%." .. digits .. "f"):format(value)) end
 
+-- Why the way in which an attempt was made hides a measure; nil: it does not. how: of Sheet:score.
+local function hidden(measure, how)
+    for _, input in ipairs(measure.not_with or {}) do
+        if input == how.input then return "input" end
+    end
+    return measure.pace and how.slowed and "pace" or nil
+end
+
 local function measured(open, reference)
     local measure = open.measure
     if open.given or not told(open) then return nil end
@@ -483,6 +494,18 @@ local function given_measures(line)
     return #list > 0 and list or nil
 end
 
+-- Measures that are not judged, for the attempt was made in a way that hides them; nil: none.
+local function hidden_measures(line, how)
+    local list = {}
+    for _, open in ipairs(line.open) do
+        local why = hidden(open.measure, how)
+        if why and told(open) then
+            list[#list + 1] = { id = open.measure.id, name = t(open.measure.name), why = why }
+        end
+    end
+    return #list > 0 and list or nil
+end
+
 -- What stands in place of the measures of an item whose work was not begun.
 local function not_begun(item, rubric)
     return { id = item.id .. ".begun", name = t("Begun (1: yes)"), value = 0, unit = "1", score = rubric.least,
@@ -491,45 +514,47 @@ local function not_begun(item, rubric)
 end
 
 -- The measures that count of an item, each with its points.
-local function counting(line, rubric, reference, completed)
+local function counting(line, rubric, reference, completed, how)
     if idle(line) then return { not_begun(line.item, rubric) } end
     local list = {}
     for _, open in ipairs(line.open) do
-        local measure = measured(open, reference)
+        local measure = not hidden(open.measure, how) and measured(open, reference)
         local too_early = open.measure.whole and not completed and measure and measure.score > full_points
         if measure and not too_early then list[#list + 1] = measure end
     end
     return list
 end
 
-local function score_item(line, rubric, events, reference, completed)
+local function score_item(line, rubric, events, reference, completed, how)
     local item = line.item
-    local result = { id = item.id, name = t(item.name), measures = counting(line, rubric, reference, completed) }
+    local result = { id = item.id, name = t(item.name), measures = counting(line, rubric, reference, completed, how) }
     local sum, weight = 0, 0
     for _, measure in ipairs(result.measures) do
         sum, weight = sum + measure.weight * measure.score, weight + measure.weight
     end
     local cap, by = caps_on(rubric, item, events)
-    result.capped_by, result.given = by, given_measures(line)
+    result.capped_by, result.given, result.hidden = by, given_measures(line), hidden_measures(line, how)
     if weight > 0 then
         result.score = round(math.max(rubric.least, math.min(cap, sum / weight)), 2)
         result.reasons = reasons(result, cap)
         result.anchor = item.anchors and item.anchors[math.floor(result.score + 0.5)]
     else
-        result.reasons = { t("Not scored: ") .. t(item.not_scored or "nothing that this attempt showed tells of it.") }
+        result.reasons = { t("Not scored: ") .. t(result.hidden and "what it was operated with does not show it."
+            or item.not_scored or "nothing that this attempt showed tells of it.") }
     end
     return result
 end
 
 --- The score as far as the attempt has come: items, total, max = 5 per item scored, scaled: share of the way
 --- from the least to the most points, (total - n) / (4 n) where items have 1 to 5; caps: what errors leave of an item,
---- as the rubric has it.
-function Sheet:score(events, completed)
+--- as the rubric has it. how: { input = what it was operated with, slowed = simulated time ran slower than the clock },
+--- or nil.
+function Sheet:score(events, completed, how)
     local result = { rubric = self.rubric.name, least = self.rubric.least, caps = self.rubric.caps, items = {},
         total = 0, max = 0 }
     local n = 0
     for i, line in ipairs(self.lines) do
-        result.items[i] = score_item(line, self.rubric, events, self.reference, completed)
+        result.items[i] = score_item(line, self.rubric, events, self.reference, completed, how or {})
         local score = result.items[i].score
         if score then n, result.total = n + 1, result.total + score end
     end
@@ -553,45 +578,7 @@ function Sheet:measures()
     return values
 end
 
--- Points that putting a measure right would bring back to its item.
-local function lost_points(item)
-    local lost, weight = {}, 0
-    for _, measure in ipairs(item.measures) do weight = weight + measure.weight end
-    for _, measure in ipairs(item.measures) do
-        if measure.better and weight > 0 then
-            lost[#lost + 1] = { text = measure.better, points = (5 - measure.score) * measure.weight / weight }
-        end
-    end
-    return lost
-end
-
---- Up to five sentences: errors by their severity, what was not put right first, then what cost most points.
-function scoring.advice(score, events)
-    local advice, seen = {}, {}
-    local function add(text)
-        if not seen[text] and #advice < 5 then advice[#advice + 1] = text end
-        seen[text] = true
-    end
-    for _, severity in ipairs({ "critical", "minor" }) do
-        for _, outcome in ipairs({ "not_recovered", "open", "recovered" }) do
-            for _, event in ipairs(events) do
-                local met = event.given and event.recovered and not event.harmed
-                if event.severity == severity and event.outcome == outcome and not met then add(event.advice) end
-            end
-        end
-    end
-    local lost = {}
-    for _, item in ipairs(score.items) do
-        for _, entry in ipairs(lost_points(item)) do lost[#lost + 1] = entry end
-    end
-    table.sort(lost, function(a, b)
-        if a.points ~= b.points then return a.points > b.points end
-        return a.text < b.text
-    end)
-    for _, entry in ipairs(lost) do
-        if entry.points > 0.2 then add(entry.text) end
-    end
-    return advice
-end
+--- Up to five sentences: see engine/advice.lua.
+scoring.advice = require "engine.advice"
 
 return scoring

@@ -38,6 +38,7 @@ Attempt attempt_that_begins(const KeepOptions& options, const json& identity, co
     attempt.begun = goes_on ? before.value().begun : records::now_utc();
     attempt.trainee = {options.trainee, options.cohort, options.arm};
     attempt.exercise = identity.value("id", "");
+    attempt.input = options.input;
     attempt.title = identity.value("title", "");
     const json version = identity.value("version", json());
     attempt.version = version.is_number() ? version.get<double>() : 0.0;

@@ -18,6 +18,7 @@ struct KeepOptions {
     std::string store;   ///< file; "": the user's own
     std::string root;    ///< folder with rubrics/ and courses/
     std::string course;  ///< whose closed lessons are told, or refused; "": none
+    std::string input;   ///< device that a person operates with; "": none does
 };
 
 class KeptAttempt {

@@ -227,6 +227,8 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     if (!set) {
         return complain(set.error());
     }
+    set.value().insert_or_assign("input", given.input);
+    given.keep.input = given.input;
     station::StationOptions options;
     options.attempt = attempt_options(given, set.value(), context.root);
     if (given.out.empty()) {

@@ -58,10 +58,11 @@ json mean_items(const std::map<std::string, Attempt>& last_of) {
 
 /// Of what each completed last: an attempt that was broken off is judged by what was done until then. Null where fewer
 /// than two others have completed one.
-json cohort_of(const std::vector<Attempt>& attempts, const std::string& cohort, const std::string& but) {
+json cohort_of(const std::vector<Attempt>& attempts, const std::string& cohort, const Attempt& but) {
     std::map<std::string, Attempt> last_of;
     for (const Attempt& attempt : attempts) {
-        if (is_scored(attempt) && attempt.completed && attempt.trainee.pseudonym != but) {
+        if (is_scored(attempt) && attempt.completed && attempt.trainee.pseudonym != but.trainee.pseudonym &&
+            attempt.input == but.input && attempt.aids.empty()) {
             last_of[attempt.trainee.pseudonym] = attempt;
         }
     }
@@ -107,7 +108,7 @@ Result<json> comparison_for(Store& store, const Attempt& attempt, const Gates& g
         if (!others) {
             return others.error();
         }
-        if (json found = cohort_of(others.value(), cohort, attempt.trainee.pseudonym); !found.is_null()) {
+        if (json found = cohort_of(others.value(), cohort, attempt); !found.is_null()) {
             comparison["cohort"] = std::move(found);
         }
     }

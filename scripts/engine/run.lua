@@ -187,6 +187,17 @@ function Run:take_up(left)
     if self.sheet and left.score then self.sheet:take_up(left.score) end
 end
 
+local slowed_from = 0.05  -- share of an attempt's time
+
+--- What of the way in which it was made tells measures apart that can be judged: see scoring.lua.
+function Run:how()
+    local slowed_s = 0
+    for _, aid in ipairs(self.aids) do
+        if aid.id == "slowed" then slowed_s = slowed_s + aid.seconds end
+    end
+    return { input = self.exercise.input, slowed = slowed_s > slowed_from * self.time_s }
+end
+
 --- The part of report.json that the exercise knows, as far as it has come..
 function Run:result()
     local exercise = self.exercise
@@ -198,11 +209,11 @@ function Run:result()
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),
         settings = words.as_object(exercise.settings), measures = words.as_object({}), advice = {} }
     if self.sheet then
-        result.osacss = self.sheet:score(self.events, result.completed)
+        result.osacss = self.sheet:score(self.events, result.completed, self:how())
         result.measures = self.sheet:measures()
         result.advice = scoring.advice(result.osacss, self.events)
     end
-    if self.whole then result.operation = self.whole:result(result, self.time_s) end
+    if self.whole then result.operation = self.whole:result(result, self.time_s, self:how()) end
     return result
 end
 

@@ -77,12 +77,13 @@ local function not_begun(self, ids)
     return #titles > 0 and titles or nil
 end
 
---- The operation so far, and in `carried` what the next part begins with. part: the result of the part itself.
-function Whole:result(part, time_s)
+--- The operation so far, and in `carried` what the next part begins with. part: the result of the part itself. how: of
+--- Sheet:score.
+function Whole:result(part, time_s, how)
     local result = { steps = all_of(self, "steps", part.steps), events = all_of(self, "events", part.events) }
     result.completed = part.completed and self.before.completed ~= false
     if self.sheet then
-        result.osacss = self.sheet:score(result.events, result.completed)
+        result.osacss = self.sheet:score(result.events, result.completed, how)
         result.measures = self.sheet:measures()
         result.advice = scoring.advice(result.osacss, result.events)
     end

@@ -107,6 +107,11 @@ local function item_row(w, score, item, least)
         w('<li class="soft">', e(t("%s: given at the start, not judged.", reasons.measure_name(score.rubric, item,
             measure))), "</li>")
     end
+    for _, measure in ipairs(item.hidden or {}) do
+        local why = measure.why == "pace" and "%s: not judged, for simulated time ran slower than the clock."
+            or "%s: not judged, for what it was operated with does not show it."
+        w('<li class="soft">', e(t(why, reasons.measure_name(score.rubric, item, measure))), "</li>")
+    end
     w('</ul></td><td class="points">')
     if item.score then
         local share = (item.score - least) / (5 - least)

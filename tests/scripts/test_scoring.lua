@@ -102,6 +102,29 @@ case("what tells of all of the work counts of an unfinished attempt only where i
     equal(#begun_score(nil, { 2 }, false).measures, 2)
 end)
 
+case("what an input does not show, and how fast hands were in slowed time, is not judged", function()
+    local function judged_with(how)
+        local eye = Eye.new(support.schema, {})
+        local sheet = scoring.sheet(rubric({ depth_measure({ id = "shown", take = "last" }),
+            depth_measure({ id = "trembling", take = "last", not_with = { "mouse" } }),
+            depth_measure({ id = "speed", take = "last", pace = true }) })({ "I1" }), eye, {}, 0.5)
+        eye:look(0.5, { 1, 1, 0, 1 }, 0)
+        sheet:tick(0.5)
+        local item = sheet:score({}, true, how).items[1]
+        local ids = {}
+        for _, measure in ipairs(item.measures) do ids[#ids + 1] = measure.id end
+        return table.concat(ids, " "), item
+    end
+    equal(judged_with(nil), "shown trembling speed")
+    equal(judged_with({ input = "hands" }), "shown trembling speed")
+    equal(judged_with({ input = "gamepad" }), "shown trembling speed")
+    equal(judged_with({ input = "mouse" }), "shown speed")
+    local ids, item = judged_with({ input = "mouse", slowed = true })
+    equal(ids, "shown")
+    equal(item.hidden[1].why, "input")
+    equal(item.hidden[2].why, "pace")
+end)
+
 case("a condition is 1 or 0 where a number is made of it", function()
     for take, value in pairs({ max = 1, min = 0, last = 0, mean = 0.25, rms = 0.5, time = 0.5, share = 25,
         count = 1 }) do

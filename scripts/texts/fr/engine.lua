@@ -36,6 +36,7 @@ return {
     ["Go on to it: what is not done earns the least."] = "Allez jusque-là : ce qui n'est pas fait rapporte le minimum.",
     ["the least level of the rubric: not achieved"] = "le niveau le plus bas de la grille : non atteint",
     ["nothing that this attempt showed tells of it."] = "rien dans cet essai ne permet d'en juger.",
+    ["what it was operated with does not show it."] = "ce avec quoi on a opéré ne le montre pas.",
     ["needs teaching"] = "à former",
     ["supervised"] = "sous supervision",
     ["independent"] = "autonome",

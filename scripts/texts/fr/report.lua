@@ -113,6 +113,10 @@ return {
     ["%d times; "] = "%d fois ; ",
     ["given at the start"] = "donnée au départ",
     ["%s: given at the start, not judged."] = "%s : donné au départ, non jugé.",
+    ["%s: not judged, for simulated time ran slower than the clock."] =
+        "%s : non jugé, car le temps simulé a été plus lent que l'horloge.",
+    ["%s: not judged, for what it was operated with does not show it."] =
+        "%s : non jugé, car ce avec quoi on a opéré ne le montre pas.",
     ["Given up"] = "Abandon",
     ["\"%s\" was not done: go on with it before the instruments leave for good."] =
         "« %s » n'a pas été fait : poursuivez avant de retirer les instruments pour de bon.",

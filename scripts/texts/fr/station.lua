@@ -28,7 +28,8 @@ return {
         "Pose l'instrument de la main active, s'il est hors de l'œil",
     ["The hand goes on from where its instrument is, without going to meet it"] =
         "La main reprend là où est son instrument, sans le rejoindre",
-    ["Presses the pedal, or lets it up, as long as it is held"] = "Enfonce la pédale, ou la relâche, tant qu'on la tient",
+    ["Presses the pedal, or lets it up, as long as it is held"] =
+        "Enfonce la pédale, ou la relâche, tant qu'on la tient",
     ["The pedal, as far as it is pressed"] = "La pédale, selon son enfoncement",
     ["The foot goes off the pedal"] = "Le pied quitte la pédale",
     ["The foot goes to position 1, irrigation"] = "Pédale en position 1, irrigation",
@@ -73,7 +74,8 @@ return {
     ["Keep as mine"] = "Garder comme miennes",
     ["kept in %s"] = "gardé dans %s",
     ["read again: %s"] = "relu : %s",
-    ["Press what shall work it; Escape leaves it as it is"] = "Pressez ce qui doit l'actionner ; Échap n'y change rien",
+    ["Press what shall work it; Escape leaves it as it is"] =
+        "Pressez ce qui doit l'actionner ; Échap n'y change rien",
     ["Click what shall be worked otherwise"] = "Cliquez sur ce qui doit être actionné autrement",
     ["The clock stands."] = "Le temps est arrêté.",
     ["Go on"] = "Reprendre",
@@ -94,7 +96,8 @@ return {
     ["there is no expert's way: rhexis train --ghost RUN, of rhexis run"] =
         "pas de geste d'expert : rhexis train --ghost ESSAI, de rhexis run",
     ["this moment is kept"] = "ce moment est retenu",
-    ["the computer was away for a moment: the clock stands"] = "l'ordinateur s'est absenté un moment : le temps est arrêté",
+    ["the computer was away for a moment: the clock stands"] =
+        "l'ordinateur s'est absenté un moment : le temps est arrêté",
 
     -- what hands learn first
     ["Take an instrument: %s"] = "Prenez un instrument : %s",
@@ -117,15 +120,16 @@ return {
     ["gamepad: found"] = "manette : trouvée",
     ["gamepad: none"] = "manette : aucune",
     ["pedal: found"] = "pédale : trouvée",
-    ["pedal: none; keys 0 to 3 and Space press it"] = "pédale : aucune ; les touches 0 à 3 et Espace la remplacent",
+    ["pedal: none; keys 0 to 3 and Space press it"] =
+        "pédale : aucune ; les touches 0 à 3 et Espace la remplacent",
     ["Mouse and keys"] = "Souris et clavier",
     ["Gamepad"] = "Manette",
     ["Last time: %s"] = "La dernière fois : %s",
     ["not yet"] = "pas encore",
     ["Begin"] = "Commencer",
     ["Leave"] = "Quitter",
-    ["In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the mouse moves its tip and the "
-        .. "wheel its depth; 1, 2, 3 press the pedal; P stops the clock."] =
-        "Dans l'exercice : F1 montre toutes les touches ; E prend un instrument, F y amène la main, la souris en mène la "
-        .. "pointe et la molette la profondeur ; 1, 2, 3 enfoncent la pédale ; P arrête le temps.",
+    ["In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the mouse moves its tip and "
+        .. "the wheel its depth; 1, 2, 3 press the pedal; P stops the clock."] =
+        "Dans l'exercice : F1 montre toutes les touches ; E prend un instrument, F y amène la main, la souris en mène "
+        .. "la pointe et la molette la profondeur ; 1, 2, 3 enfoncent la pédale ; P arrête le temps.",
 }
