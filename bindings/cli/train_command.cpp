@@ -52,6 +52,7 @@ struct TrainOptions : AttemptArguments {
     std::string by;
     std::string input = "mouse";
     bool live = false;
+    bool typed = false;
     int width = 1280;
     int height = 960;
     bool full_screen = false;
@@ -243,6 +244,7 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     options.by = given.by;
     options.pad = given.input == "gamepad";
     options.live = given.live;
+    options.typed = given.typed;
     options.screenshot = given.screenshot;
     options.width = given.width;
     options.height = given.height;
@@ -350,7 +352,8 @@ void add_train(CLI::App& app, Context& context) {
         ->capture_default_str();
     CLI::Option* by =
         command->add_option("--by", given->by, "A virtual surgeon works the devices in your place: a, b, c or d");
-    command->add_flag("--live", given->live, "With --by: by the wall clock")->needs(by);
+    CLI::Option* live = command->add_flag("--live", given->live, "With --by: by the wall clock")->needs(by);
+    command->add_flag("--typed", given->typed, "With --live: through the X server, by xdotool")->needs(live);
     command->add_option("--width", given->width, "Of the window [pixels]")
         ->check(CLI::Range(160, 4096))
         ->capture_default_str();

@@ -16,7 +16,31 @@ std::chrono::duration<double> seconds(double value) { return std::chrono::durati
 void Desk::post(const UserEvent& event) {
     const std::lock_guard lock(mutex_);
     events_.push_back({event, ++last_number_});
+    recent_.push_back(events_.back());
     posted_.notify_all();
+}
+
+void Desk::post(const std::vector<UserEvent>& events) {
+    for (const UserEvent& event : events) {
+        post(event);
+    }
+}
+
+std::vector<UserEvent> Desk::after(std::uint64_t number) {
+    const std::lock_guard lock(mutex_);
+    while (!recent_.empty() && recent_.front().number <= number) {
+        recent_.pop_front();
+    }
+    std::vector<UserEvent> events;
+    for (const PostedEvent& posted : recent_) {
+        events.push_back(posted.event);
+    }
+    return events;
+}
+
+bool Desk::closed() const {
+    const std::lock_guard lock(mutex_);
+    return closed_;
 }
 
 std::shared_ptr<Shown> Desk::newest() const {
@@ -25,9 +49,9 @@ std::shared_ptr<Shown> Desk::newest() const {
     return newest_;
 }
 
-std::shared_ptr<Shown> Desk::wait_for(std::uint64_t step, double longest_s) {
+std::shared_ptr<Shown> Desk::wait_for(const std::optional<std::uint64_t>& step, double longest_s) {
     std::unique_lock lock(mutex_);
-    shown_.wait_for(lock, seconds(longest_s), [&] { return ended_ || (newest_ && newest_->step > step); });
+    shown_.wait_for(lock, seconds(longest_s), [&] { return ended_ || (newest_ && (!step || newest_->step > *step)); });
     taken_ = true;
     return newest_;
 }

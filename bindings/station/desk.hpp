@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -37,9 +38,13 @@ class Desk {
 public:
     // The window's side.
     void post(const UserEvent& event);
+    void post(const std::vector<UserEvent>& events);
+    /// Those posted after this one, which are in no picture yet.
+    std::vector<UserEvent> after(std::uint64_t number);
     [[nodiscard]] std::shared_ptr<Shown> newest() const;
-    /// Waits for a picture after `step`, or until the time is over or the trial has ended.
-    std::shared_ptr<Shown> wait_for(std::uint64_t step, double longest_s);
+    /// Waits for a picture after `step` (none: for any), or until the time is over or the trial has ended. The newest;
+    /// null: there is none yet.
+    std::shared_ptr<Shown> wait_for(const std::optional<std::uint64_t>& step, double longest_s);
     /// This picture is drawn.
     void drawn(std::uint64_t step);
     [[nodiscard]] bool ended() const;
@@ -58,13 +63,15 @@ public:
     /// Waits until it is drawn, or the window has gone.
     void wait_until_drawn(std::uint64_t step);
     void end();
+    [[nodiscard]] bool closed() const;
 
 private:
     mutable std::mutex mutex_;
     std::condition_variable posted_;
     std::condition_variable shown_;
     std::condition_variable drawn_;
-    std::vector<PostedEvent> events_;
+    std::vector<PostedEvent> events_;  ///< not yet taken
+    std::deque<PostedEvent> recent_;   ///< not yet in a picture
     std::uint64_t last_number_ = 0;
     std::shared_ptr<Shown> newest_;
     std::uint64_t drawn_step_ = 0;

@@ -182,6 +182,9 @@ struct Fingers::Work {
             press(ControlId::meet);
         }
         point_coarsely(which, goal, 1.0);
+        if (!fingers.finely_) {
+            return;
+        }
         level(ControlId::fine, 1.0);
         point_coarsely(which, goal, hands.mapping().tuning().fine);
         level(ControlId::fine, 0.0);

@@ -18,8 +18,10 @@ enum class Style {
 
 class Fingers {
 public:
-    /// width, height: of the window, whose pixels are the grain of a cursor.
-    Fingers(Style style, int width, int height) : style_(style), width_(width), height_(height) {}
+    /// width, height: of the window, whose pixels are the grain of a cursor. finely: a cursor's place is mended with
+    /// the key for fine movements, in each step.
+    Fingers(Style style, int width, int height, bool finely = true)
+        : style_(style), width_(width), height_(height), finely_(finely) {}
 
     /// What to do so that, after the next step of dt [s], the hands are as near as they can be to these samples, which
     /// are of all instruments of the scene, and ask for what these commands ask for.
@@ -31,6 +33,7 @@ private:
     Style style_;
     int width_;
     int height_;
+    bool finely_;
     int turn_ = 0;  ///< of a pad, which moves one hand at a time
 };
 

@@ -151,7 +151,7 @@ Result<OperatorStep> Person::operate(Timeline& timeline) {
             return more.error();
         }
         heed_wishes(session);
-        if (!more.value() || hands_->state().stop || back_) {
+        if (!more.value() || hands_->state().stop || back_ || desk_.closed()) {
             return OperatorStep{.done = true};
         }
         if (hands_->waits()) {

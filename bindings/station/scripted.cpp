@@ -8,27 +8,45 @@
 namespace rhexis::station {
 
 Result<std::unique_ptr<Scripted>> Scripted::create(const ExerciseOptions& options, const Fingers& fingers,
-                                                   std::unique_ptr<WallClock> clock) {
+                                                   std::unique_ptr<WallClock> clock, std::unique_ptr<Typist> typist) {
     Result<ExerciseHost> host = ExerciseHost::load(options);
     if (!host) {
         return host.error();
     }
-    return std::unique_ptr<Scripted>(new Scripted(std::move(host).value(), fingers, std::move(clock)));
+    return std::unique_ptr<Scripted>(
+        new Scripted(std::move(host).value(), fingers, std::move(clock), std::move(typist)));
 }
 
 Result<std::vector<UserEvent>> Scripted::take(std::uint64_t step, bool waits, const Hands& hands,
                                               const Surroundings& around, const Session& session) {
+    std::vector<UserEvent> come;
     if (clock_) {
-        const Result<std::vector<UserEvent>> paced = clock_->take(step, waits, hands, around, session);
+        Result<std::vector<UserEvent>> paced = clock_->take(step, waits, hands, around, session);
         if (!paced) {
             return paced.error();
         }
+        come = std::move(paced).value();
+    }
+    if (typist_) {
+        typist_->heed(come);
+    } else {
+        come.clear();
     }
     asked_twice_ = last_step_ == step;
-    if (asked_twice_) {
-        return std::vector<UserEvent>{};
+    if (asked_twice_ && !(typist_ && typist_->rests())) {
+        return come;
     }
     last_step_ = step;
+    Result<std::vector<UserEvent>> done = work(typist_ ? typist_->ahead(hands, around) : hands, around, session);
+    if (!done || !typist_) {
+        return done;
+    }
+    const Status sent = typist_->send(done.value());
+    return sent ? Result<std::vector<UserEvent>>(std::move(come)) : sent.error();
+}
+
+/// What the surgeon does in a step, with these hands.
+Result<std::vector<UserEvent>> Scripted::work(const Hands& hands, const Surroundings& around, const Session& session) {
     const std::vector<std::string>& instruments = host_.scene().instruments;
     if (!begun_) {
         begun_ = true;

@@ -21,6 +21,7 @@ struct StationOptions {
     std::string by;                ///< virtual surgeon who works the devices in a person's place; empty: a person does
     bool pad = false;              ///< with pad and pedal, not with mouse and keys
     bool live = false;             ///< that surgeon keeps to the wall clock
+    bool typed = false;            ///< and what it does goes through the X server
     int width = 1280;              ///< of the window [pixels]
     int height = 960;
     bool full_screen = false;

@@ -285,6 +285,9 @@ Result<AttemptResult> attempt_once(const AttemptOptions& options, std::optional<
         return writer.error();
     }
     PictureBook* pictures = book.value() ? &*book.value() : nullptr;
+    if (pictures != nullptr && options.guest != nullptr) {
+        pictures->draw_later();
+    }
     Result<AttemptResult> result =
         operate(options, host.value(), session.value(), std::move(writer).value(), pictures, back);
     if (!result || back) {

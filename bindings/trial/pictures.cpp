@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
@@ -53,6 +54,12 @@ struct PictureBook::Parts {
     std::optional<VideoFile> video;
     FilmClock clock;
     std::vector<Picture> pictures;
+    bool later = false;
+    std::vector<std::pair<std::string, Frame>> undrawn{};  ///< files, relative to the folder
+
+    Status draw(const Frame& frame, const std::string& file) {
+        return write_png(renderer.draw(frame, microscope_camera(frame)), folder + "/" + file);
+    }
 };
 
 PictureBook::PictureBook(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -85,12 +92,17 @@ Status PictureBook::keep(const Frame& frame, const std::string& name, const std:
     char number[16];
     std::snprintf(number, sizeof number, "%02zu", parts_->pictures.size() + 1);
     const std::string file = std::string("frames/") + number + "-" + file_word(name) + ".png";
-    Status status = write_png(parts_->renderer.draw(frame, microscope_camera(frame)), parts_->folder + "/" + file);
+    if (parts_->later) {
+        parts_->undrawn.emplace_back(file, frame);
+    }
+    Status status = parts_->later ? success() : parts_->draw(frame, file);
     if (status) {
         parts_->pictures.push_back({file, name, caption, frame.time_s});
     }
     return status;
 }
+
+void PictureBook::draw_later() { parts_->later = true; }
 
 bool PictureBook::wants_film(double time_s) const { return parts_->video && parts_->clock.wants(time_s); }
 
@@ -109,7 +121,14 @@ Status PictureBook::film(const Frame& frame) {
     return success();
 }
 
-Status PictureBook::finish() { return parts_->video ? parts_->video->finish() : success(); }
+Status PictureBook::finish() {
+    for (const auto& [file, frame] : std::exchange(parts_->undrawn, {})) {
+        if (Status status = parts_->draw(frame, file); !status) {
+            return status;
+        }
+    }
+    return parts_->video ? parts_->video->finish() : success();
+}
 
 const std::vector<Picture>& PictureBook::pictures() const { return parts_->pictures; }
 bool PictureBook::has_video() const { return parts_->video.has_value(); }

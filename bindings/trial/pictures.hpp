@@ -42,6 +42,8 @@ public:
     PictureBook(PictureBook&&) noexcept;
 
     Status keep(const Frame& frame, const std::string& name, const std::string& caption);
+    /// From now on what is kept is drawn when the book is finished: who operates by the wall clock is not kept waiting.
+    void draw_later();
     /// Adds video frames until the video has reached the frame's time.
     Status film(const Frame& frame);
     /// True when the video wants a frame at this time: only then is one worth making.

@@ -152,7 +152,7 @@ Result<MenuChoice> choose(const Menu& menu) {
     if (!window) {
         return window.error();
     }
-    const Overlay overlay(window.value());
+    Overlay overlay(window.value());
     const Result<Words> words = Words::load(menu.root, menu.language, {});
     if (!words) {
         return words.error();

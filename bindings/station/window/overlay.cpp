@@ -27,7 +27,7 @@ void load_font() {
 
 }  // namespace
 
-Overlay::Overlay(const Window& window) {
+Overlay::Overlay(Window& window) : window_(window) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
@@ -43,7 +43,10 @@ Overlay::~Overlay() {
     ImGui::DestroyContext();
 }
 
-void Overlay::begin() const {
+void Overlay::begin() {
+    for (const SDL_Event& event : window_.take_raw()) {
+        ImGui_ImplSDL2_ProcessEvent(&event);
+    }
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplSDL2_NewFrame();
     ImGui::NewFrame();

@@ -8,14 +8,17 @@ namespace rhexis::station {
 
 class Overlay {
 public:
-    explicit Overlay(const Window& window);
+    explicit Overlay(Window& window);
     ~Overlay();
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
-    // Around what is drawn of a picture.
-    void begin() const;
+    // Around what is drawn of a picture, on the thread that draws.
+    void begin();
     void end() const;
+
+private:
+    Window& window_;
 };
 
 }  // namespace rhexis::station

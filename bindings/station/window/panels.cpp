@@ -118,7 +118,7 @@ std::vector<UserEvent> bound(const Mapping& mapping, const Control& to, const st
 
 }  // namespace
 
-Panels::Panels(const Window& window, Words words, std::vector<MappingOffer> offers, std::string own)
+Panels::Panels(Window& window, Words words, std::vector<MappingOffer> offers, std::string own)
     : overlay_(window), words_(std::move(words)), offers_(std::move(offers)), own_(std::move(own)) {}
 
 void Panels::notice(const std::string& text) {
@@ -319,18 +319,19 @@ void Panels::draw_break(const Shown& shown, std::vector<UserEvent>& clicked) {
     ImGui::SetNextWindowSizeConstraints({std::min(520.0F, size.x), 0.0F}, {size.x, size.y});
     ImGui::Begin("break", nullptr, plain);
     ImGui::TextUnformatted(words_("The clock stands.").c_str());
-    ImGui::SameLine();
-    for (const auto& [title, id] : {std::pair("Go on", ControlId::pause),
-                                    {"Keep this moment", ControlId::keep_moment},
-                                    {"Try again from there", ControlId::try_again},
-                                    {"Expert's way", ControlId::ghost},
-                                    {"End the exercise", ControlId::stop}}) {
+    const auto button = [&](const char* title, ControlId id) {
         if (ImGui::Button(words_(title).c_str())) {
             clicked.push_back(worked(id));
         }
-        ImGui::SameLine();
-    }
-    ImGui::NewLine();
+    };
+    button("Go on", ControlId::pause);
+    ImGui::SameLine();
+    button("End the exercise", ControlId::stop);
+    button("Keep this moment", ControlId::keep_moment);
+    ImGui::SameLine();
+    button("Try again from there", ControlId::try_again);
+    ImGui::SameLine();
+    button("Expert's way", ControlId::ghost);
     if (ImGui::BeginTabBar("tabs")) {
         if (ImGui::BeginTabItem(words_("Stand").c_str())) {
             draw_instruments(shown, clicked);

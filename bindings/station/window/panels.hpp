@@ -31,7 +31,7 @@ struct MappingOffer {
 class Panels {
 public:
     /// own: file in which a person's own mapping is kept; empty: nowhere.
-    Panels(const Window& window, Words words, std::vector<MappingOffer> offers, std::string own);
+    Panels(Window& window, Words words, std::vector<MappingOffer> offers, std::string own);
 
     /// Over the picture that is drawn; what is clicked comes back as events. ghost: null, there is none.
     std::vector<UserEvent> draw(const Shown& shown, const Ghost* ghost, const DrawingRate& rate);
@@ -39,6 +39,9 @@ public:
     /// While a control waits for its new key, what is pressed is bound to it and works nothing: the events that say so.
     /// None: the event is no panel's.
     std::optional<std::vector<UserEvent>> captured(const UserEvent& event);
+
+    /// A control waits for its new key.
+    [[nodiscard]] bool asks() const { return asked_.has_value(); }
 
     /// Shows a line for a while.
     void notice(const std::string& text);

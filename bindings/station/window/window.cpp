@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/window.hpp"
 
-#include <backends/imgui_impl_sdl.h>
+#include <SDL_syswm.h>
 
 #include <algorithm>
 #include <map>
+#include <mutex>
+#include <utility>
 
 namespace rhexis::station {
 namespace {
@@ -40,6 +42,11 @@ struct Window::Parts {
     std::map<SDL_JoystickID, SDL_GameController*> pads;
     std::map<SDL_JoystickID, SDL_Joystick*> pedals;
     std::map<std::string, double> axes;  ///< last told
+    std::mutex raw_mutex;
+    std::vector<SDL_Event> raw;  ///< for panels
+    bool cursor_taken = false;
+    double cursor_x = 0.0;  ///< where it is, or would be: heights of the window from its middle
+    double cursor_y = 0.0;
 
     Parts() = default;
     ~Parts() {
@@ -60,6 +67,7 @@ struct Window::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
 
+    void keep_raw(const SDL_Event& event);
     void read(const SDL_Event& event, std::vector<UserEvent>& list);
     void add_device(int index, std::vector<UserEvent>& list);
     void remove_device(SDL_JoystickID id, std::vector<UserEvent>& list);
@@ -143,6 +151,18 @@ void Window::Parts::take_another(std::vector<UserEvent>& list) {
     }
 }
 
+/// Of those that panels know, so many as a frozen picture may leave lying.
+void Window::Parts::keep_raw(const SDL_Event& event) {
+    constexpr std::size_t most = 1000;
+    const bool of_panels = event.type == SDL_MOUSEWHEEL || event.type == SDL_MOUSEBUTTONDOWN ||
+                           event.type == SDL_MOUSEBUTTONUP || event.type == SDL_MOUSEMOTION ||
+                           event.type == SDL_KEYDOWN || event.type == SDL_KEYUP || event.type == SDL_WINDOWEVENT;
+    const std::lock_guard lock(raw_mutex);
+    if (of_panels && raw.size() < most) {
+        raw.push_back(event);
+    }
+}
+
 void Window::Parts::read(const SDL_Event& event, std::vector<UserEvent>& list) {
     const auto add = [&](EventKind kind, const std::string& name, double value, double x = 0.0, double y = 0.0) {
         list.push_back({kind, name, value, x, y});
@@ -161,8 +181,14 @@ void Window::Parts::read(const SDL_Event& event, std::vector<UserEvent>& list) {
             int w = 1;
             int h = 1;
             SDL_GetWindowSize(window, &w, &h);
-            add(EventKind::pointer, "", 0.0, (event.motion.x + 0.5 - 0.5 * w) / h,
-                (0.5 * h - event.motion.y - 0.5) / h);
+            if (cursor_taken) {
+                cursor_x += static_cast<double>(event.motion.xrel) / h;
+                cursor_y -= static_cast<double>(event.motion.yrel) / h;
+            } else {
+                cursor_x = (event.motion.x + 0.5 - 0.5 * w) / h;
+                cursor_y = (0.5 * h - event.motion.y - 0.5) / h;
+            }
+            add(EventKind::pointer, "", 0.0, cursor_x, cursor_y);
             break;
         }
         case SDL_MOUSEBUTTONDOWN:
@@ -217,15 +243,25 @@ void Window::Parts::read(const SDL_Event& event, std::vector<UserEvent>& list) {
     }
 }
 
-std::vector<UserEvent> Window::poll() {
+std::vector<UserEvent> Window::poll(double longest_s) {
     std::vector<UserEvent> list;
     SDL_Event event;
-    while (SDL_PollEvent(&event) != 0) {
-        ImGui_ImplSDL2_ProcessEvent(&event);
+    const int longest_ms = static_cast<int>(1e3 * longest_s);
+    bool any = longest_ms > 0 ? SDL_WaitEventTimeout(&event, longest_ms) != 0 : SDL_PollEvent(&event) != 0;
+    for (; any; any = SDL_PollEvent(&event) != 0) {
+        parts_->keep_raw(event);
         parts_->read(event, list);
     }
     return list;
 }
+
+std::vector<SDL_Event> Window::take_raw() {
+    const std::lock_guard lock(parts_->raw_mutex);
+    return std::exchange(parts_->raw, {});
+}
+
+void Window::draw_here() { SDL_GL_MakeCurrent(parts_->window, parts_->context); }
+void Window::let_go() const { SDL_GL_MakeCurrent(parts_->window, nullptr); }
 
 int Window::width() const {
     int w = 0;
@@ -240,8 +276,29 @@ int Window::height() const {
 }
 
 void Window::present() { SDL_GL_SwapWindow(parts_->window); }
-void Window::show_cursor(bool shown) { SDL_ShowCursor(shown ? SDL_ENABLE : SDL_DISABLE); }
+
+void Window::take_cursor(bool taken) {
+    Parts& p = *parts_;
+    if (taken == p.cursor_taken || SDL_SetRelativeMouseMode(taken ? SDL_TRUE : SDL_FALSE) != 0) {
+        return;
+    }
+    p.cursor_taken = taken;
+    if (!taken) {  // it appears where it was led to, or at the edge
+        int w = 1;
+        int h = 1;
+        SDL_GetWindowSize(p.window, &w, &h);
+        SDL_WarpMouseInWindow(p.window, std::clamp(static_cast<int>(p.cursor_x * h + 0.5 * w), 0, w - 1),
+                              std::clamp(static_cast<int>(0.5 * h - p.cursor_y * h), 0, h - 1));
+    }
+}
+
 SDL_Window* Window::handle() const { return parts_->window; }
+unsigned long Window::x_number() const {
+    SDL_SysWMinfo info;
+    SDL_VERSION(&info.version);
+    const bool known = SDL_GetWindowWMInfo(parts_->window, &info) == SDL_TRUE && info.subsystem == SDL_SYSWM_X11;
+    return known ? info.info.x11.window : 0;
+}
 void* Window::context() const { return parts_->context; }
 
 }  // namespace rhexis::station

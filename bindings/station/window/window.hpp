@@ -21,15 +21,23 @@ public:
     ~Window();
     Window(Window&&) noexcept;
 
-    /// What happened since the last call.
-    std::vector<UserEvent> poll();
+    /// What happened since the last call, waiting so long for something to happen. On the thread that opened it.
+    std::vector<UserEvent> poll(double longest_s = 0.0);
+    /// The same as SDL tells it, for panels; on any thread.
+    std::vector<SDL_Event> take_raw();
     [[nodiscard]] int width() const;  ///< pixels
     [[nodiscard]] int height() const;
     /// What was drawn becomes visible.
     void present();
-    /// The cursor shows, and works panels.
-    void show_cursor(bool shown);
+    /// This thread draws from now on; before it does, the one that did lets go.
+    void draw_here();
+    void let_go() const;
+    /// Taken, the cursor is not seen and no edge holds it: where it would be is told. Otherwise it shows, and works
+    /// panels.
+    void take_cursor(bool taken);
     [[nodiscard]] SDL_Window* handle() const;
+    /// In an X server; 0: it is in none.
+    [[nodiscard]] unsigned long x_number() const;
     [[nodiscard]] void* context() const;
 
 private:

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "station/window/picture.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/clock.hpp"
+#include "station/person.hpp"
+
+namespace rhexis::station {
+namespace {
+
+/// Shares of the window's size that a picture may have, so that there are enough of them.
+constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5};
+constexpr double least_rate = 15.0;  ///< pictures per second: below, they are drawn smaller
+constexpr int looked_at = 12;        ///< pictures, before that is decided
+
+}  // namespace
+
+Picture::Picture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes)
+    : window_(window),
+      panels_(panels),
+      wishes_(wishes),
+      renderer_(std::make_unique<Renderer>(std::move(renderer))),
+      holds_(std::move(holds)),
+      begun_s_(wall_seconds()) {}
+
+std::vector<UserEvent> Picture::draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken) {
+    run_ahead(shown, after);
+    const double before = wall_seconds();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, window_.width(), window_.height());
+    renderer_->show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
+                    {0, 0, window_.width(), window_.height()}, wishes_.stereo);
+    std::vector<UserEvent> clicked =
+        panels_.draw(shown, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
+    if (taken != nullptr) {
+        *taken = read_window();
+    }
+    window_.present();
+    count(wall_seconds() - before);
+    return clicked;
+}
+
+Image Picture::read_window() const {
+    const int width = window_.width();
+    const int height = window_.height();
+    Image image{width, height, std::vector<unsigned char>(3 * static_cast<std::size_t>(width) * height)};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int row = 0; row < height; ++row) {  // the window's first one is at the bottom
+        glReadPixels(0, height - 1 - row, width, 1, GL_RGB, GL_UNSIGNED_BYTE,
+                     &image.rgb[3 * static_cast<std::size_t>(row) * width]);
+    }
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    return image;
+}
+
+void Picture::count(double took_s) {
+    ++count_;
+    slow_s_ += took_s;
+    const double now = wall_seconds();
+    if (now - begun_s_ >= 1.0) {
+        rate_ = count_ / (now - begun_s_);
+        begun_s_ = now;
+        count_ = 0;
+    }
+    if (++looked_ < looked_at) {
+        return;
+    }
+    const double mean_s = slow_s_ / looked_;
+    looked_ = 0;
+    slow_s_ = 0.0;
+    if (wishes_.keep_rate && !first_look_ && mean_s > 1.0 / least_rate &&
+        size_ + 1 < static_cast<int>(picture_sizes.size())) {
+        draw_smaller(mean_s);
+    }
+    first_look_ = false;  // textures were painted meanwhile
+}
+
+/// As much smaller as it takes: pixels cost the time.
+void Picture::draw_smaller(double mean_s) {
+    const double wanted = picture_sizes[static_cast<std::size_t>(size_)] * std::sqrt(1.0 / (least_rate * mean_s));
+    while (size_ + 1 < static_cast<int>(picture_sizes.size()) &&
+           picture_sizes[static_cast<std::size_t>(size_)] > wanted) {
+        ++size_;
+    }
+    const double share = picture_sizes[static_cast<std::size_t>(size_)];
+    Result<Renderer> smaller = Renderer::create_in_window(static_cast<int>(share * window_.width()),
+                                                          static_cast<int>(share * window_.height()));
+    if (smaller) {
+        renderer_ = std::make_unique<Renderer>(std::move(smaller).value());
+    }
+    first_look_ = true;
+}
+
+/// What the hands have done since this state was made.
+void Picture::run_ahead(Shown& shown, const std::vector<UserEvent>& after) {
+    Hands hands(shown.hands, *shown.stand, holds_);
+    for (const UserEvent& event : after) {
+        hands.take(event, shown.around);
+    }
+    if (shown.waits || !hands.advance(shown.around, wishes_.step_s)) {
+        return;
+    }
+    for (const DeviceSample& sample : hands.samples(shown.around, wishes_.step_s)) {
+        const auto at = static_cast<std::size_t>(sample.instrument);
+        if (at < shown.frame.tools.size() && sample.present) {
+            ToolState& tool = shown.frame.tools[at];
+            tool.present = true;
+            tool.jaw = sample.jaw;
+            tool.pose =
+                shown.frame.globe ? to_eye(*shown.frame.model->globe, *shown.frame.globe, sample.pose) : sample.pose;
+        }
+    }
+}
+
+}  // namespace rhexis::station

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The microscope's picture in the window: the newest state, with the instruments where the hands are by now.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/image_file.hpp"
+#include "render/renderer.hpp"
+#include "station/desk.hpp"
+#include "station/ghost.hpp"
+#include "station/window/panels.hpp"
+#include "station/window/window.hpp"
+
+namespace rhexis::station {
+
+class Picture {
+public:
+    struct Wishes {
+        Stereo stereo = Stereo::off;
+        const Ghost* ghost = nullptr;
+        bool keep_rate = false;  ///< pictures are drawn smaller where there would be too few
+        double step_s = 0.01;
+    };
+
+    Picture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes);
+
+    /// after: events that are not yet in the state. taken: receives what the window shows; null: nobody wants it. What
+    /// is clicked comes back.
+    std::vector<UserEvent> draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken = nullptr);
+
+private:
+    [[nodiscard]] Image read_window() const;
+    void count(double took_s);
+    void draw_smaller(double mean_s);
+    void run_ahead(Shown& shown, const std::vector<UserEvent>& after);
+
+    Window& window_;
+    Panels& panels_;
+    Wishes wishes_;
+    std::unique_ptr<Renderer> renderer_;
+    HoldScript holds_;
+    double begun_s_;
+    double rate_ = 0.0;
+    int count_ = 0;
+    int size_ = 0;  ///< in picture_sizes
+    int looked_ = 0;
+    double slow_s_ = 0.0;
+    bool first_look_ = true;
+};
+
+}  // namespace rhexis::station
