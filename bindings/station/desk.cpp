@@ -71,6 +71,11 @@ bool Desk::ended() const {
     return ended_;
 }
 
+void Desk::wait_until_ended() {
+    std::unique_lock lock(mutex_);
+    shown_.wait(lock, [&] { return ended_; });
+}
+
 void Desk::close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;

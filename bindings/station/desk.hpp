@@ -48,6 +48,7 @@ public:
     /// This picture is drawn.
     void drawn(std::uint64_t step);
     [[nodiscard]] bool ended() const;
+    void wait_until_ended();
     /// The window has gone: nobody draws any more.
     void close();
 

@@ -152,6 +152,9 @@ Result<MenuChoice> choose(const Menu& menu) {
     if (!window) {
         return window.error();
     }
+    if (const Status drawable = window.value().draw_here(); !drawable) {
+        return drawable.error();
+    }
     Overlay overlay(window.value());
     const Result<Words> words = Words::load(menu.root, menu.language, {});
     if (!words) {

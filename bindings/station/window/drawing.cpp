@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/drawing.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include "render/image_file.hpp"
 
 namespace rhexis::station {
 namespace {
 
 constexpr double longest_wait_s = 0.02;  ///< for a picture, before the last one is drawn again with newer hands
 
-}  // namespace
-
-Drawing::Drawing(Desk& desk, Window& window, Panels& panels, MappingFile& file, Picture& picture, bool by_hand)
-    : desk_(desk), window_(window), panels_(panels), file_(file), picture_(picture), by_hand_(by_hand) {
-    window_.let_go();
-    thread_ = std::thread([this] { run(); });
+/// This thread, and those that it begins from now on, run where nobody else wants to: pictures wait for steps, not
+/// steps for pictures.
+void step_back() {
+    constexpr int behind = 10;  // of 19
+    // of one thread, on Linux; where it is refused pictures and steps share as they did
+    static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), behind));
 }
 
+}  // namespace
+
+Drawing::Drawing(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options)
+    : desk_(desk), window_(window), prepared_(prepared), options_(options), thread_([this] { run(); }) {}
+
 Drawing::~Drawing() {
+    desk_.close();
     thread_.join();
-    window_.draw_here();
 }
 
 void Drawing::take(const UserEvent& event) {
@@ -32,50 +42,81 @@ void Drawing::take(const UserEvent& event) {
     }
 }
 
-/// Until the trial has ended, or the window has been closed.
 void Drawing::run() {
-    window_.draw_here();
-    std::uint64_t seen = 0;
-    bool any = false;
-    while (!desk_.ended() && !desk_.closed()) {
-        const std::shared_ptr<Shown> shown = desk_.wait_for(any ? std::optional(seen) : std::nullopt, longest_wait_s);
-        if (!shown || (any && !by_hand_ && shown->step == seen)) {
-            continue;  // there is none, or nobody moves anything before the next one
-        }
-        any = true;
-        draw(*shown);
-        seen = shown->step;
-        desk_.drawn(seen);
+    step_back();
+    const Status drawable = window_.draw_here();
+    Result<Renderer> renderer =
+        drawable ? Renderer::create_in_window(window_.width(), window_.height()) : Result<Renderer>(drawable.error());
+    if (!renderer) {
+        begun_.set_value(renderer.error());
+        return;
+    }
+    {
+        Panels panels(window_, std::move(prepared_.words), std::move(prepared_.offers), prepared_.own);
+        Picture picture(
+            window_, panels, std::move(renderer).value(), std::move(*prepared_.holds),
+            {options_.stereo, prepared_.ghost ? &*prepared_.ghost : nullptr, !is_stepped(options_), prepared_.step_s});
+        begun_.set_value(success());
+        draw_all(panels, picture);
+        finished_.set_value(keep_picture(picture));
     }
     window_.let_go();
 }
 
-void Drawing::draw(Shown& shown) {
-    if (!by_hand_) {
-        picture_.draw(shown, {});
-        return;
+/// Until the trial has ended, or the window has been closed.
+void Drawing::draw_all(Panels& panels, Picture& picture) {
+    MappingFile file(prepared_.mapping_file, prepared_.mapping);
+    std::optional<std::uint64_t> seen;
+    while (!desk_.ended() && !desk_.closed()) {
+        const std::shared_ptr<Shown> shown = desk_.wait_for(seen, longest_wait_s);
+        const bool by_hand = operates(options_);
+        if (!shown || (!by_hand && shown->step == seen)) {
+            continue;  // there is none, or nobody moves anything before the next one
+        }
+        if (by_hand) {
+            draw_by_hand(*shown, file, panels, picture);
+        } else {
+            picture.draw(*shown, {});
+        }
+        seen = shown->step;
+        desk_.drawn(*seen);
     }
-    desk_.post(file_.changes(panels_));
-    hand_to_panel();
-    desk_.post(picture_.draw(shown, desk_.after(shown.events)));
-    panel_asks_ = panels_.asks();
+}
+
+void Drawing::draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, Picture& picture) {
+    desk_.post(file.changes(panels));
+    hand_to_panel(panels);
+    desk_.post(picture.draw(shown, desk_.after(shown.events)));
+    panel_asks_ = panels.asks();
     takes_cursor_ = shown.hands.cursor_moves && !shown.waits && !shown.hands.paused;
 }
 
 /// What it does not want goes on its way.
-void Drawing::hand_to_panel() {
+void Drawing::hand_to_panel(Panels& panels) {
     std::vector<UserEvent> events;
     {
         const std::lock_guard lock(mutex_);
         events = std::exchange(for_panel_, {});
     }
     for (const UserEvent& event : events) {
-        if (const std::optional<std::vector<UserEvent>> bound = panels_.captured(event)) {
+        if (const std::optional<std::vector<UserEvent>> bound = panels.captured(event)) {
             desk_.post(*bound);
         } else {
             desk_.post(event);
         }
     }
+}
+
+/// What the window shows in the end, when all has been done.
+Status Drawing::keep_picture(Picture& picture) {
+    desk_.wait_until_ended();
+    const std::shared_ptr<Shown> last = desk_.newest();
+    if (options_.screenshot.empty() || !last) {
+        return success();
+    }
+    Image image;
+    picture.draw(*last, {}, &image);
+    return write_png(image, options_.screenshot);
 }
 
 }  // namespace rhexis::station

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The thread that draws: devices are read on another, so that what hands do comes as it is done and not picture by
-// picture.
+// picture. It steps back behind the simulation, and the threads that a graphics driver begins on it do so too.
 #pragma once
 
 #include <atomic>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "station/station.hpp"
 #include "station/window/mapping_file.hpp"
 #include "station/window/picture.hpp"
+#include "station/window/prepared.hpp"
 
 namespace rhexis::station {
 
 class Drawing {
 public:
-    /// All of it outlives the drawing. by_hand: what devices and panels say counts.
-    Drawing(Desk& desk, Window& window, Panels& panels, MappingFile& file, Picture& picture, bool by_hand);
+    /// All of it outlives the drawing.
+    Drawing(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options);
+    /// Closes the desk.
     ~Drawing();
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
+
+    /// Waits until it can draw. Once; the error says what is missing.
+    Status begun() { return begun_.get_future().get(); }
+    /// After the trial has ended: whether what was to be kept of it is kept. Once.
+    Status finish() { return finished_.get_future().get(); }
 
     /// From the window, on the thread that opened it: to the desk, or to a panel that waits for it.
     void take(const UserEvent& event);
@@ -28,19 +37,21 @@ public:
 
 private:
     void run();
-    void draw(Shown& shown);
-    void hand_to_panel();
+    void draw_all(Panels& panels, Picture& picture);
+    void draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, Picture& picture);
+    void hand_to_panel(Panels& panels);
+    Status keep_picture(Picture& picture);
 
     Desk& desk_;
     Window& window_;
-    Panels& panels_;
-    MappingFile& file_;
-    Picture& picture_;
-    bool by_hand_;
+    Prepared& prepared_;
+    const StationOptions& options_;
     std::atomic<bool> takes_cursor_ = false;
     std::atomic<bool> panel_asks_ = false;
     std::mutex mutex_;
     std::vector<UserEvent> for_panel_;
+    std::promise<Status> begun_;
+    std::promise<Status> finished_;
     std::thread thread_;
 };
 

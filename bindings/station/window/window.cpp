@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/window.hpp"
 
-#include <SDL_syswm.h>
-
 #include <algorithm>
 #include <map>
 #include <mutex>
@@ -95,11 +93,6 @@ Result<Window> Window::open(const std::string& title, int width, int height, boo
     if (parts->window == nullptr) {
         return no_window("it cannot be opened");
     }
-    parts->context = SDL_GL_CreateContext(parts->window);
-    if (parts->context == nullptr) {
-        return no_window("there is no OpenGL 3.3 for it");
-    }
-    SDL_GL_SetSwapInterval(1);
     return Window(std::move(parts));
 }
 
@@ -260,8 +253,16 @@ std::vector<SDL_Event> Window::take_raw() {
     return std::exchange(parts_->raw, {});
 }
 
-void Window::draw_here() { SDL_GL_MakeCurrent(parts_->window, parts_->context); }
-void Window::let_go() const { SDL_GL_MakeCurrent(parts_->window, nullptr); }
+Status Window::draw_here() {
+    parts_->context = SDL_GL_CreateContext(parts_->window);
+    if (parts_->context == nullptr) {
+        return no_window("there is no OpenGL 3.3 for it");
+    }
+    SDL_GL_SetSwapInterval(1);
+    return success();
+}
+
+void Window::let_go() { SDL_GL_DeleteContext(std::exchange(parts_->context, nullptr)); }
 
 int Window::width() const {
     int w = 0;
@@ -293,12 +294,6 @@ void Window::take_cursor(bool taken) {
 }
 
 SDL_Window* Window::handle() const { return parts_->window; }
-unsigned long Window::x_number() const {
-    SDL_SysWMinfo info;
-    SDL_VERSION(&info.version);
-    const bool known = SDL_GetWindowWMInfo(parts_->window, &info) == SDL_TRUE && info.subsystem == SDL_SYSWM_X11;
-    return known ? info.info.x11.window : 0;
-}
 void* Window::context() const { return parts_->context; }
 
 }  // namespace rhexis::station

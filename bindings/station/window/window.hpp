@@ -16,7 +16,7 @@ namespace rhexis::station {
 
 class Window {
 public:
-    /// The error says whether a display or OpenGL is missing.
+    /// The error says that a display is missing.
     static Result<Window> open(const std::string& title, int width, int height, bool full_screen);
     ~Window();
     Window(Window&&) noexcept;
@@ -29,15 +29,13 @@ public:
     [[nodiscard]] int height() const;
     /// What was drawn becomes visible.
     void present();
-    /// This thread draws from now on; before it does, the one that did lets go.
-    void draw_here();
-    void let_go() const;
+    /// OpenGL on this thread, until it lets go. The error says that there is no OpenGL.
+    Status draw_here();
+    void let_go();
     /// Taken, the cursor is not seen and no edge holds it: where it would be is told. Otherwise it shows, and works
     /// panels.
     void take_cursor(bool taken);
     [[nodiscard]] SDL_Window* handle() const;
-    /// In an X server; 0: it is in none.
-    [[nodiscard]] unsigned long x_number() const;
     [[nodiscard]] void* context() const;
 
 private:
