@@ -37,24 +37,27 @@ double stolen_seconds() {
 Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const Hands&, const Surroundings&,
                                                const Session&) {
     const double now = wall_seconds();
-    std::vector<UserEvent> events;
-    if (was_away(now)) {
-        events.push_back({EventKind::focus, "away"});
-        due_s_ = 0.0;  // not caught up, and nobody's slow clock
-    }
+    bool away = was_away(now);
     if (waits) {
         desk_.wait_for_event(now + waits_s);
+        away = away || wall_seconds() - now > waits_s + away_s;
         due_s_ = 0.0;
     } else {
-        const double begun = due_s_ == 0.0 ? now : due_s_;
+        const double begun = due_s_ == 0.0 || away ? now : due_s_;
         const double late = now - begun;
         if (late < 0.0) {
             std::this_thread::sleep_for(std::chrono::duration<double>(-late));
+            away = wall_seconds() - begun > away_s;
         }
         const double lost = late > may_catch_up_s ? late - may_catch_up_s : 0.0;
         due_s_ = begun + lost + step_s_;
         note(std::max(0.0, late), lost);
         slowed_ += smoothing * (step_s_ / (step_s_ + lost) - slowed_);
+    }
+    std::vector<UserEvent> events;
+    if (away) {
+        events.push_back({EventKind::focus, "away"});
+        due_s_ = 0.0;  // not caught up, and nobody's slow clock
     }
     for (PostedEvent& posted : desk_.take()) {
         number_ = posted.number;

@@ -8,6 +8,7 @@
 #include "station/person.hpp"
 #include "station/scripted.hpp"
 #include "station/station.hpp"
+#include "station/window/cut_short.hpp"
 #include "station/window/drawing.hpp"
 #include "station/window/prepared.hpp"
 #include "station/window/window.hpp"
@@ -65,6 +66,7 @@ Result<AttemptResult> operate(const StationOptions& options, Person& person, Des
     AttemptOptions of_attempt = options.attempt;
     of_attempt.guest = &person;
     of_attempt.quiet = true;
+    const CutShort cut_short(options.attempt.folder);
     std::optional<Result<AttemptResult>> result;
     std::thread simulation([&] {
         result.emplace(attempt(of_attempt));
