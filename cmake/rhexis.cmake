@@ -5,7 +5,7 @@
 # What sanitizers put in makes the compiler warn of values that are set on every way there is: no -Werror there.
 add_library(rhexis_flags INTERFACE)
 target_compile_options(rhexis_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
-  -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<IF:$<CONFIG:Sanitize>,-Wno-maybe-uninitialized,-Werror>)
+  -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<IF:$<CONFIG:Sanitize,Thread>,-Wno-maybe-uninitialized,-Werror>)
 # What is installed may become part of a shared library, and nobody replaces its functions there.
 target_compile_options(rhexis_flags INTERFACE -fPIC -fno-semantic-interposition)
 # In a batch a local name may hide a constant of another source, a class kept to one source looks like one that two

@@ -3,7 +3,10 @@
 """Ten minutes of a random operator in every exercise and in three patients; prints a table.
 
 usage: scripts/dev/random_operator.py [--seconds 600] [--seed 11] [--tetrahedra 1000] [--replay] [--only EXERCISE] [--jobs 2]
-       [--rhexis PROGRAM]
+       [--rhexis PROGRAM] [--station]
+
+--station: a random person at the devices of rhexis train instead: keys, buttons, cursor, wheel, a keyboard and pads that
+are lost, moments gone back to, keys that change their use.
 
 For each: attempts that it took (one that ends early is followed by another with the next seed), errors raised, steps that
 had to be redone, what part of the lens's volume is not accounted for at most, CPU seconds per simulated second, and with
@@ -12,7 +15,10 @@ had to be redone, what part of the lens's volume is not accounted for at most, C
 
 import argparse
 import concurrent.futures
+import json
+import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -78,13 +84,88 @@ def replays(program, folder):
     return subprocess.run(command, cwd=attempts.ROOT, stdout=subprocess.DEVNULL).returncode == 0
 
 
+CHANGES_HANDS = {"next_instrument", "put_down", "swap"}  # seldom, or nothing comes into the eye
+# What would end the attempt, or stop its clock for good: those are pressed on purpose below.
+NOT_AT_RANDOM = {"stop", "pause", "try_again", "keep_moment", "tip"}
+
+
+def random_events(chance, mapping, steps):
+    """What a person does who presses whatever there is, step by step."""
+    keys = [(device, name) for device in ("key", "mouse", "pad", "pedal") for name, control in mapping[device].items()
+            if control.lstrip("-") not in NOT_AT_RANDOM and name not in ("move", "wheel")]
+    x = y = 0.0
+    step = 0
+    while step < steps:
+        step += chance.randint(1, 8)
+
+        def event(kind, **fields):
+            return {"step": step, "event": kind, **fields}
+
+        what = chance.random()
+        if what < 0.5:
+            x += chance.gauss(0.0, 0.02)
+            y += chance.gauss(0.004 if step % 6000 < 3000 else -0.004, 0.02)  # in through the wound, and out again
+            yield event("pointer", x=x, y=y)
+        elif what < 0.6:
+            yield event("wheel", value=chance.choice([-3, -1, 1, 3]))
+        elif what < 0.95:
+            device, name = chance.choice(keys)
+            if mapping[device][name] in CHANGES_HANDS and chance.random() < 0.8:
+                continue
+            value = chance.choice([0, 1])
+            if device == "key":
+                yield event("key", name=name, value=value)
+            elif device == "mouse":
+                yield event("button", name=name, value=value)
+            elif name in ("leftx", "lefty", "rightx", "righty", "lefttrigger", "righttrigger", "0"):
+                yield event("axis", name=f"{device}.{name}", value=chance.uniform(-1, 1))
+            else:
+                yield event("press", name=f"{device}.{name}", value=value)
+        elif what < 0.97:
+            yield chance.choice([event("focus", value=0), event("focus", value=0, name="away"),
+                                 event("device", name="pad", value=0), event("device", name="pedal", value=0)])
+            yield event("control", name="pause", value=1)
+        elif what < 0.98:
+            yield event("bind", name="key." + chance.choice("EQWASD"),
+                        control=chance.choice(["", "squeeze", "swap", "-hand.z", "next_instrument", "nothing"]))
+        elif what < 0.99:
+            yield event("control", name=chance.choice(["take_instrument", "choose_dial", "choose_request"]),
+                        value=chance.randint(-1, 9))
+        else:
+            yield event("control", name="keep_moment", value=1)
+        yield event("control", name="meet", value=1)
+
+
+def attempt_by_person(program, exercise, seed, folder, more, seconds):
+    """As attempts.attempt, by a random person at the devices."""
+    folder.mkdir(parents=True)
+    with open(attempts.ROOT / "assets" / "station" / "mouse.json", encoding="utf-8") as file:
+        mapping = json.load(file)
+    settings = dict(pair.split("=", 1) for option, pair in zip(more, more[1:]) if option == "--set")
+    header = {"rhexis_events": 1, "curriculum": exercise, "seed": seed, "limit_s": seconds, "set": settings,
+              "mapping": mapping}
+    with open(folder / "events.jsonl", "w", encoding="utf-8") as file:
+        for line in [header, *random_events(random.Random(seed), mapping, int(seconds * 100))]:
+            file.write(json.dumps(line) + "\n")
+    patient = [word for option, path in zip(more, more[1:]) if option == "--patient" for word in (option, path)]
+    command = [program, "train", "--events", str(folder / "events.jsonl"), "--again", "--width", "160", "--height", "120",
+               "--picture-every", "2000", "--out", str(folder)] + patient
+    done = subprocess.run(command, cwd=attempts.ROOT, capture_output=True, text=True,
+                          env={"SDL_VIDEODRIVER": "offscreen", **os.environ})
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}: {done.stderr.strip()}")
+    return json.loads((folder / "report.json").read_text())
+
+
 def all_attempts(options, exercise, patient, folder):
     """Attempts until they make up the time: of each its report, the volume lost, and whether it replays."""
     found, left = [], options.seconds
     while left > 0:
         here = folder / str(len(found))
         more = options_of(patient, max(left, SHORTEST), options.tetrahedra)
-        report = attempts.attempt(options.rhexis, exercise, "random", options.seed + len(found), here, more)
+        seed = options.seed + len(found)
+        report = (attempt_by_person(options.rhexis, exercise, seed, here, more, max(left, SHORTEST)) if options.station
+                  else attempts.attempt(options.rhexis, exercise, "random", seed, here, more))
         same = replays(options.rhexis, here) if options.replay else None
         found.append((report, volume_lost(attempts.series(here)), same))
         left -= report["duration_s"]
@@ -111,6 +192,7 @@ def main():
     parser.add_argument("--replay", action="store_true", help="simulate again and compare every step")
     parser.add_argument("--rhexis", default=attempts.PROGRAM)
     parser.add_argument("--only", help="an exercise")
+    parser.add_argument("--station", action="store_true", help="a random person at the devices of rhexis train")
     parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
     attempts.table_head(["exercise", "patient", "simulated", "attempts", "errors", "steps redone", "volume lost", "CPU s per s",

@@ -94,6 +94,24 @@ def done_again(given, name, folder, events, report):
     return "" if status == 0 else "replayed with two threads and without wide instructions: " + (said or text)
 
 
+def controls_used(events):
+    """Names of the controls that were worked, in the order of the first use."""
+    with open(events, encoding="utf-8") as file:
+        mapping = json.loads(next(file))["mapping"]
+        used = {}
+        for line in file:
+            event = json.loads(line)
+            kind, name = event["event"], event.get("name", "")
+            device, _, inner = name.partition(".")
+            worked = (mapping["key"].get(name) if kind == "key" else mapping["mouse"].get(name) if kind == "button" else
+                      mapping["mouse"].get("move") if kind == "pointer" else mapping["mouse"].get("wheel")
+                      if kind == "wheel" else mapping.get(device, {}).get(inner) if kind in ("axis", "press") else name
+                      if kind == "control" else None)
+            if worked and (kind == "pointer" or kind == "wheel" or event.get("value")):
+                used[worked.lstrip("-")] = True
+    return list(used)
+
+
 def compare(given, name):
     with tempfile.TemporaryDirectory() as folder:
         events = os.path.join(folder, "events.jsonl")
@@ -110,9 +128,12 @@ def compare(given, name):
             wrong = done_again(given, name, folder, events, report)
         with open(events, encoding="utf-8") as file:
             count = sum(1 for _ in file) - 1
+        used = controls_used(events)
     print(f"{'FAIL' if wrong else 'ok  '}  {name:26} {total:6.1f} with {given.input}, {expected:6.1f} without; "
           f"{report['duration_s']:.0f} and {seconds:.0f} s, {'' if report['completed'] else 'not '}completed, "
           f"{count} events{'; ' + wrong if wrong else ''}", flush=True)
+    if given.controls:
+        print(f"      {', '.join(used)}", flush=True)
     return not wrong
 
 
@@ -161,6 +182,7 @@ def main():
     parser.add_argument("--group", choices=list("abcd"), default="d")
     parser.add_argument("--seed", type=int, default=101)
     parser.add_argument("--again", action="store_true", help="do the events again as well, and replay the recording")
+    parser.add_argument("--controls", action="store_true", help="say which were worked")
     parser.add_argument("--twins", type=int, metavar="N", help="N hands that follow a hair otherwise")
     parser.add_argument("--live", type=float, metavar="SECONDS", help="by the wall clock")
     parser.add_argument("--program", default=os.path.join(ROOT, "build/release/bindings/cli/rhexis"))
