@@ -188,26 +188,25 @@ void print_errors(const nlohmann::json& report) {
 
 void print_summary(const AttemptArguments& given, const std::string& who, const std::string& folder,
                    const AttemptResult& result) {
-    const nlohmann::json& report = result.report;
+    const AttemptFacts& facts = result.facts;
     std::printf("%s by %s, seed %llu: %s after %.1f s\n", given.curriculum.c_str(), who.c_str(),
-                static_cast<unsigned long long>(given.seed),
-                report["completed"] == true ? "completed" : "not completed", report["duration_s"].get<double>());
-    print_objectives(report);
-    std::printf("  score      %s\n", score_line(report).c_str());
-    print_errors(report);
+                static_cast<unsigned long long>(given.seed), facts.completed ? "completed" : "not completed",
+                facts.duration_s);
+    print_objectives(facts.findings);
+    std::printf("  score      %s\n", score_line(facts.score, facts.completed).c_str());
+    print_errors(facts.findings);
     if (result.html_error.empty()) {
         std::printf("  report     %s/report.html\n", folder.c_str());
     }
     std::printf("  numbers    %s/report.json\n", folder.c_str());
-    if (!report["pictures"].empty()) {
-        std::printf("  pictures   %s/frames/ (%zu)\n", folder.c_str(), report["pictures"].size());
+    if (!facts.pictures.empty()) {
+        std::printf("  pictures   %s/frames/ (%zu)\n", folder.c_str(), facts.pictures.size());
     }
-    if (report["video"].is_string()) {
+    if (facts.video) {
         std::printf("  video      %s/video.mp4\n", folder.c_str());
     }
     std::printf("  recording  %s\n", result.recording.c_str());
-    std::printf("  cost       %.2f s of CPU per simulated second\n",
-                report["performance"]["cpu_s_per_s"].get<double>());
+    std::printf("  cost       %.2f s of CPU per simulated second\n", facts.performance.cpu_s_per_s);
 }
 
 }  // namespace rhexis::cli

@@ -222,12 +222,13 @@ int run(RunOptions given, const Context& context) {
         kept.value().give_up();
         return complain(result.error());
     }
-    const Status stored = kept.value().finish(result.value().report);
+    const nlohmann::json report = report_of(result.value());
+    const Status stored = kept.value().finish(report);
     if (!result.value().drawing_note.empty()) {
         std::fprintf(stderr, "rhexis: no pictures: %s\n", result.value().drawing_note.c_str());
     }
     if (given.json) {
-        std::cout << result.value().report.dump(2) << '\n';
+        std::cout << report.dump(2) << '\n';
     } else {
         print_summary(given, given.surgeon, options.folder, result.value());
         if (result.value().saved) {
@@ -237,8 +238,8 @@ int run(RunOptions given, const Context& context) {
     if (!stored) {
         return complain(stored.error());
     }
-    if (!result.value().script_error.empty()) {
-        return complain({result.value().script_error, "", "the exercise ended there; its recording is kept"},
+    if (!result.value().facts.script_error.empty()) {
+        return complain({result.value().facts.script_error, "", "the exercise ended there; its recording is kept"},
                         found_failures);
     }
     if (!options.save.path.empty() && !result.value().saved) {

@@ -172,7 +172,7 @@ Result<std::pair<json, std::string>> run_either(const StudyJob& job, const Attem
         return whole ? Result(std::pair(whole.value().report, whole.value().script_error)) : whole.error();
     }
     const Result<AttemptResult> alone = attempt(options);
-    return alone ? Result(std::pair(alone.value().report, alone.value().script_error)) : alone.error();
+    return alone ? Result(std::pair(report_of(alone.value()), alone.value().facts.script_error)) : alone.error();
 }
 
 void run_job(const StudyPlan& plan, StudyJob& job, const Context& context, bool resume) {

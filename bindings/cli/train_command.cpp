@@ -287,7 +287,7 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
         return complain(result.error());
     }
     const AttemptResult& attempt = result.value();
-    const Status stored = kept.value().finish(attempt.report);
+    const Status stored = kept.value().finish(report_of(attempt));
     print_summary(given, "person", options.attempt.folder, attempt);
     if (!given.no_open && given.by.empty() && !given.again && attempt.html_error.empty()) {
         open_report(options.attempt.folder);
@@ -295,8 +295,9 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     if (!stored) {
         return complain(stored.error());
     }
-    if (!attempt.script_error.empty()) {
-        return complain({attempt.script_error, "", "the exercise ended there; its recording is kept"}, found_failures);
+    if (!attempt.facts.script_error.empty()) {
+        return complain({attempt.facts.script_error, "", "the exercise ended there; its recording is kept"},
+                        found_failures);
     }
     return attempt.html_error.empty() ? done : complain({"no report.html: " + attempt.html_error, "", ""});
 }

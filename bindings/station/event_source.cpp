@@ -93,16 +93,14 @@ void WallClock::note(double late_s, double lost_s) {
     stolen_before_s_ = stolen;
 }
 
-nlohmann::json WallClock::pace() const {
+std::optional<Pace> WallClock::pace() const {
     std::vector<float> sorted = late_steps_;
     std::sort(sorted.begin(), sorted.end());
     const double run_s = static_cast<double>(sorted.size()) * step_s_;
     const auto at = [&](double share) {
         return sorted.empty() ? 0.0F : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
     };
-    return {{"late_p99_9_steps", at(0.999)},
-            {"slowed_share", run_s > 0.0 ? lost_s_ / (run_s + lost_s_) : 0.0},
-            {"steal_s", steal_s_}};
+    return Pace{at(0.999), run_s > 0.0 ? lost_s_ / (run_s + lost_s_) : 0.0, steal_s_, 0.0};
 }
 
 Result<EventFile> read_events(const std::string& path) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "base/result.hpp"
 #include "station/desk.hpp"
 #include "station/user_event.hpp"
+#include "trial/attempt_facts.hpp"
 
 namespace rhexis::station {
 
@@ -26,8 +28,8 @@ public:
     [[nodiscard]] virtual bool over() const { return false; }
     /// Simulated seconds per second of the clock, of late.
     [[nodiscard]] virtual double slowed() const { return 1.0; }
-    /// How it kept to the wall clock; null: there is none.
-    [[nodiscard]] virtual nlohmann::json pace() const { return nullptr; }
+    /// How it kept to the wall clock; none: there is none.
+    [[nodiscard]] virtual std::optional<Pace> pace() const { return std::nullopt; }
     /// Number of the last posted event that was given.
     [[nodiscard]] virtual std::uint64_t last_number() const { return 0; }
 };
@@ -40,9 +42,7 @@ public:
                                         const Session& session) override;
     [[nodiscard]] double slowed() const override { return slowed_; }
     [[nodiscard]] std::uint64_t last_number() const override { return number_; }
-    /// {"late_p99_9_steps", "slowed_share", "steal_s": seconds in which other machines had more than a hundredth of the
-    /// cores, whose steps are left out}
-    [[nodiscard]] nlohmann::json pace() const override;
+    [[nodiscard]] std::optional<Pace> pace() const override;
 
 private:
     void note(double late_s, double lost_s);

@@ -51,10 +51,10 @@ Status Person::begin(Timeline& timeline) {
     return timeline.step_count() > 0 ? hands_->take_over(*timeline.session(), *around_) : success();
 }
 
-nlohmann::json Person::pace() const {
-    nlohmann::json pace = source_.pace();
-    if (!pace.is_null()) {
-        pace["pictures_per_s"] = desk_.pictures_per_s();
+std::optional<Pace> Person::pace() const {
+    std::optional<Pace> pace = source_.pace();
+    if (pace) {
+        pace->pictures_per_s = desk_.pictures_per_s();
     }
     return pace;
 }

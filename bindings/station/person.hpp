@@ -32,7 +32,7 @@ public:
     void meet(ExerciseHost& host) override { host_ = &host; }
     [[nodiscard]] std::string name() const override { return "person"; }
     [[nodiscard]] std::string device() const override { return options_.device; }
-    [[nodiscard]] nlohmann::json pace() const override;
+    [[nodiscard]] std::optional<Pace> pace() const override;
     std::optional<std::uint64_t> goes_back() override { return std::exchange(back_, std::nullopt); }
 
     Status begin(Timeline& timeline) override;

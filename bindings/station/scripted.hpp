@@ -24,7 +24,7 @@ public:
     [[nodiscard]] double slowed() const override { return clock_ ? clock_->slowed() : 1.0; }
     [[nodiscard]] std::uint64_t last_number() const override { return clock_ ? clock_->last_number() : 0; }
     [[nodiscard]] bool over() const override { return asked_twice_ && !typist_; }
-    [[nodiscard]] nlohmann::json pace() const override { return clock_ ? clock_->pace() : nlohmann::json(nullptr); }
+    [[nodiscard]] std::optional<Pace> pace() const override { return clock_ ? clock_->pace() : std::nullopt; }
 
 private:
     Scripted(ExerciseHost host, const Fingers& fingers, std::unique_ptr<WallClock> clock,

@@ -96,61 +96,66 @@ Log full_log(const AttemptOptions& options, const Session& session, TrialEnd end
     return log;
 }
 
-ReportInput report_input(const AttemptOptions& options, const ExerciseHost& host, const Session& session,
-                         const Seen& seen) {
-    ReportInput input;
-    input.identity = host.identity();
-    input.surgeon = who_operates(options);
-    input.device = options.guest != nullptr ? options.guest->device() : "";
-    input.set = options.exercise.set;
-    input.seed = options.exercise.seed;
-    input.start = options.start.state;
-    input.begun_at = options.start.chosen;
-    input.opening = session.scene().opening;
-    input.opening_note = options.start.opening_note;
-    input.patient = session.scene().patient;
-    input.duration_s = session.time_s();
-    input.state_hash = session.state_hash();
+AttemptFacts facts_of(const AttemptOptions& options, const ExerciseHost& host, const Session& session,
+                      const Seen& seen) {
+    AttemptFacts facts;
+    facts.identity = host.identity();
+    facts.surgeon = who_operates(options);
+    facts.device = options.guest != nullptr ? options.guest->device() : "";
+    facts.set = options.exercise.set;
+    facts.seed = options.exercise.seed;
+    facts.start = options.start.state;
+    facts.begun_at = options.start.chosen;
+    facts.opening = session.scene().opening;
+    facts.opening_note = options.start.opening_note;
+    facts.patient = session.scene().patient;
+    facts.duration_s = session.time_s();
+    facts.state_hash = session.state_hash();
     if (seen.book != nullptr) {
-        input.pictures = seen.book->pictures();
-        input.video = seen.book->has_video();
+        facts.pictures = seen.book->pictures();
+        facts.video = seen.book->has_video();
     }
-    input.log = full_log(options, session, seen.outcome.end);
-    input.simulated = simulated_parts(session);
-    input.performance = seen.timing.performance(session.time_s());
-    if (const nlohmann::json pace = options.guest != nullptr ? options.guest->pace() : nullptr; !pace.is_null()) {
-        input.performance["live"] = pace;
+    facts.log = full_log(options, session, seen.outcome.end);
+    facts.simulated = simulated_parts(session);
+    facts.performance = seen.timing.performance(session.time_s());
+    facts.performance.checkpoints = seen.recorder.checkpoints();
+    facts.performance.live = options.guest != nullptr ? options.guest->pace() : std::nullopt;
+    return facts;
+}
+
+/// What the exercise's script found, or why it found nothing.
+void judge(ExerciseHost& host, const Seen& seen, AttemptResult& result) {
+    AttemptFacts& facts = result.facts;
+    const std::optional<Error>& failed = seen.outcome.error ? seen.outcome.error : seen.keeper.error();
+    facts.script_error = failed ? failed->text() : "";
+    Result<nlohmann::json> judged = host.result();
+    if (!judged && facts.script_error.empty()) {
+        facts.script_error = judged.error().text();
     }
-    return input;
+    facts.findings = judged ? judged.value() : nlohmann::json::object();
+    if (facts.findings.contains("operation")) {
+        result.operation = std::move(facts.findings["operation"]);
+        facts.findings.erase("operation");
+    }
+    if (!seen.reload.reloads().empty()) {
+        facts.findings["reloads"] = seen.reload.reloads();
+    }
+    facts.completed = facts.script_error.empty() && facts.findings.value("completed", nlohmann::json()) == true;
+    facts.score = score_in(facts.findings);
 }
 
 Result<AttemptResult> write_results(const AttemptOptions& options, ExerciseHost& host, const Session& session,
                                     const Seen& seen) {
     AttemptResult result;
-    const std::optional<Error>& failed = seen.outcome.error ? seen.outcome.error : seen.keeper.error();
-    result.script_error = failed ? failed->text() : "";
-    Result<nlohmann::json> judged = host.result();
-    if (!judged && result.script_error.empty()) {
-        result.script_error = judged.error().text();
-    }
-    ReportInput input = report_input(options, host, session, seen);
-    input.result = judged ? judged.value() : nlohmann::json::object();
-    if (input.result.contains("operation")) {
-        result.operation = std::move(input.result["operation"]);
-        input.result.erase("operation");
-    }
-    if (!seen.reload.reloads().empty()) {
-        input.result["reloads"] = seen.reload.reloads();
-    }
-    input.script_error = result.script_error;
-    result.report = make_report(input);
-    result.report.update(options.comparison);
+    result.facts = facts_of(options, host, session, seen);
+    judge(host, seen, result);
+    result.comparison = options.comparison;
     result.recording = seen.recorder.file();
     result.saved = seen.keeper.kept();
     // the report last: where it stands, all that it speaks of is there
     Status status = write_file(options.folder + "/series.json", seen.series.json().dump() + "\n");
     if (status) {
-        status = write_file(options.folder + "/report.json", result.report.dump(2) + "\n");
+        status = write_file(options.folder + "/report.json", report_of(result).dump(2) + "\n");
     }
     return status ? Result<AttemptResult>(std::move(result)) : status.error();
 }
@@ -299,6 +304,12 @@ Result<AttemptResult> attempt_once(const AttemptOptions& options, std::optional<
 }
 
 }  // namespace
+
+nlohmann::json report_of(const AttemptResult& result) {
+    nlohmann::json report = make_report(result.facts);
+    report.update(result.comparison);
+    return report;
+}
 
 Result<AttemptResult> attempt(const AttemptOptions& options) {
     AttemptOptions now = options;

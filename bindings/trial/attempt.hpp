@@ -9,6 +9,7 @@
 
 #include "base/result.hpp"
 #include "lua/exercise_host.hpp"
+#include "trial/attempt_facts.hpp"
 #include "trial/going_on.hpp"
 #include "trial/starts.hpp"
 #include "trial/state_keeper.hpp"
@@ -31,8 +32,8 @@ public:
     [[nodiscard]] virtual std::string name() const = 0;
     /// With which device: "mouse", "gamepad".
     [[nodiscard]] virtual std::string device() const = 0;
-    /// For the report's "performance", as "live": how it kept to the wall clock; null: there was none.
-    [[nodiscard]] virtual nlohmann::json pace() const { return nullptr; }
+    /// How it kept to the wall clock; none: there was none.
+    [[nodiscard]] virtual std::optional<Pace> pace() const { return std::nullopt; }
     /// Asked when the trial has ended: the step to go on from instead; none: it was the end.
     virtual std::optional<std::uint64_t> goes_back() { return std::nullopt; }
 };
@@ -54,14 +55,17 @@ struct AttemptOptions {
 };
 
 struct AttemptResult {
-    nlohmann::json report;     ///< as written to report.json
-    nlohmann::json operation;  ///< of a part: the operation as far as it has come, see ExerciseHost::result
-    std::string script_error;  ///< the exercise ended with this; empty: it did not
-    std::string drawing_note;  ///< why there are no pictures; empty: there are
-    std::string recording;     ///< path
-    std::string html_error;    ///< why there is no report.html; empty: there is one
-    bool saved = false;        ///< the state that was to be kept is
+    AttemptFacts facts;
+    nlohmann::json comparison;  ///< as the options had it
+    nlohmann::json operation;   ///< of a part: the operation as far as it has come, see ExerciseHost::result
+    std::string drawing_note;   ///< why there are no pictures; empty: there are
+    std::string recording;      ///< path
+    std::string html_error;     ///< why there is no report.html; empty: there is one
+    bool saved = false;         ///< the state that was to be kept is
 };
+
+/// As written to report.json.
+nlohmann::json report_of(const AttemptResult& result);
 
 /// Runs the exercise to its end and leaves everything in the folder. An error means bad input or a disk that cannot be
 /// written; a recording that was begun stays, readable to its last whole step.

@@ -249,7 +249,8 @@ private:
     }
 
     Status conclude(std::size_t index, const AttemptResult& made) {
-        result_.script_error = made.script_error.empty() ? "" : "part " + part(index).id + ": " + made.script_error;
+        const std::string& broke_off = made.facts.script_error;
+        result_.script_error = broke_off.empty() ? "" : "part " + part(index).id + ": " + broke_off;
         result_.drawing_note = made.drawing_note;
         result_.recordings.push_back(made.recording);
         json left = made.operation;
@@ -259,7 +260,7 @@ private:
         left["fingerprint"] = fingerprint(index);
         keep(index, left);
         // the last file of a part: where it stands, the part is whole
-        return made.script_error.empty() ? write_file(folder(index) + left_file, left.dump() + "\n") : success();
+        return broke_off.empty() ? write_file(folder(index) + left_file, left.dump() + "\n") : success();
     }
 
     Result<OperationResult> finish() {

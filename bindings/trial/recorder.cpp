@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trial/recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "base/clock.hpp"
 
 namespace rhexis {
 namespace {
@@ -47,7 +50,14 @@ Status Recorder::stepped(const TrialStep& step) {
                                             {step.commands.begin(), step.commands.end()},
                                             session.observation(),
                                             session.state_hash()});
-    return status && session.step_count() % checkpoint_steps_ == 0 ? give(session.snapshot()) : status;
+    if (!status || session.step_count() % checkpoint_steps_ != 0) {
+        return status;
+    }
+    const double begun = wall_seconds();
+    Status given = give(session.snapshot());
+    ++checkpoints_.count;
+    checkpoints_.worst_taking_ms = std::max(checkpoints_.worst_taking_ms, 1e3 * (wall_seconds() - begun));
+    return given;
 }
 
 Status Recorder::ended(Timeline&) {
@@ -77,7 +87,11 @@ void Recorder::write() {
         const Entry entry = std::move(waiting_.front());
         waiting_.pop_front();
         lock.unlock();
+        const double begun = wall_seconds();
         const Status written = std::visit([this](const auto& one) { return writer_.add(one); }, entry);
+        if (std::holds_alternative<Snapshot>(entry)) {
+            checkpoints_.worst_writing_ms = std::max(checkpoints_.worst_writing_ms, 1e3 * (wall_seconds() - begun));
+        }
         lock.lock();
         if (!written && !error_) {
             error_ = written.error();

@@ -11,6 +11,7 @@
 
 #include "session/recording.hpp"
 #include "session/trial.hpp"
+#include "trial/attempt_facts.hpp"
 #include "trial/going_on.hpp"
 
 namespace rhexis {
@@ -31,6 +32,8 @@ public:
 
     /// Where the bytes are now, see RecordingWriter::file.
     [[nodiscard]] const std::string& file() const { return writer_.file(); }
+    /// After the end.
+    [[nodiscard]] const CheckpointCost& checkpoints() const { return checkpoints_; }
 
 private:
     using Entry = std::variant<RecordedStart, RecordedStep, Snapshot>;
@@ -49,7 +52,8 @@ private:
     std::deque<Entry> waiting_;
     bool closing_ = false;
     std::optional<Error> error_;
-    std::thread thread_;  ///< the last: it works on all of the above
+    CheckpointCost checkpoints_;  ///< each member by one thread
+    std::thread thread_;          ///< the last: it works on all of the above
 };
 
 }  // namespace rhexis

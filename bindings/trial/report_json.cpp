@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trial/report_json.hpp"
 
+#include <cmath>
+#include <cstdio>
+
 #include "base/hash.hpp"
 
 namespace rhexis {
@@ -56,10 +59,44 @@ json curriculum_json(const json& identity) {
     return part;
 }
 
+double five_places(double value) { return std::round(value * 1e5) / 1e5; }
+
+json simulated_json(const std::vector<SimulatedPart>& parts) {
+    json list = json::array();
+    for (const SimulatedPart& part : parts) {
+        list.push_back({{"part", part.part}, {"elements", part.elements}, {"cpu_s", five_places(part.cpu_s)}});
+    }
+    return list;
+}
+
+json performance_json(const Performance& cost) {
+    json part = {{"steps", cost.steps},
+                 {"cpu_s_per_s", five_places(cost.cpu_s_per_s)},
+                 {"mean_step_ms", five_places(cost.mean_step_ms)},
+                 {"p99_step_ms", five_places(cost.p99_step_ms)},
+                 {"worst_step_ms", five_places(cost.worst_step_ms)},
+                 {"rollbacks", cost.rollbacks},
+                 {"checkpoints",
+                  {{"count", cost.checkpoints.count},
+                   {"worst_taking_ms", five_places(cost.checkpoints.worst_taking_ms)},
+                   {"worst_writing_ms", five_places(cost.checkpoints.worst_writing_ms)}}}};
+    if (cost.live) {
+        part["live"] = {{"late_p99_9_steps", five_places(cost.live->late_p99_9_steps)},
+                        {"slowed_share", five_places(cost.live->slowed_share)},
+                        {"steal_s", cost.live->steal_s},
+                        {"pictures_per_s", five_places(cost.live->pictures_per_s)}};
+    }
+    return part;
+}
+
+double number_in(const json& object, const char* name) {
+    return object.contains(name) && object[name].is_number() ? object[name].get<double>() : 0.0;
+}
+
 }  // namespace
 
-json make_report(const ReportInput& input) {
-    json report = input.result.is_object() ? input.result : json::object();
+json make_report(const AttemptFacts& facts) {
+    json report = facts.findings.is_object() ? facts.findings : json::object();
     const json defaults = {{"completed", false},
                            {"steps", json::array()},
                            {"events", json::array()},
@@ -72,45 +109,53 @@ json make_report(const ReportInput& input) {
     }
     report["schema"] = report_schema;
     report["clinically_validated"] = false;
-    report["curriculum"] = curriculum_json(input.identity);
-    report["surgeon"] = input.surgeon;
-    if (!input.device.empty()) {
-        report["input"] = input.device;
+    report["curriculum"] = curriculum_json(facts.identity);
+    report["surgeon"] = facts.surgeon;
+    if (!facts.device.empty()) {
+        report["input"] = facts.device;
     }
-    report["set"] = json(input.set);
-    report["seed"] = input.seed;
-    report["start"] = input.start.empty() ? json(nullptr) : json(input.start);
-    report["begun_at"] = input.begun_at.empty() ? json(nullptr) : json(input.begun_at);
-    report["opening_mm"] = input.opening.empty() ? json(nullptr) : json(input.opening);
-    report["opening_note"] = input.opening_note.empty() ? json(nullptr) : json(input.opening_note);
-    report["patient"] = patient_json(input.patient);
-    report["duration_s"] = input.duration_s;
-    report["state_hash"] = hex(input.state_hash);
-    report["pictures"] = pictures_json(input.pictures);
-    report["video"] = input.video ? json("video.mp4") : json(nullptr);
-    report["log"] = log_json(input.log);
-    report["simulated"] = input.simulated;
-    report["performance"] = input.performance;
-    if (!input.script_error.empty()) {
-        report["error"] = input.script_error;
+    report["set"] = json(facts.set);
+    report["seed"] = facts.seed;
+    report["start"] = facts.start.empty() ? json(nullptr) : json(facts.start);
+    report["begun_at"] = facts.begun_at.empty() ? json(nullptr) : json(facts.begun_at);
+    report["opening_mm"] = facts.opening.empty() ? json(nullptr) : json(facts.opening);
+    report["opening_note"] = facts.opening_note.empty() ? json(nullptr) : json(facts.opening_note);
+    report["patient"] = patient_json(facts.patient);
+    report["duration_s"] = facts.duration_s;
+    report["state_hash"] = hex(facts.state_hash);
+    report["pictures"] = pictures_json(facts.pictures);
+    report["video"] = facts.video ? json("video.mp4") : json(nullptr);
+    report["log"] = log_json(facts.log);
+    report["simulated"] = simulated_json(facts.simulated);
+    report["performance"] = performance_json(facts.performance);
+    if (!facts.script_error.empty()) {
+        report["error"] = facts.script_error;
         report["completed"] = false;
     }
     return report;
 }
 
-std::string score_line(const json& report) {
+std::optional<Score> score_in(const json& report) {
     const json osacss = report.value("osacss", json(nullptr));
     if (!osacss.is_object() || !osacss.contains("total") || !osacss["total"].is_number()) {
+        return std::nullopt;
+    }
+    return Score{osacss.value("rubric", "OSACSS"), number_in(osacss, "total"), number_in(osacss, "max"),
+                 number_in(osacss, "scaled")};
+}
+
+std::string score_line(const std::optional<Score>& score, bool completed) {
+    if (!score) {
         return "no score: the exercise was not judged";
     }
     char text[128];
-    const double scaled =
-        osacss.contains("scaled") && osacss["scaled"].is_number() ? osacss["scaled"].get<double>() : 0.0;
-    const bool broken_off = report.value("completed", json()) == false;
-    std::snprintf(text, sizeof text, "%s %g of %g%s (scaled %.2f; not clinically validated)",
-                  osacss.value("rubric", "OSACSS").c_str(), osacss["total"].get<double>(), osacss.value("max", 0.0),
-                  broken_off ? " for what was done" : "", scaled);
+    std::snprintf(text, sizeof text, "%s %g of %g%s (scaled %.2f; not clinically validated)", score->rubric.c_str(),
+                  score->total, score->max, completed ? "" : " for what was done", score->scaled);
     return text;
+}
+
+std::string score_line(const json& report) {
+    return score_line(score_in(report), report.value("completed", json()) != false);
 }
 
 }  // namespace rhexis

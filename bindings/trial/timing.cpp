@@ -8,8 +8,6 @@
 namespace rhexis {
 namespace {
 
-double five_places(double value) { return std::round(value * 1e5) / 1e5; }
-
 /// Elements behind a part of the profile: a body's coarse tetrahedra or triangles, else those of all bodies.
 std::size_t elements_of(const WorldModel& world, const std::string& part) {
     std::size_t all = 0;
@@ -39,25 +37,27 @@ Status Timing::stepped(const TrialStep& step) {
     return success();
 }
 
-nlohmann::json Timing::performance(double simulated_s) const {
+Performance Timing::performance(double simulated_s) const {
     std::vector<float> sorted = wall_ms_;
     std::sort(sorted.begin(), sorted.end());
-    const double count = static_cast<double>(sorted.size());
-    const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
-    const std::size_t p99 = static_cast<std::size_t>(std::max(0.0, std::ceil(0.99 * count) - 1.0));
-    return {{"steps", sorted.size()},
-            {"cpu_s_per_s", simulated_s > 0.0 ? five_places(cpu_s_ / simulated_s) : 0.0},
-            {"mean_step_ms", sorted.empty() ? 0.0 : five_places(sum / count)},
-            {"p99_step_ms", sorted.empty() ? 0.0 : five_places(sorted[p99])},
-            {"worst_step_ms", sorted.empty() ? 0.0 : five_places(sorted.back())},
-            {"rollbacks", rollbacks_}};
+    Performance cost;
+    cost.steps = sorted.size();
+    cost.cpu_s_per_s = simulated_s > 0.0 ? cpu_s_ / simulated_s : 0.0;
+    cost.rollbacks = rollbacks_;
+    if (!sorted.empty()) {
+        const double count = static_cast<double>(sorted.size());
+        const std::size_t p99 = static_cast<std::size_t>(std::max(0.0, std::ceil(0.99 * count) - 1.0));
+        cost.mean_step_ms = std::accumulate(sorted.begin(), sorted.end(), 0.0) / count;
+        cost.p99_step_ms = sorted[p99];
+        cost.worst_step_ms = sorted.back();
+    }
+    return cost;
 }
 
-nlohmann::json simulated_parts(const Session& session) {
-    nlohmann::json parts = nlohmann::json::array();
+std::vector<SimulatedPart> simulated_parts(const Session& session) {
+    std::vector<SimulatedPart> parts;
     for (const auto& [name, part] : session.profile().parts) {
-        parts.push_back(
-            {{"part", name}, {"elements", elements_of(session.world(), name)}, {"cpu_s", five_places(part.cpu_s)}});
+        parts.push_back({name, elements_of(session.world(), name), part.cpu_s});
     }
     return parts;
 }

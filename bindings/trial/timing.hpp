@@ -2,10 +2,10 @@
 // How long steps take. Never part of anything that is hashed or recorded.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "session/trial.hpp"
+#include "trial/attempt_facts.hpp"
 
 namespace rhexis {
 
@@ -13,9 +13,7 @@ class Timing final : public TrialObserver {
 public:
     Status stepped(const TrialStep& step) override;
 
-    /// {"steps","cpu_s_per_s","mean_step_ms","p99_step_ms","worst_step_ms","rollbacks"} of report.json; times of the
-    /// kernel's step, all threads, without scripts and pictures.
-    [[nodiscard]] nlohmann::json performance(double simulated_s) const;
+    [[nodiscard]] Performance performance(double simulated_s) const;
 
 private:
     std::vector<float> wall_ms_;
@@ -23,7 +21,7 @@ private:
     long rollbacks_ = 0;
 };
 
-/// [{"part","elements","cpu_s"}] of report.json: what was simulated, and what each part cost.
-nlohmann::json simulated_parts(const Session& session);
+/// What was simulated, and what each part cost.
+std::vector<SimulatedPart> simulated_parts(const Session& session);
 
 }  // namespace rhexis

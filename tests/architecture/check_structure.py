@@ -25,7 +25,7 @@ BINDINGS = {"lua": ["lua"], "records": ["records"], "trial": ["lua", "trial"],
 WALLS = {
     r"opencv2/": ["kernel/tracking/", "kernel/render/", "tests/"],
     r"(epoxy/|EGL/|GL/)": ["kernel/render/", "bindings/station/window/"],
-    r"(SDL\.h|SDL2/|imgui|backends/imgui)": ["bindings/station/window/"],
+    r"(SDL\.h|SDL2/|imgui|backends/imgui)": ["bindings/station/window/", "tests/bindings/station/window/"],
     r"(lua\.h|lua\.hpp|lualib\.h|lauxlib\.h|luaconf\.h)": ["bindings/lua/", "tests/bindings/"],
     r"cholmod\.h": ["kernel/math/", "tests/bench/"],
     r"CLI/": ["bindings/cli/"],

@@ -91,7 +91,7 @@ TEST_CASE("devices, simulation and pictures each have a thread") {
     pictures.join();
     simulation.join();
     REQUIRE(result->ok());
-    CHECK(result->value().report.value("duration_s", 0.0) == doctest::Approx(simulated_s));
+    CHECK(result->value().facts.duration_s == doctest::Approx(simulated_s));
     CHECK(std::filesystem::exists(folder / "recording.rhx"));
     std::filesystem::remove_all(folder);
 }

@@ -11,22 +11,24 @@ using nlohmann::json;
 
 namespace {
 
-ReportInput example() {
-    ReportInput input;
-    input.identity = {{"id", "groove"}, {"version", 1}, {"sha256", "00"}, {"secret", "not for the report"}};
-    input.surgeon = "expert";
-    input.seed = 7;
-    input.duration_s = 12.5;
-    input.result = {{"completed", true},
+AttemptFacts example() {
+    AttemptFacts facts;
+    facts.identity = {{"id", "groove"}, {"version", 1}, {"sha256", "00"}, {"secret", "not for the report"}};
+    facts.surgeon = "expert";
+    facts.seed = 7;
+    facts.duration_s = 12.5;
+    facts.findings = {{"completed", true},
                     {"steps", json::array({{{"id", "sculpt"}}})},
                     {"events", json::array()},
                     {"osacss", {{"total", 13}, {"max", 15}, {"scaled", 0.8333}}},
                     {"measures", {{"T9.depth", 81.2}}}};
-    input.pictures = {{"frames/01-start.png", "start", "Before the first step.", 0.0}};
-    input.log = {{LogLevel::warning, 1.0, "sample refused"}};
-    input.simulated = json::array();
-    input.performance = {{"steps", 1250}};
-    return input;
+    facts.pictures = {{"frames/01-start.png", "start", "Before the first step.", 0.0}};
+    facts.log = {{LogLevel::warning, 1.0, "sample refused"}};
+    facts.simulated = {{"lens", 1200, 0.5}};
+    facts.performance.steps = 1250;
+    facts.performance.checkpoints = {2, 0.5, 20.0};
+    facts.performance.live = Pace{0.25, 0.0, 1, 20.0};
+    return facts;
 }
 
 }  // namespace
@@ -47,24 +49,28 @@ TEST_SUITE("report") {
         }
         CHECK(report["log"][0] == json{{"level", "warning"}, {"time_s", 1.0}, {"text", "sample refused"}});
         CHECK_FALSE(report.contains("error"));
+        CHECK(report["simulated"][0] == json{{"part", "lens"}, {"elements", 1200}, {"cpu_s", 0.5}});
+        CHECK(report["performance"]["steps"] == 1250);
+        CHECK(report["performance"]["checkpoints"]["worst_writing_ms"] == 20.0);
+        CHECK(report["performance"]["live"]["late_p99_9_steps"] == 0.25);
     }
 
     TEST_CASE("an exercise that failed is not completed and says why") {
-        ReportInput input = example();
-        input.script_error = "curriculum.lua:3: no";
-        const json report = make_report(input);
+        AttemptFacts facts = example();
+        facts.script_error = "curriculum.lua:3: no";
+        const json report = make_report(facts);
         CHECK(report["completed"] == false);
         CHECK(report["error"] == "curriculum.lua:3: no");
-        input.result = nullptr;
-        CHECK(make_report(input)["events"] == json::array());
-        CHECK(make_report(input)["osacss"].is_null());
+        facts.findings = nullptr;
+        CHECK(make_report(facts)["events"] == json::array());
+        CHECK(make_report(facts)["osacss"].is_null());
     }
 
     TEST_CASE("the score line gives total, maximum and scaled score, or says that there is none") {
         CHECK(score_line(make_report(example())) == "OSACSS 13 of 15 (scaled 0.83; not clinically validated)");
-        ReportInput input = example();
-        input.result["osacss"] = nullptr;
-        CHECK(score_line(make_report(input)).find("no score") == 0);
+        AttemptFacts facts = example();
+        facts.findings["osacss"] = nullptr;
+        CHECK(score_line(make_report(facts)).find("no score") == 0);
     }
 
     TEST_CASE("a series keeps first and evenly spread rows, whatever the length of the run") {
