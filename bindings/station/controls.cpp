@@ -64,10 +64,9 @@ constexpr auto table = std::to_array<Control>({
 
 std::span<const Control> control_table() { return table; }
 
-bool moves_instrument(ControlId id) {
+bool moves_tip(ControlId id) {
     const auto within = [id](Id first, Id last) { return id >= first && id <= last; };
-    return within(Id::hand_x, Id::hand_roll) || within(Id::leading_x, Id::leading_roll) ||
-           within(Id::other_x, Id::other_roll);
+    return within(Id::hand_x, Id::hand_z) || within(Id::leading_x, Id::leading_z) || within(Id::other_x, Id::other_z);
 }
 
 const Control* find_control(std::string_view name) {

@@ -76,8 +76,8 @@ struct Control {
     const char* meaning = "";  ///< one sentence, without its end
 };
 
-/// Whether it moves or rolls an instrument, which keys do more slowly than a stick.
-bool moves_instrument(ControlId id);
+/// Whether it moves the tip of an instrument, which keys do more slowly than a stick.
+bool moves_tip(ControlId id);
 
 std::span<const Control> control_table();
 /// Null: there is none of this name.

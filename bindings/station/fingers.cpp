@@ -37,6 +37,7 @@ struct Fingers::Work {
     const Stand& stand;
     const Surroundings& around;
     double dt;
+    double pedal_before;  ///< goal of the step before
     Hands hands;
     std::vector<UserEvent> events{};
 
@@ -113,7 +114,7 @@ struct Fingers::Work {
             set(axis, grained(sign * std::copysign(push, share)));
             return;
         }
-        const double step = moves_instrument(id) ? tuning.key_share : 1.0;
+        const double step = moves_tip(id) ? tuning.key_share : 1.0;
         for (const double sign : {1.0, -1.0}) {
             const std::string key = source_of(id, sign, false);
             if (!key.empty()) {
@@ -266,7 +267,8 @@ struct Fingers::Work {
         const double error = goal - hands.state().pedal;
         const double whole = error > 0.0 ? std::ceil(goal - 1e-9) : std::floor(goal + 1e-9);
         const bool at_detent = std::abs(goal - std::round(goal)) < 1e-9;
-        if ((at_detent || std::abs(error) > 0.3) && std::abs(error) > 1e-9) {
+        const bool on_its_way = std::abs(goal - pedal_before) > 0.5 * foot_per_s * dt;
+        if ((at_detent || on_its_way || std::abs(error) > 0.3) && std::abs(error) > 1e-9) {
             rate(ControlId::pedal_travel, 0.0);
             const auto id = static_cast<ControlId>(static_cast<int>(ControlId::pedal_up) + static_cast<int>(whole));
             if (hands.state().pedal_goal != whole) {
@@ -310,7 +312,7 @@ struct Fingers::Work {
 
 std::vector<UserEvent> Fingers::reach(const Hands& now, const Stand& stand, const std::vector<DeviceSample>& samples,
                                       const std::vector<Command>& commands, const Surroundings& around, double dt) {
-    Work work{*this, stand, around, dt, now};
+    Work work{*this, stand, around, dt, pedal_before_, now};
     work.exchange(samples);
     work.ask(commands);
     double pedal = 0.0;
@@ -342,6 +344,7 @@ std::vector<UserEvent> Fingers::reach(const Hands& now, const Stand& stand, cons
         work.roll(which, sample);
     }
     work.press_pedal(pedal);
+    pedal_before_ = pedal;
     if (around.microscope) {
         work.move_microscope(samples.back());
     }

@@ -34,6 +34,7 @@ private:
     int width_;
     int height_;
     bool finely_;
+    double pedal_before_ = 0.0;
     int turn_ = 0;  ///< of a pad, which moves one hand at a time
 };
 

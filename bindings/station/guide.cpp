@@ -19,7 +19,7 @@ std::optional<std::string> Guide::next(const HandsState& hands, const Stand& sta
     const HandState& hand = hands.hands[static_cast<std::size_t>(hands.moving)];
     const bool holds = hand.instrument >= 0;
     const bool by_cursor = mapping.by_cursor();
-    const auto keys = [&](ControlId id) { return mapping.inputs_of(id); };
+    const auto keys = [&](ControlId id) { return mapping.inputs_at_hand(id); };
     if (!holds && !took_) {
         return words("Take an instrument: %s", {keys(ControlId::next_instrument)});
     }

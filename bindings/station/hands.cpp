@@ -13,8 +13,6 @@ namespace rhexis::station {
 namespace {
 
 constexpr double fastest_tip = 200.0;  ///< of a tip that follows a cursor [mm/s]
-constexpr double meets_within = 0.3;   ///< of a cursor and the tip that it is to move [mm]
-constexpr double foot_per_s = 8.0;     ///< positions of the pedal, where the foot goes to one: as virtual surgeons
 constexpr double zoom_per_s = 0.7;
 constexpr double light_per_s = 0.6;
 constexpr double least_zoom = 0.6;
@@ -22,11 +20,23 @@ constexpr double most_zoom = 3.0;
 constexpr double least_light = 0.1;
 constexpr double most_light = 2.0;
 
+constexpr double edge_of_field_mm = 6.6;  ///< a little within it, at rest
+constexpr double just_outside_mm = 0.5;
+
 constexpr double degrees = 180.0 / std::numbers::pi;
 
 constexpr double fully_pushed = 0.98;  ///< of a stick: it may be held there
 constexpr double stuck_after_s = 2.0;  ///< [s]
 constexpr double down = 0.5;           ///< from which a button or trigger is pressed
+
+/// Where it can be seen, on the way from a wound to a place farther out: no farther than the edge of the field, or than
+/// just outside the wound.
+Vec3 in_view(const Vec3& wound, const Vec3& place) {
+    const double begin = wound.head<2>().norm();
+    const double end = place.head<2>().norm();
+    const double farthest = std::max(edge_of_field_mm, begin + just_outside_mm);
+    return end > farthest ? Vec3(wound + (farthest - begin) / (end - begin) * (place - wound)) : place;
+}
 
 double step_towards(double value, double goal, double most) { return value + std::clamp(goal - value, -most, most); }
 
@@ -191,7 +201,7 @@ void Hands::take_input(const UserEvent& event, const Surroundings& around) {
 void Hands::hold(const std::string& source, const Binding& binding, const UserEvent& event) {
     const Tuning& tuning = mapping().tuning();
     const bool stick = event.kind == EventKind::axis && binding.control->kind == ControlKind::rate;
-    const double key = !stick && moves_instrument(binding.control->id) ? tuning.key_share : 1.0;
+    const double key = !stick && moves_tip(binding.control->id) ? tuning.key_share : 1.0;
     state_.held[source] = stick ? rate_of_stick(event.value, tuning) : key * event.value;
     if (stick && std::abs(event.value) < fully_pushed) {
         state_.unmoved_s[source] = 0.0;
@@ -346,8 +356,9 @@ void Hands::take_up(int which, int instrument, const Surroundings& around) {
     if (which == other && hand.wound == "incision" && landmark(around, "side_port")) {
         hand.wound = "side_port";
     }
-    const Result<Vec3> place = holds_->outside(landmark(around, hand.wound).value_or(Vec3(0.0, -6.0, 2.0)));
-    hand.tip = hand.wanted = place ? place.value() : Vec3(0.0, -8.0, 3.0);
+    const Vec3 wound = landmark(around, hand.wound).value_or(Vec3(0.0, -6.0, 2.0));
+    const Result<Vec3> place = holds_->outside(wound);
+    hand.tip = hand.wanted = in_view(wound, place ? place.value() : Vec3(0.0, -8.0, 3.0));
     hand.jaw = stand_->instruments[static_cast<std::size_t>(instrument)].squeeze == Squeeze::closes ? 1.0 : 0.0;
     lose();
 }

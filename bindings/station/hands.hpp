@@ -28,6 +28,10 @@ struct Surroundings {
 
 inline constexpr double microscope_mm_s = 4.0;  ///< of the microscope under keys, at most: as its motors
 
+inline constexpr double foot_per_s = 8.0;  ///< positions of the pedal, where the foot goes to one: as virtual surgeons
+
+inline constexpr double meets_within = 0.3;  ///< of a cursor and the tip that it is to move [mm]
+
 inline constexpr int leading = 0;
 inline constexpr int other = 1;
 

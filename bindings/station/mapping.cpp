@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <vector>
 
 #include "base/near_names.hpp"
@@ -217,6 +218,18 @@ nlohmann::json Mapping::to_json() const {
         json["tuning"][field.name] = tuning_.*field.value;
     }
     return json;
+}
+
+std::string Mapping::inputs_at_hand(ControlId id) const {
+    std::string shown;
+    std::istringstream inputs(inputs_of(id));
+    for (std::string one; std::getline(inputs, one, ',');) {
+        one.erase(0, one.find_first_not_of(' '));
+        if (!by_cursor() || (!one.starts_with("pad.") && !one.starts_with("pedal."))) {
+            shown += (shown.empty() ? "" : ", ") + one;
+        }
+    }
+    return shown;
 }
 
 std::string Mapping::inputs_of(ControlId id, double way) const {

@@ -27,7 +27,7 @@ struct Binding {
 /// How fast things go. Ranges: mapping.cpp.
 struct Tuning {
     double tip_mm_s = 12.0;      ///< of a tip under a stick, at most; half way it is a quarter as fast
-    double key_share = 0.25;     ///< of that, and of rolling, under a key
+    double key_share = 0.25;     ///< of that, under a key
     double notch_mm = 0.05;      ///< of depth, per notch
     double roll_deg_s = 180.0;   ///< of an instrument between the fingers
     double fine = 0.2;           ///< of all that, while `fine` is held
@@ -62,6 +62,8 @@ public:
     /// What works a control: "Tab, pad.y"; empty: nothing does. way: 1 and -1 for those that work it this way or turned
     /// round, 0 for all, told apart.
     [[nodiscard]] std::string inputs_of(ControlId id, double way = 0.0) const;
+    /// The same, of the devices that are at hand: who leads a cursor has no pad in the other hand.
+    [[nodiscard]] std::string inputs_at_hand(ControlId id) const;
 
 private:
     std::map<std::string, Binding> bindings_;

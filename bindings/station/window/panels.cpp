@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "base/clock.hpp"
@@ -30,28 +29,15 @@ std::string dial_text(const Dial& dial, double value) {
     return short_number(value) + (dial.unit == "1" ? "" : " " + dial.unit);
 }
 
-/// What is worked by the devices that are there: of a pad nothing where there is none.
-std::string shown_inputs(const Mapping& mapping, ControlId id) {
-    std::string shown;
-    std::istringstream inputs(mapping.inputs_of(id));
-    for (std::string one; std::getline(inputs, one, ',');) {
-        one.erase(0, one.find_first_not_of(' '));
-        if (!mapping.by_cursor() || (!one.starts_with("pad.") && !one.starts_with("pedal."))) {
-            shown += (shown.empty() ? "" : ", ") + one;
-        }
-    }
-    return shown;
-}
-
 void draw_help(const Mapping& mapping, const Words& words) {
     std::vector<std::pair<std::string, std::string>> rows;
     for (const Control& one : control_table()) {
-        if (std::string inputs = shown_inputs(mapping, one.id); !inputs.empty()) {
+        if (std::string inputs = mapping.inputs_at_hand(one.id); !inputs.empty()) {
             rows.emplace_back(std::move(inputs), words(one.meaning));
         }
     }
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x - 8.0F, 8.0F}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowPos({size.x - 8.0F, size.y - 8.0F}, ImGuiCond_Always, {1.0F, 1.0F});
     ImGui::SetNextWindowBgAlpha(0.9F);
     ImGui::Begin("help", nullptr, plain);
     ImGui::SetWindowFontScale(
@@ -83,6 +69,18 @@ void draw_ghost(const Shown& shown, const Ghost& ghost) {
                                                          0.5F * size.y - static_cast<float>(cursor.y()) * size.y},
                                                         3.0F, ImGui::ColorConvertFloat4ToU32(colour));
     }
+}
+
+/// Where the cursor has to come to, for the clock waits for it.
+void draw_meeting_place(const Shown& shown) {
+    const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Cursor tip = shown.around.sight.cursor_on(hand.tip, hand.inside);
+    const Cursor beside = shown.around.sight.cursor_on(hand.tip + Vec3(meets_within, 0.0, 0.0), hand.inside);
+    const float radius = std::max(5.0F, static_cast<float>((beside - tip).norm()) * size.y);
+    ImGui::GetBackgroundDrawList()->AddCircle(
+        {0.5F * size.x + static_cast<float>(tip.x()) * size.y, 0.5F * size.y - static_cast<float>(tip.y()) * size.y},
+        radius, ImGui::ColorConvertFloat4ToU32(to_learn), 0, 2.0F);
 }
 
 /// What a press of a key, a button or an axis says of an input: its name, and -1 where the other way was pushed.
@@ -171,10 +169,11 @@ void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& ne
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos({0.5F * io.DisplaySize.x, io.DisplaySize.y - 8.0F}, ImGuiCond_Always, {0.5F, 1.0F});
+    // beside the round field, and away from the wounds on the surgeon's side
+    ImGui::SetNextWindowPos({io.DisplaySize.x - 8.0F, 8.0F}, ImGuiCond_Always, {1.0F, 0.0F});
     ImGui::SetNextWindowBgAlpha(0.55F);
     ImGui::Begin("lines", nullptr, plain | ImGuiWindowFlags_NoInputs);
-    ImGui::PushTextWrapPos(0.8F * io.DisplaySize.x);
+    ImGui::PushTextWrapPos(0.3F * io.DisplaySize.x);
     if (next) {
         ImGui::TextColored(to_learn, "%s", next->c_str());
     }
@@ -353,6 +352,10 @@ std::vector<UserEvent> Panels::draw(const Shown& shown, const Ghost* ghost, cons
     overlay_.begin();
     if (shown.hands.ghost && ghost != nullptr) {
         draw_ghost(shown, *ghost);
+    }
+    if (shown.waits && !shown.hands.paused &&
+        shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)].instrument >= 0) {
+        draw_meeting_place(shown);
     }
     draw_state(shown, rate);
     draw_lines(shown, guide_.next(shown.hands, *shown.stand, words_));

@@ -17,7 +17,8 @@ namespace {
 /// Shares of the window's size that a picture may have, so that there are enough of them.
 constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5};
 constexpr double least_rate = 15.0;  ///< pictures per second: below, they are drawn smaller
-constexpr int looked_at = 12;        ///< pictures, before that is decided
+constexpr int looked_at = 12;        ///< pictures, before that is decided,
+constexpr double looked_at_s = 1.5;  ///< or as many as there are in so long
 
 }  // namespace
 
@@ -68,7 +69,7 @@ void Picture::count(double took_s) {
         begun_s_ = now;
         count_ = 0;
     }
-    if (++looked_ < looked_at) {
+    if (++looked_ < looked_at && slow_s_ < looked_at_s) {
         return;
     }
     const double mean_s = slow_s_ / looked_;
@@ -103,7 +104,8 @@ void Picture::run_ahead(Shown& shown, const std::vector<UserEvent>& after) {
     for (const UserEvent& event : after) {
         hands.take(event, shown.around);
     }
-    if (shown.waits || !hands.advance(shown.around, wishes_.step_s)) {
+    // while the clock stands an instrument shows where it waits for the hand
+    if (!hands.advance(shown.around, shown.waits ? 0.0 : wishes_.step_s)) {
         return;
     }
     for (const DeviceSample& sample : hands.samples(shown.around, wishes_.step_s)) {
