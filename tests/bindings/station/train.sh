@@ -76,6 +76,18 @@ grep -q 'With aids' "$work/once/report.html" || fail "nor does its page"
 expect 0 "" "$rhexis" replay "$work/once" --score-with groove --json
 says '"rewound"'
 
+# An expert's way, on request, and what is no expert's.
+list=$(events ghost.jsonl <<'L'
+{"step":10,"event":"key","name":"E","value":1}
+{"step":10,"event":"control","name":"meet","value":1}
+{"step":20,"event":"control","name":"ghost","value":1}
+{"step":150,"event":"quit"}
+L
+)
+expect 0 "" "$rhexis" train --events "$list" --again --ghost "$work/once" --out "$work/guided" --width 160 --height 120 --picture-every 50
+grep -q '"guided"' "$work/guided/report.json" || fail "an attempt with an expert's way does not say so"
+expect 2 "nowhere" "$rhexis" train --events "$list" --again --ghost "$work/nowhere" --out "$work/none" --width 160
+
 # Killed, and gone on with: nothing of the recording is lost, and it is replayed from its start to its end.
 limit=(--limit 6)
 "$rhexis" train groove "${small[@]}" "${limit[@]}" --out "$work/killed" --by d --live >"$work/stdout" 2>"$work/stderr" &
