@@ -216,7 +216,32 @@ struct Fingers::Work {
         rate(ControlId::hand_z, left.z());
     }
 
+    /// With mouse and keys the other hand has keys of its own, and the leading one is moved last, so that buttons are
+    /// its.
+    [[nodiscard]] ControlId of_hand(int which, ControlId moving, ControlId of_other) const {
+        return which == other && fingers.style_ == Style::mouse ? of_other : moving;
+    }
+
+    void let_go(int which) {
+        level(of_hand(which, ControlId::squeeze, ControlId::other_squeeze), 0.0);
+        rate(of_hand(which, ControlId::hand_roll, ControlId::other_roll), 0.0);
+        if (which == leading) {
+            level(ControlId::draw_back, 0.0);
+        }
+    }
+
+    /// How much there is to do for a hand, of two of which sticks move one at a time [mm].
+    [[nodiscard]] double need(int which, const DeviceSample& sample) const {
+        constexpr double squeezing_mm = 0.5;
+        const HandState& now = hand(which);
+        const Squeeze how = stand.instruments[static_cast<std::size_t>(now.instrument)].squeeze;
+        const double at_rest = how == Squeeze::closes ? 1.0 : how == Squeeze::presses ? 0.0 : now.jaw;
+        return (sample.pose.position - now.wanted).norm() +
+               (std::abs(sample.jaw - at_rest) > 0.01 ? squeezing_mm : 0.0);
+    }
+
     void squeeze(int which, double jaw) {
+        const ControlId presses = of_hand(which, ControlId::squeeze, ControlId::other_squeeze);
         const HandState& now = hand(which);
         const StandInstrument& instrument = stand.instruments[static_cast<std::size_t>(now.instrument)];
         const double error = jaw - now.jaw;
@@ -226,13 +251,11 @@ struct Fingers::Work {
             case Squeeze::presses: {
                 const double wanted = instrument.squeeze == Squeeze::closes ? 1.0 - jaw : jaw;
                 const double up = instrument.squeeze == Squeeze::closes ? -error : error;
-                level(ControlId::squeeze, fingers.style_ == Style::pad       ? wanted
-                                          : up > -0.5 * step && wanted > 0.0 ? 1.0
-                                                                             : 0.0);
+                level(presses, fingers.style_ == Style::pad ? wanted : up > -0.5 * step && wanted > 0.0 ? 1.0 : 0.0);
                 break;
             }
             case Squeeze::pushes:
-                level(ControlId::squeeze, std::clamp(error / step, 0.0, 1.0));
+                level(presses, std::clamp(error / step, 0.0, 1.0));
                 level(ControlId::draw_back, std::clamp(-error / step, 0.0, 1.0));
                 break;
             case Squeeze::nothing:
@@ -245,7 +268,8 @@ struct Fingers::Work {
         const Quat turn = now.orientation.conjugate() * sample.pose.orientation;
         const double degrees = 2.0 * std::atan2(turn.z(), turn.w()) * 180.0 / std::numbers::pi;
         const double wrapped = std::remainder(degrees, 360.0);
-        rate(ControlId::hand_roll, wrapped / (hands.mapping().tuning().roll_deg_s * dt));
+        rate(of_hand(which, ControlId::hand_roll, ControlId::other_roll),
+             wrapped / (hands.mapping().tuning().roll_deg_s * dt));
     }
 
     void press_pedal(double goal) {
@@ -317,24 +341,26 @@ std::vector<UserEvent> Fingers::reach(const Hands& now, const Stand& stand, cons
     work.ask(commands);
     double pedal = 0.0;
     std::vector<int> busy;
-    for (const int which : {leading, other}) {
+    for (const int which : {other, leading}) {
         const int instrument = work.hand(which).instrument;
-        if (instrument < 0) {
-            continue;
-        }
-        const DeviceSample& sample = samples[static_cast<std::size_t>(instrument)];
-        if (sample.present) {
+        const bool works = instrument >= 0 && samples[static_cast<std::size_t>(instrument)].present;
+        if (works) {
             busy.push_back(which);
-            pedal = std::max(pedal, sample.pedal);
+            pedal = std::max(pedal, samples[static_cast<std::size_t>(instrument)].pedal);
+        } else {
+            work.let_go(which);
         }
     }
+    const auto sample_of = [&](int which) -> const DeviceSample& {
+        return samples[static_cast<std::size_t>(work.hand(which).instrument)];
+    };
     // the sticks move one hand at a time; a cursor moves one after the other in no time
     if (style_ == Style::pad && busy.size() > 1) {
-        turn_ = 1 - turn_;
-        busy = {busy[static_cast<std::size_t>(turn_)]};
+        const double difference = work.need(other, sample_of(other)) - work.need(leading, sample_of(leading));
+        busy = {difference > 0.0 ? other : leading};
     }
     for (const int which : busy) {
-        const DeviceSample& sample = samples[static_cast<std::size_t>(work.hand(which).instrument)];
+        const DeviceSample& sample = sample_of(which);
         if (style_ == Style::mouse) {
             work.point(which, sample.pose.position);
         } else {

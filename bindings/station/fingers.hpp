@@ -35,7 +35,6 @@ private:
     int height_;
     bool finely_;
     double pedal_before_ = 0.0;
-    int turn_ = 0;  ///< of a pad, which moves one hand at a time
 };
 
 }  // namespace rhexis::station
