@@ -170,7 +170,8 @@ def live(given, name):
     p, pace = report["performance"], report["performance"]["live"]
     print(f"| {name} | {report['duration_s']:.0f} | {p['cpu_s_per_s']:.2f} | {p['mean_step_ms']:.1f} | "
           f"{p['p99_step_ms']:.1f} | {p['worst_step_ms']:.0f} | {pace['late_p99_9_steps']:.2f} | "
-          f"{100 * pace['slowed_share']:.1f} | {pace['pictures_per_s']:.0f} | {pace['steal_s']} |", flush=True)
+          f"{100 * pace['slowed_share']:.1f} | {pace['pictures_per_s']:.0f} | {p['checkpoints']['worst_taking_ms']:.1f} + "
+          f"{p['checkpoints']['worst_writing_ms']:.0f} | {pace['steal_s']} |", flush=True)
     return True
 
 
@@ -200,7 +201,7 @@ def main():
     given.program = os.path.abspath(given.program)
     if given.live:
         print("| exercise | simulated s | CPU s per s | mean step ms | p99 | worst | late p99.9, steps | slowed % | "
-              "pictures/s | left out s |\n|---|---|---|---|---|---|---|---|---|---|")
+              "pictures/s | checkpoint ms, here + there | left out s |\n" + "|---" * 11 + "|")
     do = live if given.live else twins if given.twins else compare
     done = []
     for name, given.seed in names:
