@@ -517,8 +517,7 @@ Status Hands::take_over(const Session& session, const Surroundings& around) {
         hand.jaw = tool.jaw;
         hand.wound = wound_on_shaft(around, wounds_[i], pose);
         const std::optional<Vec3> wound = landmark(around, hand.wound);
-        hand.inside =
-            wound && leads_inside(hand.wound) && wound->head<2>().dot(hand.tip.head<2>() - wound->head<2>()) <= 0.0;
+        hand.inside = wound && leads_inside(hand.wound) && is_behind(*wound, hand.tip);
         const Result<Quat> unrolled = holds_->orientation(tool_name(instrument), wound, hand.tip, 0.0);
         if (!unrolled) {
             return unrolled.error();

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <vector>
 
 #include "base/near_names.hpp"
@@ -220,27 +219,20 @@ nlohmann::json Mapping::to_json() const {
     return json;
 }
 
-std::string Mapping::inputs_at_hand(ControlId id) const {
-    std::string shown;
-    std::istringstream inputs(inputs_of(id));
-    for (std::string one; std::getline(inputs, one, ',');) {
-        one.erase(0, one.find_first_not_of(' '));
-        if (!by_cursor() || (!one.starts_with("pad.") && !one.starts_with("pedal."))) {
-            shown += (shown.empty() ? "" : ", ") + one;
-        }
-    }
-    return shown;
-}
+std::string Mapping::inputs_of(ControlId id, double way) const { return list(id, way, false); }
+std::string Mapping::inputs_at_hand(ControlId id) const { return list(id, 0.0, true); }
 
-std::string Mapping::inputs_of(ControlId id, double way) const {
-    std::string list;
+std::string Mapping::list(ControlId id, double way, bool at_hand) const {
+    const bool pads = !at_hand || !by_cursor();
+    std::string text;
     for (const auto& [source, binding] : bindings_) {
-        if (binding.control->id == id && (way == 0.0 || binding.sign == way)) {
+        const bool is_pad = source.starts_with("pad.") || source.starts_with("pedal.");
+        if (binding.control->id == id && (way == 0.0 || binding.sign == way) && (pads || !is_pad)) {
             const std::string shown = source.starts_with("key.") ? source.substr(4) : source;
-            list += (list.empty() ? "" : ", ") + shown + (way == 0.0 && binding.sign < 0.0 ? " (-)" : "");
+            text += (text.empty() ? "" : ", ") + shown + (way == 0.0 && binding.sign < 0.0 ? " (-)" : "");
         }
     }
-    return list;
+    return text;
 }
 
 Status write_mapping(const Mapping& mapping, const std::string& path) {

@@ -66,6 +66,8 @@ public:
     [[nodiscard]] std::string inputs_at_hand(ControlId id) const;
 
 private:
+    [[nodiscard]] std::string list(ControlId id, double way, bool at_hand) const;
+
     std::map<std::string, Binding> bindings_;
     Tuning tuning_;
 };

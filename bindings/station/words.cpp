@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/words.hpp"
 
-#include "lua/spoken_words.hpp"
+#include <map>
+#include <utility>
 
 namespace rhexis::station {
 namespace {
@@ -20,14 +21,12 @@ Result<Words> Words::load(const std::string& root, const std::string& language,
         return spoken.error();
     }
     Words words;
-    words.texts_ = std::move(spoken.value().texts);
-    words.instruments_ = std::move(spoken.value().instruments);
-    words.settings_ = std::move(spoken.value().settings);
+    words.spoken_ = std::move(spoken).value();
     return words;
 }
 
 std::string Words::operator()(const std::string& english, std::initializer_list<std::string> values) const {
-    std::string text = found(texts_, english);
+    std::string text = found(spoken_.texts, english);
     std::size_t from = 0;
     for (const std::string& value : values) {
         const std::size_t at = text.find("%s", from);
@@ -40,7 +39,7 @@ std::string Words::operator()(const std::string& english, std::initializer_list<
     return text;
 }
 
-std::string Words::instrument(const std::string& name) const { return found(instruments_, name); }
-std::string Words::setting(const std::string& name) const { return found(settings_, name); }
+std::string Words::instrument(const std::string& name) const { return found(spoken_.instruments, name); }
+std::string Words::setting(const std::string& name) const { return found(spoken_.settings, name); }
 
 }  // namespace rhexis::station

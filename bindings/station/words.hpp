@@ -4,11 +4,11 @@
 #pragma once
 
 #include <initializer_list>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
+#include "lua/spoken_words.hpp"
 
 namespace rhexis::station {
 
@@ -20,15 +20,13 @@ public:
 
     /// Each %s is replaced by the next value.
     std::string operator()(const std::string& english, std::initializer_list<std::string> values = {}) const;
-    [[nodiscard]] bool has(const std::string& english) const { return texts_.contains(english); }
+    [[nodiscard]] bool has(const std::string& english) const { return spoken_.texts.contains(english); }
     /// What people call an instrument of the scene, or a setting.
     [[nodiscard]] std::string instrument(const std::string& name) const;
     [[nodiscard]] std::string setting(const std::string& name) const;
 
 private:
-    std::map<std::string, std::string> texts_;
-    std::map<std::string, std::string> instruments_;
-    std::map<std::string, std::string> settings_;
+    SpokenWords spoken_;
 };
 
 }  // namespace rhexis::station

@@ -79,6 +79,8 @@ std::string wound_on_shaft(const Surroundings& around, const std::string& usual,
     return nearest;
 }
 
+bool is_behind(const Vec3& wound, const Vec3& tip) { return Way(wound, wound, tip).out <= 0.0; }
+
 bool leads_inside(const std::string& wound) { return wound == "incision" || wound == "side_port"; }
 
 }  // namespace rhexis::station

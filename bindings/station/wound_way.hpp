@@ -25,6 +25,9 @@ std::vector<std::string> wounds_like(const std::string& wound);
 /// The wound that a shaft goes through; the usual one where none shows.
 std::string wound_on_shaft(const Surroundings& around, const std::string& usual, const Pose& pose);
 
+/// Whether a tip is behind its wound, seen from outside.
+bool is_behind(const Vec3& wound, const Vec3& tip);
+
 /// And not from outside to where a wound is to be.
 bool leads_inside(const std::string& wound);
 

@@ -9,7 +9,7 @@
 #include "station/scripted.hpp"
 #include "station/station.hpp"
 #include "station/window/cut_short.hpp"
-#include "station/window/drawing.hpp"
+#include "station/window/drawing_thread.hpp"
 #include "station/window/prepared.hpp"
 #include "station/window/window.hpp"
 #include "station/window/x_number.hpp"
@@ -20,7 +20,7 @@ namespace {
 constexpr double event_wait_s = 0.005;  ///< for an event, before it is looked whether the trial has ended
 
 /// Until the trial has ended.
-void look_on(const StationOptions& options, Desk& desk, Window& window, Drawing& drawing) {
+void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingThread& drawing) {
     while (!desk.ended()) {
         for (const UserEvent& event : window.poll(event_wait_s)) {
             if (operates(options)) {
@@ -62,7 +62,7 @@ Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, 
 
 /// On this thread devices, on others the simulation and the pictures.
 Result<AttemptResult> operate(const StationOptions& options, Person& person, Desk& desk, Window& window,
-                              Drawing& drawing) {
+                              DrawingThread& drawing) {
     AttemptOptions of_attempt = options.attempt;
     of_attempt.guest = &person;
     of_attempt.quiet = true;
@@ -94,7 +94,7 @@ Result<AttemptResult> train(const StationOptions& options) {
     if (!source) {
         return source.error();
     }
-    Drawing drawing(desk, window.value(), prepared, options);
+    DrawingThread drawing(desk, window.value(), prepared, options);
     if (const Status begun = drawing.begun(); !begun) {
         return begun.error();
     }

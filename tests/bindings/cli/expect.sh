@@ -40,12 +40,17 @@ exercise() {
 limited() { (trap '' XFSZ; ulimit -f "$1"; shift; exec "$@"); }
 export -f limited
 
-# kill_when_recorded FOLDER PROCESS: in the middle, as soon as its recording there has some length.
-kill_when_recorded() {
+# recorded FOLDER BYTES: waits until the recording there is longer.
+recorded() {
     for _ in $(seq 600); do
-        [ "$(stat -c %s "$1/recording.rhx.part" 2>/dev/null || echo 0)" -gt 100000 ] && break
+        [ "$(stat -c %s "$1/recording.rhx.part" 2>/dev/null || echo 0)" -gt "$2" ] && break
         sleep 0.05
     done
+}
+
+# kill_when_recorded FOLDER PROCESS: in the middle, as soon as its recording there has some length.
+kill_when_recorded() {
+    recorded "$1" 100000
     kill -9 "$2"
     wait 2>/dev/null
 }

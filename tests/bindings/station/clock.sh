@@ -18,10 +18,7 @@ in_events() {
 # Suspended: the clock stands when it wakes, and the time that it slept is no step of the recording.
 "$rhexis" train groove "${small[@]}" --events "$work/events.jsonl" --out "$work/asleep" >/dev/null 2>"$work/stderr" &
 person=$!
-for _ in $(seq 600); do
-    [ -s "$work/asleep/recording.rhx.part" ] && break
-    sleep 0.05
-done
+recorded "$work/asleep" 0
 sleep 2
 kill -STOP "$person"
 sleep 4
@@ -43,10 +40,7 @@ read -r number <"$work/display"
 (unset SDL_VIDEODRIVER
  DISPLAY=:$number exec "$rhexis" train groove "${small[@]}" --by d --live --limit 60 --out "$work/gone" >/dev/null 2>"$work/stderr") &
 person=$!
-for _ in $(seq 600); do
-    [ "$(stat -c %s "$work/gone/recording.rhx.part" 2>/dev/null || echo 0)" -gt 50000 ] && break
-    sleep 0.05
-done
+recorded "$work/gone" 50000
 kill "$server"
 wait "$person"
 got=$?

@@ -69,7 +69,7 @@ TEST_CASE("devices, simulation and pictures each have a thread") {
     AttemptOptions options;
     options.exercise = {"curricula/groove", "none", 1, {{"patient.tetrahedra", "500"}, {"input", "mouse"}}, "."};
     options.folder = folder.string();
-    options.drawing = rhexis::Drawing::none;
+    options.drawing = Drawing::none;
     options.limit_s = simulated_s;
     options.quiet = true;
     Result<Start> start = find_start({"curricula/groove", "", options.exercise.set, ".", false, ""});

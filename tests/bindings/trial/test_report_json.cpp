@@ -18,10 +18,10 @@ AttemptFacts example() {
     facts.seed = 7;
     facts.duration_s = 12.5;
     facts.findings = {{"completed", true},
-                    {"steps", json::array({{{"id", "sculpt"}}})},
-                    {"events", json::array()},
-                    {"osacss", {{"total", 13}, {"max", 15}, {"scaled", 0.8333}}},
-                    {"measures", {{"T9.depth", 81.2}}}};
+                      {"steps", json::array({{{"id", "sculpt"}}})},
+                      {"events", json::array()},
+                      {"osacss", {{"total", 13}, {"max", 15}, {"scaled", 0.8333}}},
+                      {"measures", {{"T9.depth", 81.2}}}};
     facts.pictures = {{"frames/01-start.png", "start", "Before the first step.", 0.0}};
     facts.log = {{LogLevel::warning, 1.0, "sample refused"}};
     facts.simulated = {{"lens", 1200, 0.5}};

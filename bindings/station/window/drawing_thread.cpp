@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "station/window/drawing.hpp"
+#include "station/window/drawing_thread.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -25,15 +25,15 @@ void step_back() {
 
 }  // namespace
 
-Drawing::Drawing(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options)
+DrawingThread::DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options)
     : desk_(desk), window_(window), prepared_(prepared), options_(options), thread_([this] { run(); }) {}
 
-Drawing::~Drawing() {
+DrawingThread::~DrawingThread() {
     desk_.close();
     thread_.join();
 }
 
-void Drawing::take(const UserEvent& event) {
+void DrawingThread::take(const UserEvent& event) {
     if (panel_asks_) {
         const std::lock_guard lock(mutex_);
         for_panel_.push_back(event);
@@ -42,7 +42,7 @@ void Drawing::take(const UserEvent& event) {
     }
 }
 
-void Drawing::run() {
+void DrawingThread::run() {
     step_back();
     const Status drawable = window_.draw_here();
     Result<Renderer> renderer =
@@ -53,7 +53,7 @@ void Drawing::run() {
     }
     {
         Panels panels(window_, std::move(prepared_.words), std::move(prepared_.offers), prepared_.own);
-        Picture picture(
+        LivePicture picture(
             window_, panels, std::move(renderer).value(), std::move(*prepared_.holds),
             {options_.stereo, prepared_.ghost ? &*prepared_.ghost : nullptr, !is_stepped(options_), prepared_.step_s});
         begun_.set_value(success());
@@ -64,7 +64,7 @@ void Drawing::run() {
 }
 
 /// Until the trial has ended, or the window has been closed.
-void Drawing::draw_all(Panels& panels, Picture& picture) {
+void DrawingThread::draw_all(Panels& panels, LivePicture& picture) {
     MappingFile file(prepared_.mapping_file, prepared_.mapping);
     std::optional<std::uint64_t> seen;
     while (!desk_.ended() && !desk_.closed()) {
@@ -83,7 +83,7 @@ void Drawing::draw_all(Panels& panels, Picture& picture) {
     }
 }
 
-void Drawing::draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, Picture& picture) {
+void DrawingThread::draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, LivePicture& picture) {
     desk_.post(file.changes(panels));
     hand_to_panel(panels);
     desk_.post(picture.draw(shown, desk_.after(shown.events)));
@@ -92,7 +92,7 @@ void Drawing::draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, Pict
 }
 
 /// What it does not want goes on its way.
-void Drawing::hand_to_panel(Panels& panels) {
+void DrawingThread::hand_to_panel(Panels& panels) {
     std::vector<UserEvent> events;
     {
         const std::lock_guard lock(mutex_);
@@ -108,7 +108,7 @@ void Drawing::hand_to_panel(Panels& panels) {
 }
 
 /// What the window shows in the end, when all has been done.
-Status Drawing::keep_picture(Picture& picture) {
+Status DrawingThread::keep_picture(LivePicture& picture) {
     desk_.wait_until_ended();
     const std::shared_ptr<Shown> last = desk_.newest();
     if (options_.screenshot.empty() || !last) {

@@ -14,7 +14,7 @@
 
 namespace rhexis::station {
 
-class Picture {
+class LivePicture {
 public:
     struct Wishes {
         Stereo stereo = Stereo::off;
@@ -23,7 +23,7 @@ public:
         double step_s = 0.01;
     };
 
-    Picture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes);
+    LivePicture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes);
 
     /// after: events that are not yet in the state. taken: receives what the window shows; null: nobody wants it. What
     /// is clicked comes back.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "station/window/picture.hpp"
+#include "station/window/live_picture.hpp"
 
 #include <epoxy/gl.h>
 
@@ -22,7 +22,7 @@ constexpr double looked_at_s = 1.5;  ///< or as many as there are in so long
 
 }  // namespace
 
-Picture::Picture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes)
+LivePicture::LivePicture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes)
     : window_(window),
       panels_(panels),
       wishes_(wishes),
@@ -30,7 +30,7 @@ Picture::Picture(Window& window, Panels& panels, Renderer renderer, HoldScript h
       holds_(std::move(holds)),
       begun_s_(wall_seconds()) {}
 
-std::vector<UserEvent> Picture::draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken) {
+std::vector<UserEvent> LivePicture::draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken) {
     run_ahead(shown, after);
     const double before = wall_seconds();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -47,7 +47,7 @@ std::vector<UserEvent> Picture::draw(Shown& shown, const std::vector<UserEvent>&
     return clicked;
 }
 
-Image Picture::read_window() const {
+Image LivePicture::read_window() const {
     const int width = window_.width();
     const int height = window_.height();
     Image image{width, height, std::vector<unsigned char>(3 * static_cast<std::size_t>(width) * height)};
@@ -60,7 +60,7 @@ Image Picture::read_window() const {
     return image;
 }
 
-void Picture::count(double took_s) {
+void LivePicture::count(double took_s) {
     ++count_;
     slow_s_ += took_s;
     const double now = wall_seconds();
@@ -83,7 +83,7 @@ void Picture::count(double took_s) {
 }
 
 /// As much smaller as it takes: pixels cost the time.
-void Picture::draw_smaller(double mean_s) {
+void LivePicture::draw_smaller(double mean_s) {
     const double wanted = picture_sizes[static_cast<std::size_t>(size_)] * std::sqrt(1.0 / (least_rate * mean_s));
     while (size_ + 1 < static_cast<int>(picture_sizes.size()) &&
            picture_sizes[static_cast<std::size_t>(size_)] > wanted) {
@@ -99,7 +99,7 @@ void Picture::draw_smaller(double mean_s) {
 }
 
 /// What the hands have done since this state was made.
-void Picture::run_ahead(Shown& shown, const std::vector<UserEvent>& after) {
+void LivePicture::run_ahead(Shown& shown, const std::vector<UserEvent>& after) {
     Hands hands(shown.hands, *shown.stand, holds_);
     for (const UserEvent& event : after) {
         hands.take(event, shown.around);

@@ -10,20 +10,20 @@
 #include <vector>
 
 #include "station/station.hpp"
+#include "station/window/live_picture.hpp"
 #include "station/window/mapping_file.hpp"
-#include "station/window/picture.hpp"
 #include "station/window/prepared.hpp"
 
 namespace rhexis::station {
 
-class Drawing {
+class DrawingThread {
 public:
     /// All of it outlives the drawing.
-    Drawing(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options);
+    DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options);
     /// Closes the desk.
-    ~Drawing();
-    Drawing(const Drawing&) = delete;
-    Drawing& operator=(const Drawing&) = delete;
+    ~DrawingThread();
+    DrawingThread(const DrawingThread&) = delete;
+    DrawingThread& operator=(const DrawingThread&) = delete;
 
     /// Waits until it can draw. Once; the error says what is missing.
     Status begun() { return begun_.get_future().get(); }
@@ -37,10 +37,10 @@ public:
 
 private:
     void run();
-    void draw_all(Panels& panels, Picture& picture);
-    void draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, Picture& picture);
+    void draw_all(Panels& panels, LivePicture& picture);
+    void draw_by_hand(Shown& shown, MappingFile& file, Panels& panels, LivePicture& picture);
     void hand_to_panel(Panels& panels);
-    Status keep_picture(Picture& picture);
+    Status keep_picture(LivePicture& picture);
 
     Desk& desk_;
     Window& window_;
