@@ -31,6 +31,8 @@ local step_rules = {
     title = { kind = "line" },             -- what the trainee reads; the name of the step if missing
     hint = { kind = "text" },              -- said when the step begins, in teaching mode
     hint_after_s = { kind = "number", default = 0, from = 0, to = 7200 },  -- or only if it is not done by then
+    marks = { kind = "places" },           -- where the tip is to be, as a person sees it in teaching mode [mm]: one
+                                           -- place, or a way through several
     enter_when = { kind = "condition" },   -- the step begins once this holds
     enter_limit_s = { kind = "number", from = 0.1, to = 7200 },  -- it is left out when it has not begun by then
     done = { kind = "condition" },         -- the step is complete

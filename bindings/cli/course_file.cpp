@@ -41,4 +41,9 @@ std::string course_named(const std::string& given) {
     return !given.empty() || named == nullptr ? given : named;
 }
 
+Result<records::LessonPlan> read_course_or_usual(const std::string& given, const std::string& root) {
+    const std::string named = course_named(given);
+    return read_course(named.empty() ? "cataract" : named, root);
+}
+
 }  // namespace rhexis::cli

@@ -14,4 +14,7 @@ Result<records::LessonPlan> read_course(const std::string& name, const std::stri
 /// The course that is named, or that RHEXIS_COURSE names; "": none.
 std::string course_named(const std::string& given);
 
+/// The same; where neither names one it is cataract.
+Result<records::LessonPlan> read_course_or_usual(const std::string& given, const std::string& root);
+
 }  // namespace rhexis::cli

@@ -18,8 +18,6 @@ using records::Attempt;
 using records::LessonPlan;
 using records::LessonState;
 
-constexpr const char* usual_course = "cataract";
-
 struct CourseState {
     LessonPlan plan;
     records::Gates gates;
@@ -27,8 +25,7 @@ struct CourseState {
 };
 
 Result<CourseState> state_of(const RecordsOptions& given, const Context& context) {
-    const std::string named = course_named(given.course);
-    Result<LessonPlan> plan = read_course(named.empty() ? usual_course : named, context.root);
+    Result<LessonPlan> plan = read_course_or_usual(given.course, context.root);
     if (!plan) {
         return plan.error();
     }

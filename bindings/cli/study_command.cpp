@@ -285,7 +285,7 @@ Status write_more(const StudyPlan& plan, const std::vector<StudyRun>& runs, cons
             add_earlier(earlier, tried.value());
         }
         const std::string file = out + "/gates_accepted.json";
-        const Status status = tried ? write_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
+        Status status = tried ? write_file(file, tried.value().dump(1) + "\n") : Status(tried.error());
         if (!status) {
             return status;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis train: a person operates, in a window.
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include "base/folder_lock.hpp"
 #include "cli/attempt_arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/course_file.hpp"
 #include "cli/language.hpp"
 #include "station/event_source.hpp"
 #include "station/menu.hpp"
@@ -172,7 +174,12 @@ void open_report(const std::string& folder) {
     std::string argument = page;
     char* const words[] = {program.data(), argument.data(), nullptr};
     pid_t child = 0;
-    static_cast<void>(::posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ));
+    posix_spawn_file_actions_t quiet;  // what a browser says is not for this terminal
+    ::posix_spawn_file_actions_init(&quiet);
+    ::posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addopen(&quiet, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    static_cast<void>(::posix_spawnp(&child, program.c_str(), &quiet, nullptr, words, environ));
+    ::posix_spawn_file_actions_destroy(&quiet);
 }
 
 /// A program that was just killed holds its folder until the system has cleared it away.
@@ -302,6 +309,19 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     return attempt.html_error.empty() ? done : complain({"no report.html: " + attempt.html_error, "", ""});
 }
 
+/// Exercises in the order in which they are taught.
+Result<std::vector<std::string>> lessons_of(const TrainOptions& given, const Context& context) {
+    const Result<records::LessonPlan> plan = read_course_or_usual(given.keep.course, context.root);
+    if (!plan) {
+        return plan.error();
+    }
+    std::vector<std::string> names;
+    for (const records::Lesson& lesson : plan.value().lessons) {
+        names.push_back(lesson.exercise);
+    }
+    return names;
+}
+
 /// Without an exercise the menu comes, and comes again after each.
 int train(const TrainOptions& given, const Context& context) {
     const Result<void*> opened = load_station();
@@ -311,9 +331,13 @@ int train(const TrainOptions& given, const Context& context) {
     if (!given.curriculum.empty() || given.again || !given.resume.empty()) {
         return train_once(given, opened.value(), context);
     }
+    const Result<std::vector<std::string>> lessons = lessons_of(given, context);
+    if (!lessons) {
+        return complain(lessons.error());
+    }
+    const std::string language = given.language.empty() ? language_of_environment(context.root) : given.language;
     for (;;) {
-        const station::Menu menu = station::collect_menu(
-            context.root, "runs", given.language.empty() ? language_of_environment(context.root) : given.language);
+        const station::Menu menu = station::collect_menu(context.root, "runs", language, lessons.value());
         if (menu.exercises.empty()) {
             return complain({"there is no exercise to choose", context.root + "/curricula",
                              "RHEXIS_HOME names the folder that has them"});

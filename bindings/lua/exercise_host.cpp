@@ -181,6 +181,18 @@ Result<json> ExerciseHost::declared_requests() { return parts_->exercise.ask("de
 Result<json> ExerciseHost::events() { return parts_->exercise.ask("events"); }
 Result<json> ExerciseHost::result() { return parts_->exercise.ask("result"); }
 
+Result<std::vector<Vec3>> ExerciseHost::marks() {
+    const Result<json> given = parts_->exercise.ask("marks");
+    if (!given) {
+        return given.error();
+    }
+    std::vector<Vec3> places;
+    for (const json& place : given.value()) {
+        places.emplace_back(place[0].get<double>(), place[1].get<double>(), place[2].get<double>());
+    }
+    return places;
+}
+
 Result<bool> ExerciseHost::at_boundary() {
     const Result<json> now = parts_->exercise.ask("at_boundary");
     return now ? Result<bool>(now.value() == true) : now.error();

@@ -92,6 +92,10 @@ public:
     /// The error events that were raised so far: [{"id", "title", "time_s", "outcome", "recovery_s"}].
     [[nodiscard]] Result<nlohmann::json> events();
 
+    /// Where the tip is to be in the step that runs, in the eye's frame [mm]: one place, or a way through several.
+    /// Empty where the exercise marks none, and in an exam. After start.
+    [[nodiscard]] Result<std::vector<Vec3>> marks();
+
     /// Whether the turn has just come to another step of the exercise.
     Result<bool> at_boundary();
     /// Reads the exercise again if its files have changed, and goes on with it where it was: steps, events and scores

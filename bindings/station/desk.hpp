@@ -32,6 +32,7 @@ struct Shown {
     bool waits = false;        ///< the clock stands until the hand meets its instrument, or pause ends
     std::shared_ptr<const Stand> stand;
     std::vector<std::string> lines;  ///< what was said to the trainee of late, the last one last
+    std::vector<Vec3> marks;         ///< where the tip is to be: one place, or a way through several
 };
 
 class Desk {

@@ -27,8 +27,7 @@ std::optional<std::string> Guide::next(const HandsState& hands, const Stand& sta
         took_ = true;
         jaw_at_first_ = hand.jaw;
     }
-    met_ = met_ || !by_cursor || hands.cursor.has_value();
-    if (!met_) {
+    if (holds && by_cursor && !hands.cursor && !hands.paused) {
         return words("The clock waits for your hand: bring the cursor to the tip, or press %s",
                      {keys(ControlId::meet)});
     }

@@ -12,12 +12,12 @@ namespace rhexis::station {
 
 class Guide {
 public:
-    /// What to do next, with the keys of the mapping; none: all has been done.
+    /// What to do next, with the keys of the mapping; none: all has been done. That the clock waits for the hand is
+    /// said each time.
     std::optional<std::string> next(const HandsState& hands, const Stand& stand, const Words& words);
 
 private:
     bool took_ = false;
-    bool met_ = false;
     bool went_in_ = false;
     bool changed_depth_ = false;
     bool pressed_pedal_ = false;

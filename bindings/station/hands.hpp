@@ -49,31 +49,31 @@ struct HandState {
 
 /// Changes with each event and step.
 struct HandsState {
-    std::shared_ptr<const Mapping> mapping;  ///< never null
     std::array<HandState, 2> hands{};
-    int moving = leading;                     ///< the hand that the cursor moves
+    std::optional<Cursor> cursor;  ///< none: it has not met its instrument
+    Cursor last_cursor = Cursor::Zero();
+    std::shared_ptr<const Mapping> mapping;   ///< never null
     std::map<std::string, double> held;       ///< by source, what is down or pushed
     std::map<std::string, double> unmoved_s;  ///< by stick that is pushed: since it moved last
-    std::optional<Cursor> cursor;             ///< none: it has not met its instrument
-    Cursor last_cursor = Cursor::Zero();
-    bool cursor_moves = false;  ///< a cursor is what moves the hand: it must meet the instrument
-    double pedal = 0.0;         ///< 0 to 3
+    double pedal = 0.0;                       ///< 0 to 3
     std::optional<double> pedal_goal;
+    double light = 1.0;         ///< of the microscope
+    double zoom = 1.0;          ///< of the picture
+    std::vector<double> dials;  ///< their values
+    std::vector<int> turned;    ///< dials since the last step
+    std::vector<int> requests;  ///< made since the last step
+    std::string word;           ///< why something could not be done; empty: nothing to say
+    double word_for_s = 0.0;    ///< how much longer it is shown
+    int moving = leading;       ///< the hand that the cursor moves
+    int dial = 0;               ///< chosen
+    int request = 0;            ///< chosen
+    bool cursor_moves = false;  ///< a cursor is what moves the hand: it must meet the instrument
     bool paused = false;
-    double light = 1.0;  ///< of the microscope
-    double zoom = 1.0;   ///< of the picture
-    int dial = 0;        ///< chosen
-    int request = 0;     ///< chosen
-    bool help = false;   ///< the list of controls shows
+    bool help = false;  ///< the list of controls shows
     bool ghost = false;
     bool stop = false;
     bool try_again = false;
     bool keep_moment = false;
-    std::vector<double> dials;  ///< their values
-    std::vector<int> turned;    ///< dials since the last step
-    std::vector<int> requests;  ///< made since the last step
-    double word_for_s = 0.0;    ///< how much longer it is shown
-    std::string word;           ///< why something could not be done; empty: nothing to say
 };
 
 /// From what an axis says: fine near the middle, beyond the dead zone. -1 to 1.

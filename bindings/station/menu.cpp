@@ -39,9 +39,19 @@ std::string last_attempt(const std::string& runs, const std::string& exercise) {
     return "";
 }
 
-std::vector<MenuExercise> exercises_in(const std::string& root, const std::string& runs, const std::string& language) {
+/// Lessons first, as they are taught.
+std::vector<std::string> in_order(std::vector<std::string> names, const std::vector<std::string>& lessons) {
+    std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+        return std::find(lessons.begin(), lessons.end(), a) < std::find(lessons.begin(), lessons.end(), b);
+    });
+    return names;
+}
+
+std::vector<MenuExercise> exercises_in(const std::string& root, const std::string& runs, const std::string& language,
+                                       const std::vector<std::string>& lessons) {
     std::vector<MenuExercise> list;
-    for (const std::string& name : curricula_in(root)) {
+    for (const std::string& name : in_order(curricula_in(root), lessons)) {
+        const bool lesson = std::find(lessons.begin(), lessons.end(), name) != lessons.end();
         ExerciseOptions options;
         options.curriculum = root + "/curricula/" + name;
         options.root = root;
@@ -51,7 +61,7 @@ std::vector<MenuExercise> exercises_in(const std::string& root, const std::strin
             const Result<ExerciseHost> host = ExerciseHost::load(options);
             if (host) {
                 list.push_back({name, host.value().identity().value("title", name), host.value().objectives(),
-                                host.value().levels(), last_attempt(runs, name)});
+                                host.value().levels(), lesson, last_attempt(runs, name)});
                 break;
             }
         }
@@ -77,8 +87,9 @@ std::vector<MenuPatient> patients_in(const std::string& root) {
 
 }  // namespace
 
-Menu collect_menu(const std::string& root, const std::string& runs, const std::string& language) {
-    return {exercises_in(root, runs, language), patients_in(root), root, language};
+Menu collect_menu(const std::string& root, const std::string& runs, const std::string& language,
+                  const std::vector<std::string>& lessons) {
+    return {exercises_in(root, runs, language, lessons), patients_in(root), root, language};
 }
 
 }  // namespace rhexis::station

@@ -14,7 +14,8 @@ struct MenuExercise {
     std::string title;
     std::vector<std::string> objectives;
     std::vector<std::string> levels;
-    std::string last;  ///< how the last attempt of a person here went; "": there was none
+    bool lesson = false;  ///< of the course, in whose order they stand; the others follow
+    std::string last;     ///< how the last attempt of a person here went; "": there was none
 };
 
 struct MenuPatient {
@@ -36,8 +37,10 @@ struct MenuChoice {
     bool pad = false;
 };
 
-/// root: folder with curricula/ and assets/. runs: folder in which attempts lie. language: of the titles.
-Menu collect_menu(const std::string& root, const std::string& runs, const std::string& language);
+/// root: folder with curricula/ and assets/. runs: folder in which attempts lie. language: of the titles. lessons:
+/// names of exercises in the order in which they are taught.
+Menu collect_menu(const std::string& root, const std::string& runs, const std::string& language,
+                  const std::vector<std::string>& lessons);
 
 inline constexpr const char* menu_entry_name = "rhexis_station_choose";
 using MenuEntry = void(const Menu& menu, Result<MenuChoice>& choice);

@@ -131,9 +131,10 @@ void Person::show(const Session& session, bool waits) {
     for (const Said& said : said_) {
         lines.push_back(said.text);
     }
-    desk_.show(
-        std::make_shared<Shown>(Shown{session.frame(), hands_->state(), *around_, session.step_count(),
-                                      source_.last_number(), source_.slowed(), waits, stand_, std::move(lines)}));
+    const Result<std::vector<Vec3>> marks = host_ != nullptr ? host_->marks() : std::vector<Vec3>{};
+    desk_.show(std::make_shared<Shown>(Shown{session.frame(), hands_->state(), *around_, session.step_count(),
+                                             source_.last_number(), source_.slowed(), waits, stand_, std::move(lines),
+                                             marks ? marks.value() : std::vector<Vec3>{}}));
     if (options_.wait_for_pictures && !waits) {
         desk_.wait_until_drawn(session.step_count());
     }

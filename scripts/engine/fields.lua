@@ -18,6 +18,17 @@ local function list_of_text(value)
     return true
 end
 
+local function list_of_places(value)
+    if type(value) ~= "table" or #value == 0 then return false end
+    for _, place in ipairs(value) do
+        if type(place) ~= "table" or #place ~= 3 then return false end
+        for _, of in ipairs(place) do
+            if not is_number(of) or math.abs(of) > 100 then return false end
+        end
+    end
+    return true
+end
+
 -- What a field may hold: a test, and how the message calls it.
 local kinds = {
     text = { function(v) return type(v) == "string" and v ~= "" end, "a text in quotes" },
@@ -25,6 +36,7 @@ local kinds = {
     number = { is_number, "a number" },
     yes_no = { function(v) return type(v) == "boolean" end, "true or false" },
     texts = { list_of_text, "a list of texts, like { \"lens\", \"bag\" }" },
+    places = { list_of_places, "a list of places { x, y, z } in mm, like { { 2, 0, 3 } }" },
     table = { function(v) return type(v) == "table" end, "a table { ... }" },
     any = { function() return true end, "anything" },
     call = { function(v) return type(v) == "function" end, "a function" },

@@ -171,6 +171,12 @@ function host.observe(time_s, asked, aids) return host.run:observe(time_s, host.
 --- Whether the turn has just come to another step: when a changed exercise may be taken up.
 function host.at_boundary() return host.run ~= nil and not host.run.finished and host.run.steps:has_turned() end
 
+--- Places that a person is shown now, in teaching mode: list of { x, y, z }.
+function host.marks()
+    local shown = host.run ~= nil and host.exercise.mode == "teaching"
+    return shown and host.run.steps:marks() or {}
+end
+
 --- Of the exercise as it was, and to the exercise as it is now, after start.
 function host.left() return host.run:left() end
 function host.take_up(left) host.run:take_up(left) end

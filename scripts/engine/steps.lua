@@ -195,6 +195,12 @@ function Runner:first_undone()
     return nil
 end
 
+--- Where the tip is to be in the step that runs, as the exercise marks it; none while one waits for it.
+function Runner:marks()
+    local step = self.declared[self.at]
+    return step and not self.waiting and step.marks or {}
+end
+
 function Runner:all_completed()
     return self:first_undone() == nil
 end

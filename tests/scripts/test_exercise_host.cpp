@@ -58,7 +58,8 @@ const std::string simple = R"(return exercise {
     tissues = { "lens" }, instruments = { "phaco" },
     settings = { phaco = { power_limit = 0.5 } },
     goals = { x = { 1, from = 0, to = 2 } },
-    steps = { step "deep" { done = function(eye) return eye.tip.depth_mm ~= nil and eye.tip.depth_mm > eye.goal.x end } },
+    steps = { step "deep" { marks = { { 2, 0, 3.5 } },
+        done = function(eye) return eye.tip.depth_mm ~= nil and eye.tip.depth_mm > eye.goal.x end } },
 })";
 
 const ObservationSchema schema{{"tip.depth_mm", "mm", ""}, {"tip.touch", "bool", ""}};
@@ -151,6 +152,10 @@ TEST_CASE("an exercise watches observations, gives commands, and reports") {
         Result<std::vector<Command>> commands = host.observe({0.01 * i, {depth, 0.0}});
         REQUIRE(commands.ok());
         last = commands.value();
+        const Result<std::vector<Vec3>> marks = host.marks();
+        REQUIRE(marks.ok());
+        REQUIRE(marks.value().size() == (host.finished() ? 0 : 1));
+        CHECK((host.finished() || marks.value()[0] == Vec3(2.0, 0.0, 3.5)));
     }
     CHECK(host.finished());
     REQUIRE(!last.empty());

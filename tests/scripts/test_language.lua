@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Steps that wait and branch, levels, consequences, orientation, settings that are checked.
+local host = require "engine.host"
 local language = require "exercise"
 local orientation = require "engine.orientation"
 local settings_check = require "engine.settings_check"
@@ -57,6 +58,28 @@ case("a hint can wait; in an exam there is none", function()
     equal(#times, 0)
     equal(result.hints, false)
     equal(result.mode, "exam")
+end)
+
+case("marks of the step that runs are shown to who operates, in teaching mode", function()
+    local steps = [[
+        step "one" { enter_when = "tool.present", done = "tip.depth_mm > 3", marks = { { 2, 0, 3 }, { 0, 2, 3.5 } } },
+        step "two" { done = "tip.depth_mm > 9" }]]
+    local function marks(seconds, rest)
+        host.exercise = support.demo({ steps = steps, rest = rest })
+        host.run = support.attempt(host.exercise, seconds, deep)
+        local found = host.marks()
+        host.exercise, host.run = nil, nil
+        return found
+    end
+    equal(#marks(1), 0, "not yet begun")
+    equal(#marks(2.5), 2)
+    equal(marks(2.5)[2][3], 3.5)
+    equal(#marks(4), 0, "the next step has none")
+    equal(#marks(2.5, 'mode = "exam",'), 0, "in an exam")
+    for _, wrong in ipairs({ "{}", "{ 1, 2, 3 }", "{ { 1, 2 } }", "{ { 1, 2, 0/0 } }", "{ { 1, 2, 300 } }", '"x"' }) do
+        fails(function() support.demo({ steps = 'step "a" { done = "tip.touch", marks = ' .. wrong .. " }" }) end,
+            "demo/curriculum.lua:5:", "marks must be a list of places { x, y, z } in mm")
+    end
 end)
 
 case("next and next_late choose the step that follows; what is passed over does not count", function()

@@ -33,17 +33,27 @@ struct Choosing {
     bool leave = false;
 };
 
-void draw_list(const Menu& menu, Choosing& now) {
+/// The first lesson that nobody tried here.
+int first_new(const Menu& menu) {
+    const auto found = std::find_if(menu.exercises.begin(), menu.exercises.end(),
+                                    [](const MenuExercise& one) { return one.last.empty(); });
+    return found == menu.exercises.end() ? 0 : static_cast<int>(found - menu.exercises.begin());
+}
+
+void draw_list(const Menu& menu, const Words& words, Choosing& now) {
     ImGui::BeginChild("exercises", {0.42F * ImGui::GetContentRegionAvail().x, 0.0F}, true);
     for (int i = 0; i < static_cast<int>(menu.exercises.size()); ++i) {
         const MenuExercise& one = menu.exercises[static_cast<std::size_t>(i)];
+        if (i == 0 || one.lesson != menu.exercises[static_cast<std::size_t>(i - 1)].lesson) {
+            ImGui::TextDisabled("%s", words(one.lesson ? "Lessons, in this order" : "Drills").c_str());
+        }
         ImGui::PushID(i);
         if (ImGui::Selectable(one.title.c_str(), now.exercise == i, ImGuiSelectableFlags_AllowDoubleClick)) {
             now.exercise = i;
             now.level = 0;
             now.begin = ImGui::IsMouseDoubleClicked(0);
         }
-        if (i == 0 && ImGui::IsWindowAppearing()) {
+        if (i == now.exercise && ImGui::IsWindowAppearing()) {
             ImGui::SetItemDefaultFocus();
         }
         ImGui::PopID();
@@ -113,15 +123,17 @@ void draw_chosen(const Menu& menu, const Words& words, Choosing& now) {
     draw_levels(one, words, now);
     draw_check(words, now);
     ImGui::Separator();
-    now.begin = ImGui::Button(words("Begin").c_str()) || now.begin;
-    ImGui::SameLine();
-    now.leave = ImGui::Button(words("Leave").c_str());
-    ImGui::Spacing();
     ImGui::TextWrapped("%s",
                        words("In the exercise: F1 shows all keys; E takes an instrument, F brings the hand to it, the "
                              "mouse moves its tip and the wheel its depth; 1, 2, 3 press the pedal; P stops the "
                              "clock.")
                            .c_str());
+    // at one place, whatever the exercise has to say
+    const ImVec2 size(110.0F, 32.0F);
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), ImGui::GetWindowHeight() - size.y - 12.0F));
+    now.begin = ImGui::Button(words("Begin").c_str(), size) || now.begin;
+    ImGui::SameLine();
+    now.leave = ImGui::Button(words("Leave").c_str(), size);
     ImGui::EndChild();
 }
 
@@ -131,7 +143,7 @@ void draw(const Menu& menu, const Words& words, Choosing& now) {
     ImGui::SetNextWindowSize(io.DisplaySize);
     ImGui::Begin("rhexis", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    draw_list(menu, now);
+    draw_list(menu, words, now);
     ImGui::SameLine();
     draw_chosen(menu, words, now);
     ImGui::End();
@@ -162,6 +174,7 @@ Result<MenuChoice> choose(const Menu& menu) {
     }
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavEnableGamepad;
     Choosing now;
+    now.exercise = first_new(menu);
     double began = wall_seconds();
     int pictures = 0;
     while (!now.begin && !now.leave) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/drawing_thread.hpp"
 
+#include <SDL_thread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -26,7 +27,10 @@ void step_back() {
 }  // namespace
 
 DrawingThread::DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options)
-    : desk_(desk), window_(window), prepared_(prepared), options_(options), thread_([this] { run(); }) {}
+    : desk_(desk), window_(window), prepared_(prepared), options_(options), thread_([this] {
+          run();
+          SDL_TLSCleanup();  // what SDL keeps for each thread, it frees for those only that it began itself
+      }) {}
 
 DrawingThread::~DrawingThread() {
     desk_.close();

@@ -15,7 +15,7 @@ namespace rhexis::station {
 namespace {
 
 /// Shares of the window's size that a picture may have, so that there are enough of them.
-constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5};
+constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35};
 constexpr double least_rate = 15.0;  ///< pictures per second: below, they are drawn smaller
 constexpr int looked_at = 12;        ///< pictures, before that is decided,
 constexpr double looked_at_s = 1.5;  ///< or as many as there are in so long

@@ -54,33 +54,69 @@ void draw_help(const Mapping& mapping, const Words& words) {
     ImGui::End();
 }
 
+/// A place of the scene in the window, as the hand that moves sees it.
+ImVec2 in_window(const Shown& shown, const Vec3& place) {
+    const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Cursor cursor = shown.around.sight.cursor_on(place, hand.inside);
+    return {0.5F * size.x + static_cast<float>(cursor.x()) * size.y,
+            0.5F * size.y - static_cast<float>(cursor.y()) * size.y};
+}
+
+/// Pixels of a length at a place.
+float pixels_of(const Shown& shown, const Vec3& place, double mm) {
+    return std::abs(in_window(shown, place + Vec3(mm, 0.0, 0.0)).x - in_window(shown, place).x);
+}
+
+/// Where the tip is to be: a ring, or a way; and how much higher or lower, which a picture from above does not show.
+void draw_marks(const Shown& shown, const Words& words) {
+    constexpr double ring_mm = 0.35;
+    constexpr double same_height_mm = 0.25;
+    const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
+    const Vec3* nearest = &shown.marks.front();
+    std::vector<ImVec2> way;
+    for (const Vec3& place : shown.marks) {
+        way.push_back(in_window(shown, place));
+        if ((place - hand.tip).head<2>().norm() < (*nearest - hand.tip).head<2>().norm()) {
+            nearest = &place;
+        }
+    }
+    ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
+    const ImU32 colour = ImGui::ColorConvertFloat4ToU32(to_learn);
+    if (way.size() == 1) {
+        drawn.AddCircle(way.front(), pixels_of(shown, *nearest, ring_mm), colour, 0, 2.0F);
+    } else {
+        drawn.AddPolyline(way.data(), static_cast<int>(way.size()), colour, ImDrawFlags_None, 2.0F);
+    }
+    const double higher = nearest->z() - hand.tip.z();
+    if (hand.instrument >= 0 && std::abs(higher) > same_height_mm) {
+        const std::string mm = short_number(0.1 * std::round(10.0 * std::abs(higher)));
+        const ImVec2 at = in_window(shown, *nearest);
+        drawn.AddText({at.x + pixels_of(shown, *nearest, ring_mm) + 6.0F, at.y}, colour,
+                      words(higher > 0.0 ? "%s mm higher" : "%s mm lower", {mm}).c_str());
+    }
+}
+
 /// Where an expert's tip went on from about here: the nearer its depth, the whiter; below it blue, above it yellow.
 void draw_ghost(const Shown& shown, const Ghost& ghost) {
     const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
     constexpr double shown_s = 3.0;
     constexpr double far_mm = 1.0;
     for (const Vec3& place : ghost.ahead(hand.instrument, hand.tip, shown_s)) {
-        const Cursor cursor = shown.around.sight.cursor_on(place, hand.inside);
         const auto higher = static_cast<float>(std::clamp((place.z() - hand.tip.z()) / far_mm, -1.0, 1.0));
         const ImVec4 colour(1.0F - std::max(0.0F, -higher), 1.0F - 0.3F * std::abs(higher),
                             1.0F - std::max(0.0F, higher), 0.8F);
-        ImGui::GetBackgroundDrawList()->AddCircleFilled({0.5F * size.x + static_cast<float>(cursor.x()) * size.y,
-                                                         0.5F * size.y - static_cast<float>(cursor.y()) * size.y},
-                                                        3.0F, ImGui::ColorConvertFloat4ToU32(colour));
+        ImGui::GetBackgroundDrawList()->AddCircleFilled(in_window(shown, place), 3.0F,
+                                                        ImGui::ColorConvertFloat4ToU32(colour));
     }
 }
 
 /// Where the cursor has to come to, for the clock waits for it.
 void draw_meeting_place(const Shown& shown) {
     const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const Cursor tip = shown.around.sight.cursor_on(hand.tip, hand.inside);
-    const Cursor beside = shown.around.sight.cursor_on(hand.tip + Vec3(meets_within, 0.0, 0.0), hand.inside);
-    const float radius = std::max(5.0F, static_cast<float>((beside - tip).norm()) * size.y);
-    ImGui::GetBackgroundDrawList()->AddCircle(
-        {0.5F * size.x + static_cast<float>(tip.x()) * size.y, 0.5F * size.y - static_cast<float>(tip.y()) * size.y},
-        radius, ImGui::ColorConvertFloat4ToU32(to_learn), 0, 2.0F);
+    ImGui::GetBackgroundDrawList()->AddCircle(in_window(shown, hand.tip),
+                                              std::max(5.0F, pixels_of(shown, hand.tip, meets_within)),
+                                              ImGui::ColorConvertFloat4ToU32(to_learn), 0, 2.0F);
 }
 
 /// What a press of a key, a button or an axis says of an input: its name, and -1 where the other way was pushed.
@@ -350,6 +386,9 @@ void Panels::draw_break(const Shown& shown, std::vector<UserEvent>& clicked) {
 std::vector<UserEvent> Panels::draw(const Shown& shown, const Ghost* ghost, const DrawingRate& rate) {
     std::vector<UserEvent> clicked;
     overlay_.begin();
+    if (!shown.marks.empty()) {
+        draw_marks(shown, words_);
+    }
     if (shown.hands.ghost && ghost != nullptr) {
         draw_ghost(shown, *ghost);
     }

@@ -110,7 +110,13 @@ return {
     ["Irrigation on: %s; aspiration: %s"] = "Irrigation : %s ; aspiration : %s",
     ["Close the jaws, press or push: %s"] = "Fermez les mors, pressez ou poussez : %s",
 
+    -- where the tip is to be
+    ["%s mm higher"] = "%s mm plus haut",
+    ["%s mm lower"] = "%s mm plus bas",
+
     -- the menu
+    ["Lessons, in this order"] = "Leçons, dans cet ordre",
+    ["Drills"] = "Exercices particuliers",
     ["as it is"] = "tel quel",
     ["Difficulty"] = "Difficulté",
     ["as the exercise says"] = "comme le dit l'exercice",

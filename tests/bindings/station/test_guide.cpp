@@ -43,6 +43,10 @@ TEST_SUITE("guide") {
         scene.press("1");
         scene.advance(0.5);
         CHECK(says().empty());  // a phaco probe has nothing to squeeze
+        scene.press("P");
+        CHECK(says().empty());
+        scene.press("P");
+        CHECK(says().starts_with("The clock waits for your hand"));
     }
 
     TEST_CASE("what is put on another key is said with that key") {
@@ -55,8 +59,13 @@ TEST_SUITE("guide") {
     }
 
     TEST_CASE("the menu has every exercise and patient, in the language where it has texts in it") {
-        const Menu menu = collect_menu(".", "no/runs", "fr");
-        CHECK(menu.exercises.size() >= 22);
+        const Menu menu = collect_menu(".", "no/runs", "fr", {"navigation", "cortex", "groove"});
+        REQUIRE(menu.exercises.size() >= 22);
+        CHECK(menu.exercises[0].name == "navigation");
+        CHECK(menu.exercises[1].name == "cortex");
+        CHECK(menu.exercises[2].lesson);
+        CHECK(menu.exercises[3].name == "capsulorhexis");
+        CHECK_FALSE(menu.exercises[3].lesson);
         CHECK(menu.patients.size() >= 3);
         bool french = false;
         for (const MenuExercise& exercise : menu.exercises) {
