@@ -303,6 +303,23 @@ local function check_items(result)
 end
 
 -- Steps that `next` names must come later: an exercise goes on, never round.
+--- Marks of a file beside the exercise, by the names of steps: { file, places = { ["name"] = { { x, y, z } } } }.
+function language.mark(exercise, given)
+    if type(given.places) ~= "table" then
+        words.fail(given.file, "a file of marks must end with: return { [\"step\"] = { { x, y, z } } }")
+    end
+    local at, names = {}, {}
+    for i, step in ipairs(exercise.steps) do at[step.id], names[i] = step, step.name end
+    fields.named(given.places, given.file, "marks", "[\"step\"] = { { x, y, z } }")
+    for _, name in ipairs(words.keys(given.places)) do
+        local step = at[id_of(name)]
+        if not step then
+            words.fail(given.file, ("there is no step '%s'%s"):format(name, words.hint(name, names)))
+        end
+        step.marks = fields.check_value(step_rules.marks, given.places[name], given.file, "marks of " .. name)
+    end
+end
+
 local function link_steps(result)
     local at = {}
     for i, step in ipairs(result.steps) do at[step.id] = i end

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What microscope.frag draws of the front of the eye: sclera, lids, iris, wounds; and the camera.
+// What microscope.frag draws of the front of the eye: sclera, lids, iris, wounds.
 in vec2 place;
 uniform sampler2D sclera_map;
 uniform sampler2D sclera_relief;
@@ -9,15 +9,13 @@ uniform sampler2D shadows;  // of the instruments: red inside the eye, green out
 uniform vec4 cornea;        // centre, radius
 uniform vec4 globe;
 uniform float limbus_radius;
-uniform float limbus_z;
 uniform float sclera_extent;
 uniform float pixel_mm;  // at the iris
 uniform int has_iris;
 uniform int has_cornea;  // and sclera
 out vec4 colour;
 
-const vec3 lamp = vec3(1.0, 0.965, 0.90);
-const vec3 nothing = vec3(0.012, 0.008, 0.007);  // where a tissue is left out
+const vec3 nothing = vec3(0.003, 0.002, 0.002);  // where a tissue is left out
 
 // Distance along a line to a ball's near side; negative: misses it.
 float to_ball(vec3 from, vec3 way, vec4 ball) {
@@ -49,11 +47,11 @@ vec3 around_eye(vec2 at, vec3 sclera) {
     float edge = (abs(at.y) - reach) * inversesqrt(1.0 + slope * slope);
     vec4 grain = texture(detail_map, at * 0.035);
     edge += 0.10 * (grain.r - 0.5);
-    vec3 margin = mix(vec3(0.62, 0.33, 0.27), vec3(0.72, 0.50, 0.41), smoothstep(0.1, 1.0, edge));
+    vec3 margin = 0.4 * mix(vec3(0.62, 0.33, 0.27), vec3(0.72, 0.50, 0.41), smoothstep(0.1, 1.0, edge));
     margin *= 0.62 + 0.5 * grain.g;
     margin += lamp * 0.35 * smoothstep(0.62, 0.72, grain.a) * exp(-edge * edge / 0.08);
     vec4 folds = texture(detail_map, at * 0.021 + vec2(0.3, 0.1));
-    vec3 drape = vec3(0.10, 0.25, 0.34) * (0.55 + 0.7 * folds.r) + lamp * 0.10 * smoothstep(0.86, 1.0, folds.b);
+    vec3 drape = vec3(0.03, 0.08, 0.11) * (0.55 + 0.7 * folds.r) + lamp * 0.10 * smoothstep(0.86, 1.0, folds.b);
     vec3 cover = mix(margin, drape, smoothstep(1.5, 1.75, edge + 0.25 * (folds.g - 0.5)));
     vec3 open = sclera * (1.0 - 0.50 * exp(-max(0.0, -edge) / 0.55));
     open += lamp * 0.30 * exp(-pow((edge + 0.10) / 0.05, 2.0)) * grain.g;  // tears along the margin
@@ -66,21 +64,6 @@ vec3 around_eye(vec2 at, vec3 sclera) {
     float pixel = 1.5 * pixel_mm / 0.42;
     picture *= 1.0 - 0.55 * exp(-pow((wire + 1.15) / 0.55, 2.0));
     return mix(picture, steel, 1.0 - smoothstep(1.0 - pixel, 1.0 + pixel, abs(wire)));
-}
-
-// The camera on the microscope, its gain fixed: light of this level stays as it is, what is brighter grows by
-// `contrast` in the logarithm, colours grow by `saturation`, and what would be brighter than `knee` comes out ever closer to white.
-const float mid_grey = 0.20;
-const float contrast = 1.65;
-const float saturation = 1.04;
-const float knee = 0.80;
-
-vec3 photographed(vec3 light) {
-    float level = dot(light, vec3(0.2126, 0.7152, 0.0722));
-    vec3 value = max(mix(vec3(level), light, saturation), 0.0) * pow(max(level, 1e-4) / mid_grey, contrast - 1.0);
-    vec3 over = max(value - knee, 0.0);
-    value = min(value, knee) + (1.0 - knee) * over / (1.0 - knee + over);
-    return pow(value, vec3(1.0 / 2.2));
 }
 
 uniform sampler2D iris_map;
@@ -134,18 +117,20 @@ uniform vec2 wound_swelling;  // of the stroma beside the main wound and the sid
 uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
 uniform vec2 wound_peel;      // Descemet's membrane that hangs off at the inner lip of each [mm]
 uniform vec2 wound_stitches;  // that hold each
+uniform float time_s;
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
-// Mirror image of the microscope's lamps in the tear film, and the glow around it.
+// Mirror image of the microscope's lamps in the tear film, large and soft as it is on a wet cornea, and the glow around it.
 vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
-    const vec3 ways[3] = vec3[3](vec3(0.345, 0.265, 0.0), vec3(0.200, 0.335, 0.0), vec3(-0.275, 0.345, 0.0));
-    const float sizes[3] = float[3](0.050, 0.046, 0.018);
-    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.012 * ripple;
+    const vec2 ways[3] = vec2[3](vec2(0.44, 0.24), vec2(0.27, 0.42), vec2(-0.34, 0.36));
+    const vec2 sizes[3] = vec2[3](vec2(0.145, 0.082), vec2(0.095, 0.075), vec2(0.055, 0.038));
+    vec2 slant = way.xy / max(way.z, 0.05) + at.xy * 0.005 + 0.035 * ripple;
     vec2 light = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
-        float apart = length(slant - ways[i].xy);
-        light.x += 1.0 - smoothstep(sizes[i] - 0.012, sizes[i] + 0.012, apart);
-        light.y += exp(-apart * apart / (5.0 * sizes[i] * sizes[i]));
+        vec2 off = mat2(0.88, 0.47, -0.47, 0.88) * (slant - ways[i]) / sizes[i];
+        vec2 squared = off * off;
+        light.x += 1.0 - smoothstep(0.3, 2.4, dot(squared, squared));
+        light.y += 1.0 / (1.0 + 0.3 * dot(off, off) * dot(off, off));
     }
     return light * step(0.0, way.z);
 }
@@ -218,7 +203,7 @@ vec2 descemet_flap(vec3 at, vec3 inner_lip, float width, float peel) {
     float roll = (into - free_end + 0.12) * 0.75 * peel;
     float scroll = exp(-pow(roll / (1.6 * thin), 2.0)) - 0.7 * exp(-pow((roll + 2.6 * thin) / (1.4 * thin), 2.0));
     float border = exp(-pow(aside / thin, 2.0)) * step(0.0, into) * step(into, free_end);
-    return vec2(0.025 * on + 0.17 * max(scroll, 0.0) * on + 0.05 * border,
+    return vec2(0.006 * on + 0.08 * max(scroll, 0.0) * on + 0.015 * border,
                 clamp(0.10 * on + 0.35 * max(-scroll, 0.0) * on, 0.0, 1.0));
 }
 
@@ -269,8 +254,8 @@ vec2 wound(vec3 at, vec3 incision, float incision_width) {
     float roof = wide * smoothstep(lip - 0.05, lip + 0.25, radius) * (1.0 - smoothstep(outer - 0.10, outer, radius));
     float shadow = exp(-pow((radius - outer - wavy + 0.08) / (2.0 * thin), 2.0)) * wide;
     float swollen = wide * exp(-pow((radius - outer + 0.30) / 0.26, 2.0));
-    return vec2(0.34 * outer_line + 0.10 * inner_line + 0.03 * sides * grain.g + roof * (0.012 + 0.035 * grain.a) +
-                    0.06 * swollen,
+    return vec2(0.16 * outer_line + 0.025 * inner_line + 0.008 * sides * grain.g + roof * (0.002 + 0.006 * grain.a) +
+                    0.012 * swollen,
                 clamp(0.60 * shadow + 0.10 * roof + 0.16 * swollen + 0.10 * sides, 0.0, 1.0));
 }
 #endif

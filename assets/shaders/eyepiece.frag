@@ -44,6 +44,16 @@ float tool_height(vec2 pixel) {
     return height;
 }
 
+// A point spreads over a pixel and a half by lenses and sensor.
+vec3 spread_by_lenses(ivec2 pixel) {
+    ivec2 last = ivec2(size) - 1;
+    vec3 beside = texelFetch(sharp, max(pixel - ivec2(1, 0), 0), 0).rgb +
+                  texelFetch(sharp, max(pixel - ivec2(0, 1), 0), 0).rgb +
+                  texelFetch(sharp, min(pixel + ivec2(1, 0), last), 0).rgb +
+                  texelFetch(sharp, min(pixel + ivec2(0, 1), last), 0).rgb;
+    return 0.40 * texelFetch(sharp, pixel, 0).rgb + 0.15 * beside;
+}
+
 float height_at(vec2 mm, ivec2 pixel) {
     if (max(texelFetch(inner_tools, pixel, 0).a, texelFetch(outer_tools, pixel, 0).a) > 0.3) {
         return tool_height(vec2(pixel) + 0.5);
@@ -63,7 +73,7 @@ float height_at(vec2 mm, ivec2 pixel) {
 void main() {
     vec2 from_middle = (place - 0.5) * size;
     float pixels_per_mm = size.y / field_mm;
-    vec3 seen = texture(sharp, place).rgb;
+    vec3 seen = spread_by_lenses(ivec2(gl_FragCoord.xy));
     if (aperture > 0.0) {
         float height = height_at(middle + from_middle / pixels_per_mm, ivec2(place * size));
         float spread = 2.0 * aperture * abs(height - focus_z) * pixels_per_mm;
@@ -76,9 +86,10 @@ void main() {
         }
     }
     if (stop_mm > 0.0) {
-        seen *= clamp((0.5 * stop_mm * pixels_per_mm - length(from_middle)) / edge_pixels + 0.5, 0.0, 1.0);
+        float within = clamp((0.5 * stop_mm * pixels_per_mm - length(from_middle)) / edge_pixels + 0.5, 0.0, 1.0);
+        seen = within > 0.0 ? seen * within : vec3(0.0);  // beyond it nothing is painted
     }
-    seen = min(seen * light, 1.0);
+    seen = photographed(seen * light);
     // for red and cyan glasses each eye gets its own colours, of a picture that is half grey: Dubois is left out
     float grey = dot(seen, vec3(0.30, 0.59, 0.11));
     colour = vec4(only == 1 ? vec3(mix(grey, seen.r, 0.3), 0.0, 0.0) : only == 2 ? vec3(0.0, seen.gb) : seen, 1.0);

@@ -70,5 +70,7 @@ void main() {
     reflectance = mix(reflectance, vec3(0.030, 0.014, 0.009), ruff);
 
     reflectance *= 1.0 - 0.55 * smoothstep(0.60, 1.0, outward);
+    // Under a wet cornea, and lit as little as it is beside the spot's middle, it shows soft and dark.
+    reflectance = 0.10 * mix(reflectance, vec3(0.20, 0.18, 0.15), 0.55);
     colour = vec4(reflectance, 1.0);
 }

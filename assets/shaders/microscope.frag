@@ -37,10 +37,10 @@ uniform vec4 optic;            // of an implant that is a disc only: middle, rad
 uniform float optic_rocked;    // 0 to 1
 uniform int cells_are_cortex;  // 1: cortex on the wall; 0: what the wave of hydrodissection has parted
 
-const vec3 fundus = vec3(1.0, 0.30, 0.08);
-const vec3 scattered_share = vec3(0.054, 0.034, 0.013);  // of the light that the cataract takes out
-const vec3 scattered_white = vec3(0.62, 0.61, 0.58);     // and a white one
-const float fundus_light = 0.86;
+const vec3 fundus = vec3(1.0, 0.57, 0.39);
+const vec3 scattered_share = vec3(0.030, 0.0195, 0.0118);  // of the light that the cataract takes out
+const vec3 scattered_white = vec3(0.40, 0.395, 0.375);     // and a white one
+const float fundus_light = 0.31;
 
 struct LensLook {
     float haze;    // unevenness of what scatters
@@ -96,7 +96,7 @@ float posterior_capsule(vec3 entry, vec3 way) {
     if (hole.w > 0.0) {
         vec2 off = (entry + (hole.z - entry.z) / way.z * way).xy - hole.xy;
         float beyond = length(off) - hole.w - 0.06 * (texture(detail_map, off * 0.3).r - 0.5);
-        light *= 1.0 + 0.18 * (1.0 - smoothstep(-0.03, 0.03, beyond)) - 0.55 * exp(-pow(beyond / 0.05, 2.0));
+        light *= 1.0 + 0.30 * (1.0 - smoothstep(-0.03, 0.03, beyond)) - 0.85 * exp(-pow(beyond / 0.06, 2.0));
     }
     return light;
 }
@@ -227,25 +227,28 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     float cone = 1.0 - 0.06 * pow(radius / pupil_radius, 3.0);
     // and one side a little better than the other.
     cone *= 1.0 + 0.16 * dot(place - 0.5, vec2(-0.9, 1.6));
+    // The fundus is not even, nor is what lies in the light's way: patches of the reflex.
+    vec4 patches = texture(detail_map, entry.xy * 0.021 + vec2(0.37, 0.11));
+    cone *= 0.25 + 1.05 * patches.r + 0.40 * patches.g;
     // Without a lens the fundus shows through: brighter in the middle, and not even.
-    float bare = exp(-4.0 * max(depth.g, 0.0));
+    float bare = exp(-12.0 * max(depth.g, 0.0));
     float uneven = 0.90 + 0.16 * texture(detail_map, entry.xy * 0.016 + 0.21).r +
                    0.08 * texture(detail_map, entry.xy * 0.05).g;
-    cone *= mix(1.0, uneven * (1.02 - 0.40 * pow(radius / pupil_radius, 2.0)), bare);
-    vec3 reflex = fundus * fundus_light * lamp_share * reaches * look.clear * cone * posterior_capsule(entry, way);
+    cone *= mix(1.0, 0.84 * uneven * (1.02 - 0.40 * pow(radius / pupil_radius, 2.0)), bare);
+    vec3 reflex = fundus * mix(vec3(1.0), vec3(1.0, 0.92, 0.80), bare) * fundus_light * lamp_share * reaches * look.clear * cone * posterior_capsule(entry, way);
     // The edge of the wave bends the light away, and what it has parted is a little duller.
     float cells = bag_cells_at(entry, way);
     float cortex = cells_are_cortex == 1 ? cells * mix(0.35, 1.0, smoothstep(0.3, 2.6, length(entry.xy))) : 0.0;
     float wave = cells_are_cortex == 1 ? 0.0 : cells;
-    reflex *= (1.0 - 1.9 * wave * (1.0 - wave)) * (1.0 - 0.06 * wave) * (1.0 - 0.45 * cortex);
-    float lit = look.shade * (1.0 - 0.65 * max(look.hollow, 0.0)) * look.haze;
+    reflex *= (1.0 - 2.6 * wave * (1.0 - wave)) * (1.0 - 0.10 * wave) * (1.0 - 0.45 * cortex);
+    float lit = look.shade * (1.0 - 0.68 * max(look.hollow, 0.0)) * look.haze;
     vec3 scattered = mix(scattered_share, scattered_white, cortical_opacity);
     vec3 haze = 0.5 * scattered * (1.0 - exp(-2.0 * depth)) * lamp * lit;
-    vec3 behind = reflex * (1.0 - tool.a) * (1.0 - 0.28 * look.steep) + tool.rgb;
+    vec3 behind = reflex * (1.0 - tool.a) * (1.0 - 0.36 * look.steep) + tool.rgb;
     vec3 lens = haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
     float strands = vitreous_at(entry, way) * (1.0 - tool.a);
     lens = mix(lens * (1.0 - 0.05 * strands), vec3(0.74, 0.74, 0.72) * lamp, 0.85 * vitreous_white * strands);
-    lens = mix(lens, vec3(0.60, 0.60, 0.57) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
+    lens = mix(lens, vec3(0.13, 0.125, 0.115) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
     vec2 edge = optic_edge(entry, way) * (1.0 - tool.a);
     lens = lens * (1.0 - 0.30 * edge.y) + 0.22 * edge.x * lamp;
     vec4 crumb = crumbs_at(entry, way);
@@ -283,7 +286,7 @@ vec3 capsule(vec3 entry, vec3 way) {
     float lit = 0.30 + 0.70 * pow(max(0.0, 0.5 + 0.5 * dot(around, vec2(-0.64, 0.77))), 1.5) + 0.35 * (rough.b - 0.5);
     float veil = smoothstep(-0.01, 0.05, off);
     float sheen = texture(detail_map, at.xy * vec2(0.05, 0.08)).b;
-    return lamp * (0.34 * edge * lit + 0.10 * fold * lit + veil * (0.006 + 0.030 * smoothstep(0.72, 1.0, sheen)));
+    return lamp * (0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
 }
 
 // Beyond the edge of a bag that has come out behind the iris: the reflex without a lens, and the edge itself.
@@ -415,7 +418,7 @@ void main() {
 #if PART < 3
         // Cornea: the pale ring of age, the wound, the tear film.
         float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
-        inner = mix(inner, vec3(0.46, 0.46, 0.45) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
+        inner = mix(inner, vec3(0.10, 0.10, 0.098) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
         vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
         inner = inner * (1.0 - cut.y) + cut.x * lamp;
         if (wound_peel.x > 0.05) {
@@ -458,7 +461,10 @@ void main() {
             picture = picture * (1.0 - film.y) + film.x * lamp;
         }
 #endif
-        picture += clear * (2.6 * lamps.x + 0.03 * lamps.y + 0.003 + 0.006 * smoothstep(0.55, 0.9, grain.b)) * lamp;
+        // The tear film is a veil that thickens and thins as it runs.
+        float film = max(0.0, sin(0.9 * on_cornea.x - 0.6 * on_cornea.y + 2.0 * grain.r + 0.21 * time_s) +
+                                  sin(0.5 * on_cornea.x + 1.1 * on_cornea.y - 0.13 * time_s));
+        picture += clear * (2.0 * lamps.x + 0.010 * lamps.y + 0.0006 + 0.0016 * film) * lamp;
     }
 #endif
 
@@ -472,7 +478,5 @@ void main() {
     vec4 over = texelFetch(outer_tools, pixel, 0);
     picture *= 1.0 - 0.50 * shade.g;
     picture = picture * (1.0 - over.a) + over.rgb;
-    vec2 off = (2.0 * place - 1.0) * vec2(view_size.x / view_size.y, 1.0);
-    picture *= 1.0 - 0.5 * smoothstep(0.7, 1.75, length(off));
-    colour = vec4(photographed(picture), 1.0);
+    colour = vec4(picture * lamp_at(outside), 1.0);
 }

@@ -17,8 +17,9 @@ out vec4 colour;
 // What a mirror at the instrument sees: lamps above, a pale ceiling, blue drapes, a dark horizon.
 vec3 surroundings(vec3 way) {
     float up = dot(way, lamp_way);
-    vec3 light = mix(vec3(0.02, 0.03, 0.04), vec3(0.16, 0.22, 0.27), smoothstep(-0.6, 0.1, up));
-    light = mix(light, vec3(0.50, 0.52, 0.54), smoothstep(0.15, 0.75, up));
+    float room = encoded == 1 ? 1.0 : 0.15;  // under a microscope the theatre is dark
+    vec3 light = room * mix(vec3(0.02, 0.03, 0.04), vec3(0.16, 0.22, 0.27), smoothstep(-0.6, 0.1, up));
+    light = mix(light, room * vec3(0.50, 0.52, 0.54), smoothstep(0.15, 0.75, up));
     light += vec3(2.6, 2.5, 2.35) * smoothstep(0.945, 0.995, up);
     light *= 0.85 + 0.3 * smoothstep(-0.3, 0.3, sin(5.0 * way.x + 1.3));
     return light;
@@ -42,7 +43,7 @@ void main() {
     float graze = pow(1.0 - facing, 4.0);
     if (finish == 2) {
         float wall = mix(0.40, 0.92, pow(1.0 - facing, 1.3));
-        vec3 silicone = vec3(0.24, 0.47, 0.78) * (0.25 + 0.75 * facing) + 0.03 * rings;
+        vec3 silicone = (encoded == 1 ? 1.0 : 0.3) * vec3(0.24, 0.47, 0.78) * (0.25 + 0.75 * facing) + 0.03 * rings;
         float ribs = 0.93 + 0.07 * sin(9.0 * body.z);
         vec3 shine = 0.055 * mirror + 0.25 * graze * mirror;
         colour = vec4(shown(silicone * ribs + shine / wall) * wall, wall);
@@ -60,14 +61,15 @@ void main() {
         vec3 foil = vec3(0.09, 0.25, 0.36) * (1.0 + 0.10 * grain) * (0.85 + 0.9 * dot(folds, vec2(-0.6, 0.8)));
         vec3 matte = finish == 4 ? skin : finish == 5 ? vec3(0.030, 0.022, 0.018) : foil;
         vec3 shine = finish == 6 ? 0.04 * surroundings(reflect(-toward, creased)) : vec3(0.0);
-        colour = vec4(shown(matte * lit + shine), 1.0);
+        colour = vec4(shown((encoded == 1 ? 1.0 : 0.4) * (matte * lit + shine)), 1.0);
         return;
     }
     // Brushed around: a bright line along the side that faces the lamp.
     vec3 halfway = toward + lamp_way;
     halfway = normalize(halfway - dot(halfway, along) * along);
     float slant = dot(halfway, normalize(n - 0.98 * dot(n, along) * along));
-    mirror += vec3(1.0, 0.97, 0.90) * (0.85 * pow(clamp(slant, 0.0, 1.0), 26.0) + 0.10);
+    float line = encoded == 1 ? 26.0 : 70.0;
+    mirror += vec3(1.0, 0.97, 0.90) * (0.85 * pow(clamp(slant, 0.0, 1.0), line) + (encoded == 1 ? 0.10 : 0.015));
     vec3 metal = finish == 3 ? vec3(0.72, 0.73, 0.75) : vec3(0.66, 0.63, 0.60);
     vec3 light = mix(metal, vec3(1.0), graze) * mirror * (0.92 + 0.16 * rings);
     if (finish == 1) {

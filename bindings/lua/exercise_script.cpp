@@ -71,9 +71,19 @@ std::vector<std::string> in_order(const std::map<std::string, std::string>& set)
     return names;
 }
 
+namespace fs = std::filesystem;
+
+/// A file beside a curriculum.
+CurriculumFiles beside(const CurriculumFiles& files, const std::string& name) {
+    const fs::path script(files.script);
+    CurriculumFiles other = files;
+    other.script = (script.parent_path() / name).string();
+    other.chunk = files.chunk.substr(0, files.chunk.size() - script.filename().string().size()) + name;
+    return other;
+}
+
 /// Files of texts beside a curriculum, such as curriculum.fr.lua, sorted.
 std::vector<CurriculumFiles> texts_beside(const CurriculumFiles& files) {
-    namespace fs = std::filesystem;
     const fs::path script(files.script);
     const std::string stem = script.stem().string() + ".";
     std::vector<CurriculumFiles> found;
@@ -81,10 +91,7 @@ std::vector<CurriculumFiles> texts_beside(const CurriculumFiles& files) {
     for (fs::directory_iterator at(script.parent_path(), failed), end; !failed && at != end; at.increment(failed)) {
         const std::string name = at->path().filename().string();
         if (name.starts_with(stem) && name.ends_with(".lua") && name.size() == stem.size() + 6) {
-            CurriculumFiles texts = files;
-            texts.script = at->path().string();
-            texts.chunk = files.chunk.substr(0, files.chunk.size() - script.filename().string().size()) + name;
-            found.push_back(std::move(texts));
+            found.push_back(beside(files, name));
         }
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.script < b.script; });
@@ -171,14 +178,20 @@ Result<json> ExerciseScript::run_curriculum(const CurriculumFiles& files, const 
     return status ? Result<json>(std::move(answer)) : status.error();
 }
 
-Status ExerciseScript::read_texts(const CurriculumFiles& files) {
+Status ExerciseScript::read_what_is_shown(const CurriculumFiles& files) {
     for (const CurriculumFiles& texts : texts_beside(files)) {
         const Result<json> read = run_curriculum(texts, "accept_texts");
         if (!read) {
             return read.error();
         }
     }
-    return success();
+    const CurriculumFiles marks = beside(files, fs::path(files.script).stem().string() + ".marks.lua");
+    std::error_code failed;
+    if (!fs::is_regular_file(marks.script, failed)) {
+        return success();
+    }
+    const Result<json> read = run_curriculum(marks, "accept_marks");
+    return read ? success() : Status(read.error());
 }
 
 Status ExerciseScript::join(const JoinedPart& joined) {
@@ -255,7 +268,7 @@ Result<json> ExerciseScript::listing(const CurriculumFiles& files, const std::st
     if (!script) {
         return script.error();
     }
-    const Status texts = script.value().read_texts(files);
+    const Status texts = script.value().read_what_is_shown(files);
     const Result<json> spoken = language.empty() ? Result<json>(json()) : script.value().ask("speak", language);
     if (texts && !spoken) {
         return spoken.error();
@@ -291,7 +304,7 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
             return operation.error();
         }
     }
-    Status status = script.read_texts(files);
+    Status status = script.read_what_is_shown(files);
     const Result<json> accepted = script.run_curriculum(files, "accept");
     if (!accepted) {
         status = status ? Status(accepted.error()) : Status(both(accepted.error(), status.error()));

@@ -64,8 +64,8 @@ private:
     explicit ExerciseScript(LuaState state) : state_(std::move(state)) {}
     static Result<ExerciseScript> open(const CurriculumFiles& files, const std::string& root, std::uint64_t seed);
     Status open_engine();
-    /// Files of texts beside the curriculum.
-    Status read_texts(const CurriculumFiles& files);
+    /// Files of texts beside the curriculum, and of marks.
+    Status read_what_is_shown(const CurriculumFiles& files);
     /// Hands what the curriculum returns to a function of the engine, and its answer back.
     Result<nlohmann::json> run_curriculum(const CurriculumFiles& files, const char* receiver);
     Status join(const JoinedPart& joined);

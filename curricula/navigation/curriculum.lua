@@ -25,16 +25,6 @@ end
 
 local circle = targets.circle
 
--- From the left against the clock, and back to where it began.
-local function way_round(ring)
-    local way = {}
-    for i = 0, 24 do
-        local turn = math.pi * (1 + i / 12)
-        way[#way + 1] = { ring.radius * math.cos(turn), ring.radius * math.sin(turn), ring.height }
-    end
-    return way
-end
-
 -- How far the tip is from the circle, across it or in height.
 local function off_circle(probe)
     local across = math.sqrt(probe.tip_x_mm ^ 2 + probe.tip_y_mm ^ 2) - circle.radius
@@ -46,7 +36,6 @@ local function hold(target)
         title = "Hold the tip: " .. target.name,
         hint = ("Bring the tip to %g mm right, %g mm away and %g mm over the lens equator, and hold it still."):format(
             table.unpack(target.place)),
-        marks = { target.place },
         done = held(target.place),
         time_limit_s = 40,
     }
@@ -76,7 +65,6 @@ return exercise {
         step "circle" {
             title = "Lead the tip round the circle",
             hint = "From the left, once round against the clock: near side, right, far side, left.",
-            marks = way_round(circle),
             done = { away_from { 0, -circle.radius, circle.height } .. " < goal.path_mm",
                 away_from { circle.radius, 0, circle.height } .. " < goal.path_mm",
                 away_from { 0, circle.radius, circle.height } .. " < goal.path_mm",

@@ -12,6 +12,7 @@ namespace rhexis {
 namespace {
 
 constexpr std::size_t most_tool_ends = 16;
+constexpr int most_levels = 12;  ///< of smaller copies: as many as the largest picture has
 
 /// From the lower left.
 Vec2 pixel_from_below(const View& view, const Vec3& place) {
@@ -55,18 +56,19 @@ double back_of(const Frame& frame) {
 }  // namespace
 
 Result<Eyepiece> Eyepiece::create(int width, int height) {
-    Result<Program> program = Program::build({"fullscreen.vert"}, {"eyepiece.frag"});
+    Result<Program> program = Program::build({"fullscreen.vert"}, {"film.glsl", "eyepiece.frag"});
     return program ? Result<Eyepiece>(Eyepiece(std::move(program).value(), width, height)) : program.error();
-}
-
-bool Eyepiece::needed(const Camera& camera) {
-    return camera.stop_mm > 0.0 || camera.aperture > 0.0 || camera.light != 1.0;
 }
 
 void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
                     const View& inner, EyeColours colours) const {
     glBindTexture(GL_TEXTURE_2D, *layers.picture.name);
-    glGenerateMipmap(GL_TEXTURE_2D);  // without them the texture is not whole, and shows black
+    const bool spreads = camera.aperture > 0.0;
+    // without its smaller copies the texture is not whole, and shows black
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, spreads ? most_levels : 0);
+    if (spreads) {
+        glGenerateMipmap(GL_TEXTURE_2D);
+    }
     const EyeAnatomy& eye = *frame.eye;
     program_.use();
     program_.set("sharp", layers.picture, 0);

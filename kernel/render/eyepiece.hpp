@@ -24,9 +24,6 @@ class Eyepiece {
 public:
     static Result<Eyepiece> create(int width, int height);
 
-    /// Whether there is anything to do.
-    static bool needed(const Camera& camera);
-
     /// Into the framebuffer and viewport that are set. camera, views: in the eye's frame.
     void look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
               const View& inner, EyeColours colours = EyeColours::all) const;

@@ -101,13 +101,23 @@ PupilOnScreen pupil_on_screen(const EyeAnatomy& eye, const View& inner) {
     return pupil;
 }
 
-/// The spot of the coaxial light is a third wider than the cornea, as pictures of operations have it, and falls off as
-/// a bell: at half its width to half. Proposal. It goes with the microscope, so that the reflex fades beside its
-/// middle.
+/// Where the coaxial light is half as bright as in the middle of its spot: a third wider than the cornea, as pictures
+/// of operations have it, and as wide as the field where that is wider, as a lamp's field stop is opened. Proposals. It
+/// goes with the microscope.
+double half_of_spot(const View& view) {
+    constexpr double least_mm = 7.75;
+    constexpr double of_field = 0.51;
+    return std::max(least_mm, of_field * view.height * pixel_mm(view, view.plane_point));
+}
+
+/// What comes back from the fundus fades beside the middle of the spot, as a bell. Proposal.
 double lamp_share(const View& view) {
-    constexpr double half_at_mm = 7.75;
     const double beside = view.plane_point.head<2>().norm();
-    return std::exp2(-(beside * beside) / (half_at_mm * half_at_mm));
+    return std::exp2(-(beside * beside) / (half_of_spot(view) * half_of_spot(view)));
+}
+
+void set_lamp(const Program& program, const View& outer) {
+    program.set("lamp_spot", Vec3(outer.plane_point.x(), outer.plane_point.y(), half_of_spot(outer)));
 }
 
 void set_anatomy(const Program& program, const EyeAnatomy& eye) {
@@ -287,7 +297,7 @@ std::vector<float> triangles_of(const std::vector<PixelRect>& rects, const View&
 
 Result<Program> build_part(const char* define) {
     return Program::build({"part.vert"},
-                          {define, "view.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"});
+                          {define, "view.glsl", "lamp.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"});
 }
 
 bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }
@@ -308,11 +318,12 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     Result<Program> light = Program::build({"fullscreen.vert"}, {"view.glsl", "pupil_light.frag"});
     Result<Program> soften = Program::build({"fullscreen.vert"}, {"soften.frag"});
     Result<Program> shadows = Program::build({"fullscreen.vert"}, {"shadows.frag"});
+    Result<Program> card = Program::build({"fullscreen.vert"}, {"view.glsl", "lamp.glsl", "card.frag"});
     Result<Program> white = build_part("part_white.glsl");
     Result<Program> iris = build_part("part_iris.glsl");
     Result<Program> pupil = build_part("part_pupil.glsl");
     Result<Program> core = build_part("part_core.glsl");
-    for (const Result<Program>* program : {&light, &soften, &shadows, &white, &iris, &pupil, &core}) {
+    for (const Result<Program>* program : {&light, &soften, &shadows, &card, &white, &iris, &pupil, &core}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -329,11 +340,11 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     if (!sheets.ok()) {
         return sheets.error();
     }
-    return MicroscopeView(Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value()},
-                          std::array<Program, 4>{std::move(white).value(), std::move(iris).value(),
-                                                 std::move(pupil).value(), std::move(core).value()},
-                          std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width,
-                          height);
+    return MicroscopeView(
+        Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value(), std::move(card).value()},
+        std::array<Program, 4>{std::move(white).value(), std::move(iris).value(), std::move(pupil).value(),
+                               std::move(core).value()},
+        std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width, height);
 }
 
 MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front,
@@ -349,8 +360,12 @@ MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePai
       across_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_NEAREST)),
       soft_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_LINEAR)),
       shadows_(make_single_target((width + 7) / 8, (height + 7) / 8, GL_RGBA8, GL_LINEAR)),
-      picture_(make_single_target(width, height, GL_RGBA8, GL_LINEAR_MIPMAP_LINEAR)),
-      rectangles_({2}) {}
+      picture_(make_single_target(width, height, GL_RGBA16F, GL_LINEAR_MIPMAP_LINEAR)),
+      rectangles_({2}) {
+    picture_.bind();  // beyond the field's stop nothing is painted, and it must be some light, not any bits
+    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
 
 void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools,
                           const View& outer, const View& inner, const DepthPass& depth, const Texture& detail,
@@ -379,10 +394,20 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
                                                       without(cornea, pupil), without(pupil, core), core};
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-        compose(parts_[part], frame, inner, depth, detail, lamp_share(outer));
+        compose(parts_[part], frame, inner, depth, detail, outer);
         rectangles_.send(triangles_of(within_stop(where[part], inner, stop_pixels), inner));
         rectangles_.draw();
     }
+}
+
+void MicroscopeView::draw_card(double reflectance, const EyeAnatomy& eye, const View& outer) {
+    picture_.bind();
+    steps_.card.use();
+    set_view(steps_.card, outer);
+    set_lamp(steps_.card, outer);
+    steps_.card.set("limbus_z", eye.limbus_z);
+    steps_.card.set("reflectance", reflectance);
+    cover_target();
 }
 
 void MicroscopeView::gather_light(const Frame& frame, const View& inner, const DepthPass& depth) {
@@ -430,7 +455,7 @@ void MicroscopeView::cast_shadows(const View& inner) {
 }
 
 void MicroscopeView::compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
-                             const Texture& detail, double lamp) const {
+                             const Texture& detail, const View& outer) const {
     program.use();
     set_view(program, inner);
     program.set("optical_depth", depth.optical_depth(), 0);
@@ -450,7 +475,9 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("has_sheets", has_sheets(frame) ? 1 : 0);
     program.set("trypan_blue", frame.eye->trypan_blue);
     program.set("extinction_tint", depth.tint());
-    program.set("lamp_share", lamp);
+    program.set("lamp_share", lamp_share(outer));
+    program.set("time_s", frame.time_s);
+    set_lamp(program, outer);
     program.set("reference", depth.reference());
     program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, frame.eye->iris_z)));
     set_anatomy(program, *frame.eye);

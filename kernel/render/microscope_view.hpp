@@ -30,7 +30,10 @@ public:
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& outer,
               const View& inner, const DepthPass& depth, const Texture& detail, double stop_pixels);
 
-    [[nodiscard]] const Target& picture() const { return picture_; }  ///< RGBA8
+    /// A matte card as high as the limbus of this eye, in its place.
+    void draw_card(double reflectance, const EyeAnatomy& eye, const View& outer);
+
+    [[nodiscard]] const Target& picture() const { return picture_; }  ///< light, linear, before the film
     /// Of the picture that was drawn, for the eyepiece.
     [[nodiscard]] EyepieceLayers layers(const DepthPass& depth) const {
         return {picture_.colours[0], inside_.picture(), outside_.picture(), front_.surface(), depth.reference()};
@@ -42,6 +45,7 @@ private:
         Program light;
         Program soften;
         Program shadows;
+        Program card;
     };
     /// What the textures were made for.
     struct PaintedFor {
@@ -56,7 +60,7 @@ private:
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
     void cast_shadows(const View& inner);
     void compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
-                 const Texture& detail, double lamp) const;
+                 const Texture& detail, const View& outer) const;
 
     Steps steps_;
     std::array<Program, 4> parts_;  ///< see microscope.frag

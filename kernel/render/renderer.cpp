@@ -117,9 +117,10 @@ struct Renderer::Parts {
     const Target& paint(const Frame& frame, const Camera& camera);
     /// Through the eyepiece, into what is bound.
     void look(const Frame& frame, const Camera& camera, EyeColours colours);
-    /// Pictures as they were or in a window, without their optics.
+    /// Scaled to a rectangle of the window.
     void copy(const Target& picture, const ScreenArea& area) const;
-    void show(const Frame& frame, const Camera& camera, const ScreenArea& area, EyeColours colours);
+    /// The finished picture; of one eye for red and cyan glasses only its colours change.
+    const Target& finish(const Frame& frame, const Camera& camera, EyeColours colours);
 };
 
 void Renderer::Parts::look_at(const Frame& frame) {
@@ -212,50 +213,57 @@ void Renderer::Parts::copy(const Target& picture, const ScreenArea& area) const 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void Renderer::Parts::show(const Frame& frame, const Camera& camera, const ScreenArea& area, EyeColours colours) {
-    const Target& picture = paint(frame, camera);
-    if (!frame.eye || (!Eyepiece::needed(camera) && colours == EyeColours::all)) {
-        copy(picture, area);
-        return;
+const Target& Renderer::Parts::finish(const Frame& frame, const Camera& camera, EyeColours colours) {
+    const Target& painted = paint(frame, camera);
+    if (!frame.eye) {
+        return painted;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(area.left, area.bottom, area.width, area.height);
+    const Target& seen = passes->eyepiece.target();
+    seen.bind();
     const bool all = colours == EyeColours::all;
     glColorMask(all || colours == EyeColours::red, all || colours == EyeColours::cyan,
                 all || colours == EyeColours::cyan, GL_TRUE);
     look(frame, camera, colours);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    return seen;
 }
 
 Image Renderer::draw(const Frame& frame, const Camera& room) {
+    const GlContext::Use use(parts_->context);
+    return picture_of(parts_->finish(frame, in_eye(frame, room), EyeColours::all));
+}
+
+Image Renderer::photograph_card(double reflectance, const Frame& frame, const Camera& room) {
+    RHEXIS_ASSERT(frame.eye != nullptr);
     const Camera camera = in_eye(frame, room);
     const GlContext::Use use(parts_->context);
-    const Target& sharp = parts_->paint(frame, camera);
-    if (!frame.eye || !Eyepiece::needed(camera)) {
-        return picture_of(sharp);
-    }
-    const Target& seen = parts_->passes->eyepiece.target();
-    seen.bind();
+    parts_->look_at(frame);
+    Passes& passes = *parts_->passes;
+    passes.microscope.draw_card(reflectance, *frame.eye, view_in_air(camera, parts_->width, parts_->height));
+    passes.eyepiece.target().bind();
     parts_->look(frame, camera, EyeColours::all);
-    return picture_of(seen);
+    return picture_of(passes.eyepiece.target());
 }
 
 void Renderer::show(const Frame& frame, const Camera& room, const ScreenArea& area, Stereo stereo) {
     const Camera camera = in_eye(frame, room);
     if (stereo == Stereo::off) {
-        parts_->show(frame, camera, area, EyeColours::all);
+        parts_->copy(parts_->finish(frame, camera, EyeColours::all), area);
         return;
     }
     for (const double side : {-1.0, 1.0}) {  // left, then right
         Camera eye = camera;
         eye.aside_mm = 0.5 * side * stereo_base_mm;
-        ScreenArea part = area;
         if (stereo == Stereo::side_by_side) {
+            ScreenArea part = area;
             part.width = area.width / 2;
             part.left = side < 0.0 ? area.left : area.left + area.width - part.width;
-            parts_->show(frame, eye, part, EyeColours::all);
+            parts_->copy(parts_->finish(frame, eye, EyeColours::all), part);
         } else {
-            parts_->show(frame, eye, part, side < 0.0 ? EyeColours::red : EyeColours::cyan);
+            const Target& seen = parts_->finish(frame, eye, side < 0.0 ? EyeColours::red : EyeColours::cyan);
+            if (side > 0.0) {
+                parts_->copy(seen, area);
+            }
         }
     }
 }

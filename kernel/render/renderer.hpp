@@ -50,6 +50,9 @@ public:
     Image draw(const Frame& frame, const Camera& camera);
     /// The same onto the window, scaled to a rectangle of it.
     void show(const Frame& frame, const Camera& camera, const ScreenArea& area, Stereo stereo = Stereo::off);
+    /// A matte card of this reflectance (0 to 1) in the place of the frame's eye: what lamp and film make of it. By
+    /// this their constants are told.
+    Image photograph_card(double reflectance, const Frame& frame, const Camera& camera);
     /// The lens part alone.
     OpticalDepth optical_depth(const Frame& frame, const Camera& camera);
 

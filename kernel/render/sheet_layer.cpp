@@ -169,6 +169,9 @@ void SheetLayer::draw(const Frame& frame, const View& view, const Texture& stop,
     }
     const std::size_t sheets_end = surface_indices_.size();
     for (std::size_t i = 0; i < frame.shells.size(); ++i) {
+        if (frame.shells[i].loaded) {
+            continue;  // it lies in an injector outside the eye
+        }
         const ShellSurface& shell = closed(i, frame);
         places_ = shell.places(frame.shells[i]);
         collect_surface(shell.triangles(), shell.rest(), {}, reach);

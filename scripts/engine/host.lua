@@ -52,6 +52,9 @@ function host.accept_texts(value)
     texts.add_file(name:match("%.(%l%l)%.lua$"), value, name)
 end
 
+--- The file "curriculum.marks.lua" beside the curriculum: what it returned.
+function host.accept_marks(value) host.marked = { file = words.file(), places = value } end
+
 --- Before an operation runs: the language of its texts.
 function host.speak(name) host.spoken = name end
 
@@ -72,6 +75,7 @@ function host.accept(value)
         words.fail(words.where(), "a curriculum must end with: return exercise { ... }")
     end
     host.exercise = value
+    if host.marked then language.mark(value, host.marked) end
 end
 
 --- After it ran: what it returned. Whether that is a rubric, to judge an exercise by in place of its own.

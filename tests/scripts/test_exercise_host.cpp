@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 
 using namespace rhexis;
@@ -138,6 +139,28 @@ TEST_CASE("values given with --set are checked and used") {
     CHECK(holds(complaint(options), "patient.age = 150 is out of range (20 to 95)"));
     options.set = {{"patient.agee", "50"}};
     CHECK(holds(complaint(options), "did you mean patient.age"));
+}
+
+TEST_CASE("marks stand in a file beside the curriculum, by the names of steps, and do not decide") {
+    const Folder folder(simple);
+    const std::string before = hash_of_what_decides(folder.path(), ".");
+    folder.write("curriculum.marks.lua", "return { deep = { { 0, 1, 2 }, { 0, 1, 3 } } }");
+    CHECK(hash_of_what_decides(folder.path(), ".") == before);
+    Result<ExerciseHost> host = ExerciseHost::load(options_for(folder.path()));
+    REQUIRE_MESSAGE(host.ok(), complaint(options_for(folder.path())));
+    REQUIRE(host.value().start(schema, {"phaco"}).ok());
+    REQUIRE(host.value().observe({0.0, {0.1, 0.0}}).ok());
+    const Result<std::vector<Vec3>> marks = host.value().marks();
+    REQUIRE(marks.ok());
+    REQUIRE(marks.value().size() == 2);
+    CHECK(marks.value()[1] == Vec3(0.0, 1.0, 3.0));
+    folder.write("curriculum.marks.lua", "return { deeep = { { 0, 1, 2 } } }");
+    CHECK(holds(complaint(options_for(folder.path())), "curriculum.marks.lua"));
+    CHECK(holds(complaint(options_for(folder.path())), "no step 'deeep' (did you mean deep?)"));
+    folder.write("curriculum.marks.lua", "return 3");
+    CHECK(holds(complaint(options_for(folder.path())), "must end with: return {"));
+    folder.write("curriculum.marks.lua", "return { deep = { 1 } }");
+    CHECK(holds(complaint(options_for(folder.path())), "marks of deep must be a list of places"));
 }
 
 TEST_CASE("an exercise watches observations, gives commands, and reports") {

@@ -131,6 +131,14 @@ TEST_SUITE("implant picture") {
         CHECK(outside == 0);
     }
 
+    TEST_CASE("in an injector that has not come into the eye it does not show") {
+        Frame frame = implant_frame();
+        frame.shells[0].loaded = true;
+        Renderer renderer = make_renderer(width, height);
+        const Camera camera = microscope_camera(frame);
+        CHECK(renderer.draw(frame, camera).rgb == renderer.draw(without_implant(frame), camera).rgb);
+    }
+
     TEST_CASE("folded it is another picture, the same pixels come twice, and numbers that ran away do no harm") {
         Renderer renderer = make_renderer(width, height);
         Frame frame = implant_frame();

@@ -68,12 +68,12 @@ TEST_CASE("The reflex in the pupil is more red than green and more green than bl
     for (double grade : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
         const Frame frame = eye_frame(grade);
         const Image image = renderer.draw(frame, microscope_camera(frame));
-        const double red = mean_around(image, 0.5, 0.36, 0.10, 0.06, 0);
-        const double green = mean_around(image, 0.5, 0.36, 0.10, 0.06, 1);
-        const double blue = mean_around(image, 0.5, 0.36, 0.10, 0.06, 2);
+        const double red = mean_around(image, 0.5, 0.62, 0.10, 0.06, 0);
+        const double green = mean_around(image, 0.5, 0.62, 0.10, 0.06, 1);
+        const double blue = mean_around(image, 0.5, 0.62, 0.10, 0.06, 2);
         INFO("grade " << grade << ": " << red << " " << green << " " << blue);
-        CHECK(red > 1.15 * green);
-        CHECK(green > 1.1 * blue);
+        CHECK(red > 1.1 * green);
+        CHECK(green > 1.05 * blue);
     }
 }
 
@@ -129,10 +129,10 @@ TEST_CASE("Tissues that take no part are not drawn") {
     const Image without_iris = drawn(false, true);
     const Image without_cornea = drawn(true, false);
     const Image lens_alone = drawn(false, false);
-    CHECK(redness(whole_eye) < 1.5);
-    CHECK(redness(without_iris) > 2.0);
-    CHECK(redness(without_cornea) < 1.5);
-    CHECK(redness(lens_alone) > 2.0);
+    CHECK(redness(whole_eye) < 1.25);
+    CHECK(redness(without_iris) > 1.5);
+    CHECK(redness(without_cornea) < 1.25);
+    CHECK(redness(lens_alone) > 1.5);
     for (const Image& image : {whole_eye, without_iris}) {
         CHECK(white(image) > 90.0);
         CHECK(brightest_in_pupil(image) > 200);  // the lamps' reflexes in the cornea
