@@ -107,6 +107,9 @@ vec4 crumbs_at(vec3 entry, vec3 way) {
     for (int i = 0; i < crumb_count; ++i) {
         vec3 off = cross(crumbs[i].xyz - entry, way);
         float share = length(off) / crumbs[i].w;
+        if (crumbs_are_beads == 0) {  // a crumb is broken off: no two have the same outline
+            share *= 0.80 + 0.75 * texture(detail_map, 0.19 * entry.xy + vec2(0.37, 0.21) * float(i)).r;
+        }
         if (share < 1.0) {
             // the line passes the middle here, across it
             vec2 on = (entry + dot(crumbs[i].xyz - entry, way) * way - crumbs[i].xyz).xy / crumbs[i].w;
@@ -255,7 +258,7 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     if (crumbs_are_beads == 1) {
         return mix(lens, bead_colour(crumb), crumb.x * (1.0 - tool.a));
     }
-    return mix(lens, (0.04 + 0.16 * crumb.y) * vec3(0.95, 0.85, 0.66) * lamp, 0.85 * crumb.x * (1.0 - tool.a));
+    return mix(lens, (0.03 + 0.13 * crumb.y) * vec3(0.95, 0.80, 0.58) * lamp, 0.70 * crumb.x * (1.0 - tool.a));
 }
 
 // The rim of the capsulorhexis and the sheen of the capsule around it.

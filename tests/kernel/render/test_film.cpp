@@ -74,8 +74,9 @@ TEST_CASE("Twelve statistics: of what is known, and of a patient's eye as frames
     CHECK(known[11] == doctest::Approx(0.0));
 
     Renderer renderer = make_renderer(640, 480);
-    for (const double grade : {2.0, 3.0, 4.0}) {
-        Frame frame = sculpted_frame(grade, 0.5, true);
+    for (const double grade : {2.5, 3.5}) {
+        Frame frame = patient_frame(grade, 7.5, 500);
+        frame.tools[0].present = true;
         frame.tools[0].pose = hand_pose(Vec3(0.1, 0.9, 1.5), 0.5);
         const Statistics values = statistics_of(square_of_field(renderer.draw(frame, microscope_camera(frame))));
         INFO("grade " << grade << ": " << outside_of(values));
