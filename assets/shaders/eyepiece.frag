@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the optics of a microscope do to a sharp picture: what is out of focus spreads, the field ends in a round stop,
-// the lamp is turned up or down. Two pictures make one for red and cyan glasses.
+// What the optics of a microscope and the film of its camera do to the light of a sharp picture: what is out of focus
+// spreads, the field ends in a round stop, the lamp is turned up or down. Two pictures make one for red and cyan glasses.
 in vec2 place;
 uniform sampler2D sharp;        // with its smaller copies
 uniform sampler2D inner_tools;  // covered where alpha is
