@@ -23,6 +23,7 @@ local fields = require "engine.fields"
 local requests = require "engine.requests"
 local settings_check = require "engine.settings_check"
 local texts = require "engine.texts"
+local vitals = require "engine.vitals"
 local words = require "engine.words"
 
 local language = {}
@@ -97,6 +98,7 @@ local exercise_rules = {
     requests = { kind = "table", default = {} },   -- what may be asked of the staff: see engine/requests.lua
     scoring = { kind = "table" },
     reference = { kind = "table", default = {} },  -- what a good performance needs, for measures relative to it
+    vitals = { kind = "table" },           -- of the patient, as the theatre's monitor shows them: theatre/vitals.lua
     over = { kind = "condition" },         -- ends the exercise, whatever step it is in
     time_limit_s = { kind = "number", default = 300, from = 1, to = 7200 },
     recover_within_s = { kind = "number", from = 0.1, to = 7200 },  -- no error has longer, whatever its own deadline
@@ -302,7 +304,6 @@ local function check_items(result)
     end
 end
 
--- Steps that `next` names must come later: an exercise goes on, never round.
 --- Marks of a file beside the exercise, by the names of steps: { file, places = { ["name"] = { { x, y, z } } } }.
 function language.mark(exercise, given)
     if type(given.places) ~= "table" then
@@ -320,6 +321,7 @@ function language.mark(exercise, given)
     end
 end
 
+-- Steps that `next` names must come later: an exercise goes on, never round.
 local function link_steps(result)
     local at = {}
     for i, step in ipairs(result.steps) do at[step.id] = i end
@@ -378,6 +380,7 @@ local function read_parts(result)
     settings_check.all(result.settings, words.line_of("settings"), "settings: ")
     result.goals, result.goal_rules = read_goals(result.goals)
     result.reference = language.read_reference(result.reference)
+    if result.vitals then result.vitals = words.try(vitals.read, result.vitals) end
     words.try(texts.check, result.texts)
 end
 

@@ -33,6 +33,7 @@ void add_instruction_set(CLI::App& command, std::string& instruction_set);
 
 void add_run(CLI::App& app, Context& context);
 void add_train(CLI::App& app, Context& context);
+void add_monitor(CLI::App& app, Context& context);
 void add_lua(CLI::App& app, Context& context);
 void add_words(CLI::App& app, Context& context);
 void add_check(CLI::App& app, Context& context);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis train: a person operates, in a window.
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
@@ -18,9 +17,11 @@
 #include "cli/command.hpp"
 #include "cli/course_file.hpp"
 #include "cli/language.hpp"
+#include "cli/station_library.hpp"
 #include "station/event_source.hpp"
 #include "station/menu.hpp"
 #include "station/station.hpp"
+#include "station/theatre.hpp"
 #include "trial/places.hpp"
 #include "trial/starts.hpp"
 
@@ -37,11 +38,10 @@ constexpr const char* train_help =
     "  rhexis train --events mine.jsonl --again           the same done again, step by step\n"
     "  rhexis train --resume runs/groove-person-20261128-101500    on with an attempt that was cut short\n"
     "  rhexis train groove --input gamepad                with two sticks and triggers\n"
+    "  rhexis train surge --monitor                       with the theatre's monitor, at which an instructor sits\n"
     "\n"
     "F1 shows what each key and button does; E takes an instrument, the cursor moves its tip, the wheel lifts it,\n"
     "1, 2 and 3 press the pedal, P stops the clock, Escape ends. docs/station.md has the rest.";
-
-constexpr const char* library = "rhexis-window.so";
 
 const std::map<std::string, Stereo> stereo_names = {
     {"off", Stereo::off}, {"side-by-side", Stereo::side_by_side}, {"anaglyph", Stereo::anaglyph}};
@@ -63,36 +63,11 @@ struct TrainOptions : AttemptArguments {
     std::string screenshot;
     bool no_open = false;
     int picture_every = 4;
+    bool warns = false;
+    bool silent = false;
+    bool monitor = false;
+    std::string theatre;
 };
-
-/// The shared object beside the program, or where it is installed. It stays loaded: threads of its libraries may not
-/// end with it.
-Result<void*> load_station() {
-    std::error_code unknown;
-    const std::filesystem::path folder = std::filesystem::canonical(program_path(), unknown).parent_path();
-    std::string tried;
-    for (const std::filesystem::path& path : {folder / library, folder / "../lib/rhexis" / library}) {
-        std::error_code ignored;
-        if (!std::filesystem::exists(path, ignored)) {
-            tried += (tried.empty() ? "" : ", ") + path.string();
-            continue;
-        }
-        void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (opened == nullptr) {
-            return Error{std::string("the window cannot be loaded: ") + ::dlerror(), path.string(),
-                         "the Debian packages of deps.txt"};
-        }
-        return opened;
-    }
-    return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
-}
-
-template <typename Function>
-Function* entry_of(void* opened, const char* name) {
-    void* entry = ::dlsym(opened, name);
-    RHEXIS_ASSERT(entry != nullptr);
-    return reinterpret_cast<Function*>(entry);
-}
 
 /// What of a recording says how its attempt was begun.
 void begin_as(const RecordingHeader& header, AttemptArguments& given) {
@@ -162,6 +137,20 @@ std::string expert_run(const std::string& curriculum) {
         }
     }
     return "";
+}
+
+/// The theatre's monitor, as a process of its own that stays when this one ends.
+void open_monitor(const std::string& address, const std::string& language) {
+    std::string program = program_path();
+    std::string command = "monitor";
+    std::string at = address;
+    std::string option = "--language";
+    std::string spoken = language;
+    char* const words[] = {program.data(), command.data(), at.data(), option.data(), spoken.data(), nullptr};
+    pid_t child = 0;
+    if (::posix_spawn(&child, program.c_str(), nullptr, nullptr, words, environ) != 0) {
+        complain({"the theatre's monitor cannot be started", program, "rhexis monitor, in another terminal"});
+    }
 }
 
 /// With what the desktop opens pages with; where there is none, its path has been told.
@@ -260,6 +249,9 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     options.attempt.watch = given.by.empty() && !given.again;
     options.stereo = stereo_names.at(given.stereo);
     options.picture_every = given.picture_every;
+    options.warns = given.warns;
+    options.silent = given.silent;
+    options.theatre = given.theatre;
     options.begun_with = {{"start", given.start}, {"opening", given.opening}, {"limit_s", given.limit_s}};
     const Result<FolderLock> lock =
         before ? lock_when_free(options.attempt.folder) : FolderLock::take(options.attempt.folder);
@@ -323,10 +315,14 @@ Result<std::vector<std::string>> lessons_of(const TrainOptions& given, const Con
 }
 
 /// Without an exercise the menu comes, and comes again after each.
-int train(const TrainOptions& given, const Context& context) {
+int train(TrainOptions given, const Context& context) {
     const Result<void*> opened = load_station();
     if (!opened) {
         return complain(opened.error());
+    }
+    if (given.monitor) {
+        given.theatre = given.theatre.empty() ? station::usual_theatre() : given.theatre;
+        open_monitor(given.theatre, given.language.empty() ? language_of_environment(context.root) : given.language);
     }
     if (!given.curriculum.empty() || given.again || !given.resume.empty()) {
         return train_once(given, opened.value(), context);
@@ -396,6 +392,12 @@ void add_train(CLI::App& app, Context& context) {
     command->add_option("--picture-every", given->picture_every, "With --again: steps from picture to picture")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
+    command->add_flag("--warnings", given->warns, "Warn of what is about to go wrong (F6); such attempts have aids");
+    command->add_flag("--silent", given->silent, "No sound");
+    command->add_flag("--monitor", given->monitor, "Open the theatre's monitor beside the window");
+    command->add_option("--theatre", given->theatre,
+                        "Address that rhexis monitor looks at, as ipc:///tmp/name or tcp://127.0.0.1:5555 [with "
+                        "--monitor: of this user on this computer]");
     command->callback([given, &context] { context.status = train(*given, context); });
 }
 

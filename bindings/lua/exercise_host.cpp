@@ -181,6 +181,11 @@ Result<json> ExerciseHost::declared_requests() { return parts_->exercise.ask("de
 Result<json> ExerciseHost::events() { return parts_->exercise.ask("events"); }
 Result<json> ExerciseHost::result() { return parts_->exercise.ask("result"); }
 
+Result<json> ExerciseHost::theatre(bool score) { return parts_->exercise.ask("theatre", score); }
+Result<json> ExerciseHost::warnings() { return parts_->exercise.ask("warnings"); }
+Result<json> ExerciseHost::injections() { return parts_->exercise.ask("injections"); }
+Result<json> ExerciseHost::level_now(const std::string& level) { return parts_->exercise.ask("level_now", level); }
+
 Result<std::vector<Vec3>> ExerciseHost::marks() {
     const Result<json> given = parts_->exercise.ask("marks");
     if (!given) {

@@ -95,6 +95,16 @@ public:
     /// Where the tip is to be in the step that runs, in the eye's frame [mm]: one place, or a way through several.
     /// Empty where the exercise marks none, and in an exam. After start.
     [[nodiscard]] Result<std::vector<Vec3>> marks();
+    /// What the theatre's monitor shows now: "steps", "events", "warnings", "vitals", "notes", and if wanted the "score"
+    /// as it would be if the attempt ended here.
+    [[nodiscard]] Result<nlohmann::json> theatre(bool score);
+    /// Warnings that show now: list of {"title", "advice"}.
+    [[nodiscard]] Result<nlohmann::json> warnings();
+    /// What an instructor may let happen in this scene; see scripts/theatre/injections.lua. After start.
+    [[nodiscard]] Result<nlohmann::json> injections();
+    /// The settings of one of its levels that may change while it runs, and how many others it has:
+    /// {"settings": {name: value}, "later": number}.
+    [[nodiscard]] Result<nlohmann::json> level_now(const std::string& level);
 
     /// Whether the turn has just come to another step of the exercise.
     Result<bool> at_boundary();

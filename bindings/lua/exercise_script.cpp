@@ -373,18 +373,18 @@ void push_requests(lua_State* L, std::span<const Command> given) {
     }
 }
 
-/// Aids as { { name, value }, ... }, or nil.
-void push_aids(lua_State* L, std::span<const Command> given) {
-    json aids = json::array();
+/// Aids as { { name, value, text }, ... }, or nil; likewise an instructor's notes.
+void push_told(lua_State* L, std::span<const Command> given, CommandKind kind) {
+    json list = json::array();
     for (const Command& command : given) {
-        if (command.kind == CommandKind::aid) {
-            aids.push_back({{"name", command.name}, {"value", command.value}});
+        if (command.kind == kind) {
+            list.push_back({{"name", command.name}, {"value", command.value}, {"text", command.text}});
         }
     }
-    if (aids.empty()) {
+    if (list.empty()) {
         lua_pushnil(L);
     } else {
-        lua::push_json(L, aids);
+        lua::push_json(L, list);
     }
 }
 
@@ -399,8 +399,9 @@ Result<std::vector<Command>> ExerciseScript::observe(const Observation& observat
         observe_.push(L);
         lua_pushnumber(L, observation.time_s);
         push_requests(L, given);
-        push_aids(L, given);
-        lua_call(L, 3, 1);
+        push_told(L, given, CommandKind::aid);
+        push_told(L, given, CommandKind::note);
+        lua_call(L, 4, 1);
         commands = lua::commands_from(L);
         push_function(L, "finished");
         lua_call(L, 0, 1);

@@ -53,6 +53,7 @@ constexpr auto table = std::to_array<Control>({
     {Id::keep_moment, "keep_moment", press, "Keeps this moment, to try again from"},
     {Id::try_again, "try_again", press, "Goes back to the moment that was kept"},
     {Id::ghost, "ghost", press, "Shows, or hides, how an expert does it"},
+    {Id::warnings, "warnings", press, "Warns, or does not, of what is about to go wrong"},
     {Id::help, "help", press, "Shows, or hides, what each key and button does"},
     {Id::stop, "stop", press, "Ends the exercise; the report opens"},
     {Id::take_instrument, "take_instrument", choice, "Takes this instrument of the stand into the hand that moves"},

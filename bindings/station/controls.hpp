@@ -62,6 +62,7 @@ enum class ControlId {
     keep_moment,
     try_again,
     ghost,
+    warnings,
     help,
     stop,
     take_instrument,

@@ -12,6 +12,7 @@
 
 #include "flow/frame.hpp"
 #include "station/hands.hpp"
+#include "station/theatre_moment.hpp"
 #include "station/user_event.hpp"
 
 namespace rhexis::station {
@@ -33,6 +34,9 @@ struct Shown {
     std::shared_ptr<const Stand> stand;
     std::vector<std::string> lines;  ///< what was said to the trainee of late, the last one last
     std::vector<Vec3> marks;         ///< where the tip is to be: one place, or a way through several
+    std::vector<std::string> warnings{};  ///< of what is about to go wrong
+    MachinePanel machine{};
+    std::vector<HandForce> forces{};
 };
 
 class Desk {

@@ -129,6 +129,8 @@ void Hands::take(const UserEvent& given, const Surroundings& around) {
                 press(chosen->id, event.value, around);
             }
             break;
+        case EventKind::staff:
+            break;  // of the instructor, not of these hands
         case EventKind::axis:
             event.value = std::clamp(event.value, -1.0, 1.0);
             take_input(event, around);
@@ -304,6 +306,9 @@ void Hands::press(ControlId id, double notches, const Surroundings& around) {
         case ControlId::ghost:
             state_.ghost = !state_.ghost;
             break;
+        case ControlId::warnings:
+            state_.warns = !state_.warns;
+            break;
         case ControlId::help:
             state_.help = !state_.help;
             break;
@@ -335,6 +340,21 @@ void Hands::choose(ControlId id, double number, const Surroundings& around) {
         state_.request = chosen;
     } else {
         take_instrument(chosen, around);
+    }
+}
+
+void Hands::shift(const Vec3& way) {
+    for (HandState& hand : state_.hands) {
+        hand.tip += way;
+        hand.wanted += way;
+    }
+}
+
+void Hands::turned_to(const std::string& setting, double value) {
+    for (std::size_t i = 0; i < stand_->dials.size(); ++i) {
+        if (stand_->dials[i].setting == setting) {
+            state_.dials[i] = value;
+        }
     }
 }
 

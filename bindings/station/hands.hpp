@@ -71,6 +71,7 @@ struct HandsState {
     bool paused = false;
     bool help = false;  ///< the list of controls shows
     bool ghost = false;
+    bool warns = false;  ///< is warned of what is about to go wrong
     bool stop = false;
     bool try_again = false;
     bool keep_moment = false;
@@ -110,6 +111,10 @@ public:
     [[nodiscard]] bool through_side_port(int instrument) const {
         return wounds_[static_cast<std::size_t>(instrument)] == "side_port";
     }
+    /// All that the hands hold goes this way in the eye's frame: it is the head that moved.
+    void shift(const Vec3& way);
+    /// A dial has been turned by somebody else.
+    void turned_to(const std::string& setting, double value);
     /// From here on the hand has to meet its instrument again.
     void lose();
     [[nodiscard]] const HandsState& state() const { return state_; }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/person.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "base/clock.hpp"
 #include "render/renderer.hpp"
 
 namespace rhexis::station {
@@ -11,6 +13,24 @@ namespace {
 constexpr double slowed_below = 0.95;  ///< simulated seconds per second: slower is an aid
 constexpr std::size_t most_lines = 3;  ///< said to the trainee, that are still shown
 constexpr double shown_s = 10.0;       ///< each, unless it is the last [s]
+constexpr double theatre_every_s = 0.05;
+constexpr double score_every_s = 1.0;
+
+/// Pads and pedals as they come and go.
+void note_device(const UserEvent& event, std::vector<DeviceHealth>& devices) {
+    const bool of_window = event.kind == EventKind::focus && event.name.empty();
+    if (event.kind != EventKind::device && !of_window) {
+        return;
+    }
+    const std::string name = of_window ? "keyboard and mouse" : event.name;
+    const auto found =
+        std::find_if(devices.begin(), devices.end(), [&](const DeviceHealth& one) { return one.name == name; });
+    if (found == devices.end()) {
+        devices.push_back({name, event.value > 0.5});
+    } else {
+        found->there = event.value > 0.5;
+    }
+}
 
 }  // namespace
 
@@ -47,6 +67,15 @@ Status Person::begin(Timeline& timeline) {
     exam_ = stands.value().value("mode", "") == "exam";
     stand_ = std::make_shared<const Stand>(make_stand(*timeline.session(), requests.value()));
     hands_.emplace(options_.mapping, *stand_, *holds_);
+    hands_->state().warns = options_.warns && !exam_;
+    if (host_ != nullptr) {
+        Result<Instructor> instructor = Instructor::create(*host_, timeline.session()->world().microscope.has_value());
+        if (!instructor) {
+            return instructor.error();
+        }
+        instructor_ = std::move(instructor).value();
+    }
+    panel_.emplace(timeline.schema(), timeline.scene().instruments);
     around_ = surroundings_of(*timeline.session(), hands_->state());
     return timeline.step_count() > 0 ? hands_->take_over(*timeline.session(), *around_) : success();
 }
@@ -84,7 +113,12 @@ Result<bool> Person::take_events(const Session& session) {
         if (!kept) {
             return kept.error();
         }
-        hands_->take(event, *around_);
+        if (event.kind == EventKind::staff) {
+            instructor_.heed(event, *hands_, *around_);
+        } else {
+            hands_->take(event, *around_);
+        }
+        note_device(event, moment_.devices);
     }
     return !(events.value().empty() && hands_->waits() && source_.over());
 }
@@ -99,11 +133,16 @@ void Person::heed_wishes(const Session& session) {
     if (std::exchange(state.try_again, false)) {
         if (exam_) {
             hands_->tell("an exam has no second try");
-        } else if (kept_step_ < session.step_count()) {
-            back_ = kept_step_;
-            aids_.push_back({CommandKind::aid, "rewound",
-                             session.scene().step_s * static_cast<double>(session.step_count() - kept_step_), ""});
+        } else {
+            go_back(session, kept_step_);
         }
+    }
+    if (const std::optional<double> rewind_s = instructor_.take_rewind()) {
+        const auto steps = static_cast<std::uint64_t>(*rewind_s / session.scene().step_s);
+        go_back(session, session.step_count() - std::min(steps, session.step_count()));
+    }
+    if (exam_ && std::exchange(state.warns, false)) {
+        hands_->tell("an exam does not warn");
     }
     if (exam_ && std::exchange(state.ghost, false)) {
         hands_->tell("an exam shows no ghost");
@@ -112,6 +151,34 @@ void Person::heed_wishes(const Session& session) {
         state.ghost = false;
         hands_->tell("there is no expert's way: rhexis train --ghost RUN, of rhexis run");
     }
+}
+
+void Person::go_back(const Session& session, std::uint64_t step) {
+    if (step < session.step_count()) {
+        back_ = step;
+        aids_.push_back({CommandKind::aid, "rewound",
+                         session.scene().step_s * static_cast<double>(session.step_count() - step), ""});
+    }
+}
+
+/// Of what is about to go wrong, where that is wished for; each that is shown is an aid.
+Status Person::warn() {
+    std::vector<std::string> now;
+    if (hands_->state().warns && host_ != nullptr) {
+        const Result<nlohmann::json> raised = host_->warnings();
+        if (!raised) {
+            return raised.error();
+        }
+        for (const nlohmann::json& one : raised.value()) {
+            const std::string title = one.at("title");
+            now.push_back(title + ". " + one.at("advice").get<std::string>());
+            if (std::find(warnings_.begin(), warnings_.end(), now.back()) == warnings_.end()) {
+                aids_.push_back({CommandKind::aid, "warned", 0.0, title});
+            }
+        }
+    }
+    warnings_ = std::move(now);
+    return success();
 }
 
 /// Simulated seconds that took more than a second of the clock, and those with a ghost.
@@ -134,19 +201,61 @@ void Person::show(const Session& session, bool waits) {
     const Result<std::vector<Vec3>> marks = host_ != nullptr ? host_->marks() : std::vector<Vec3>{};
     desk_.show(std::make_shared<Shown>(Shown{session.frame(), hands_->state(), *around_, session.step_count(),
                                              source_.last_number(), source_.slowed(), waits, stand_, std::move(lines),
-                                             marks ? marks.value() : std::vector<Vec3>{}}));
+                                             marks ? marks.value() : std::vector<Vec3>{}, warnings_,
+                                             panel_->panel(session), panel_->forces(session)}));
     if (options_.wait_for_pictures && !waits) {
         desk_.wait_until_drawn(session.step_count());
     }
 }
 
+/// The monitor sees each moment whole; how many, the wall clock says.
+Status Person::show_theatre(const Session& session, bool ended) {
+    const double now = wall_seconds();
+    if (theatre_ == nullptr || host_ == nullptr || (!ended && now < theatre_due_s_)) {
+        return success();
+    }
+    theatre_due_s_ = now + theatre_every_s;
+    const bool score = ended || now >= score_due_s_;
+    score_due_s_ = score ? now + score_every_s : score_due_s_;
+    if (const Status told = tell_exercise(*host_, score, moment_); !told) {
+        return told;
+    }
+    moment_.exercise = options_.title;
+    moment_.time_s = session.time_s();
+    moment_.waits = hands_->waits();
+    moment_.paused = hands_->state().paused;
+    moment_.ended = ended;
+    moment_.exam = exam_;
+    moment_.warns = hands_->state().warns;
+    moment_.slowed = source_.slowed();
+    moment_.pictures_per_s = desk_.pictures_per_s();
+    moment_.machine = panel_->panel(session);
+    moment_.forces = panel_->forces(session);
+    moment_.lines.clear();
+    for (const Said& said : said_) {
+        moment_.lines.push_back(said.text);
+    }
+    moment_.injections = instructor_.injections();
+    moment_.levels = instructor_.levels();
+    theatre_->show(moment_);
+    return success();
+}
+
+Status Person::ended(Timeline& timeline) { return show_theatre(*timeline.session(), true); }
+
 Result<OperatorStep> Person::operate(Timeline& timeline) {
     const Session& session = *timeline.session();
     around_ = surroundings_of(session, hands_->state());
+    if (const Status warned = warn(); !warned) {
+        return warned.error();
+    }
     if (options_.wait_for_pictures ? session.step_count() % options_.show_every == 0 : desk_.wants_picture()) {
         show(session, hands_->waits());
     }
     do {
+        if (const Status shown = show_theatre(session, false); !shown) {
+            return shown.error();
+        }
         const Result<bool> more = take_events(session);
         if (!more) {
             return more.error();
@@ -160,12 +269,15 @@ Result<OperatorStep> Person::operate(Timeline& timeline) {
         }
     } while (hands_->waits());
     const double dt = session.scene().step_s;
+    const std::vector<Command> staff = instructor_.advance(dt, session, *hands_);
     if (const Status moved = hands_->advance(*around_, dt); !moved) {
         return moved.error();
     }
     note_aids(dt);
     ++made_;
     OperatorStep step{hands_->samples(*around_, dt), hands_->take_commands()};
+    instructor_.move_microscope(*around_, step.samples);
+    step.commands.insert(step.commands.end(), staff.begin(), staff.end());
     step.commands.insert(step.commands.end(), aids_.begin(), aids_.end());
     aids_.clear();
     return step;

@@ -29,8 +29,8 @@ Result<std::vector<UserEvent>> Scripted::take(std::uint64_t step, bool waits, co
     }
     if (typist_) {
         typist_->heed(come);
-    } else {
-        come.clear();
+    } else {  // the hand is the surgeon's; an instructor may be anybody
+        std::erase_if(come, [](const UserEvent& event) { return event.kind != EventKind::staff; });
     }
     asked_twice_ = last_step_ == step;
     if (asked_twice_ && !(typist_ && typist_->rests())) {
@@ -38,8 +38,12 @@ Result<std::vector<UserEvent>> Scripted::take(std::uint64_t step, bool waits, co
     }
     last_step_ = step;
     Result<std::vector<UserEvent>> done = work(typist_ ? typist_->ahead(hands, around) : hands, around, session);
-    if (!done || !typist_) {
+    if (!done) {
         return done;
+    }
+    if (!typist_) {
+        come.insert(come.end(), done.value().begin(), done.value().end());
+        return come;
     }
     const Status sent = typist_->send(done.value());
     return sent ? Result<std::vector<UserEvent>>(std::move(come)) : sent.error();

@@ -28,10 +28,30 @@ struct StationOptions {
     Stereo stereo = Stereo::off;
     std::string screenshot;  ///< file for what the window shows in the end; empty: none
     int picture_every = 4;   ///< steps, where events are done again
+    bool warns = false;      ///< of what is about to go wrong, from the beginning
+    bool silent = false;     ///< no sound
+    std::string theatre;     ///< address that a monitor looks at; empty: none does
 };
 
 /// The one function that the shared object shows.
 inline constexpr const char* entry_name = "rhexis_station_train";
 using Entry = void(const StationOptions& options, Result<AttemptResult>& result);
+
+/// What the command line asks of a theatre's monitor.
+struct MonitorOptions {
+    std::string root;      ///< folder of scripts/
+    std::string language;  ///< "fr", ...; "" and "en": English
+    std::string address;   ///< of the station
+    std::string request;   ///< "inject cough", "note ...": asked for, without a window; empty: none
+    bool json = false;     ///< each moment as a line on standard output, without a window
+    double seconds = 0.0;  ///< so long; 0: until it is closed
+    bool once = false;     ///< until the attempt has ended
+    std::string screenshot;  ///< PNG file for what the window shows in the end; empty: none
+    int width = 1280;        ///< of the window [pixels]
+    int height = 800;
+};
+
+inline constexpr const char* monitor_entry_name = "rhexis_station_monitor";
+using MonitorEntry = void(const MonitorOptions& options, Status& status);
 
 }  // namespace rhexis::station

@@ -13,7 +13,7 @@ namespace rhexis::station {
 namespace {
 
 constexpr std::array kind_names = {"key",     "pointer", "button", "wheel",  "axis", "press",
-                                   "control", "bind",    "focus",  "device", "quit"};
+                                   "control", "bind",    "focus",  "device", "staff", "quit"};
 constexpr double farthest = 1000.0;  ///< of a number beyond is no device's and no tuning's
 
 Result<double> number_in(const nlohmann::json& json, const char* field) {
@@ -42,7 +42,7 @@ nlohmann::json to_json(const UserEvent& event) {
     } else if (event.kind != EventKind::quit) {
         json["value"] = event.value;
     }
-    if (event.kind == EventKind::bind) {
+    if (event.kind == EventKind::bind || event.kind == EventKind::staff) {
         json["control"] = event.control;
     }
     return json;

@@ -14,8 +14,10 @@ enum class CommandKind {
     request,  ///< whoever operates asks the staff for something, or declares it; name is its id in the exercise. Input
               ///< as samples are: the exercise, not the session, says what follows
     adjust,   ///< whoever operates turns a dial of the machine: as `set`, but input, as samples are
-    aid       ///< whoever operates was helped: name = "rewound", "slowed", "guided", "warned" or "injected", value =
-              ///< seconds of it. Input: the attempt is judged as one with aids
+    aid,      ///< whoever operates was helped, or hindered: name = "rewound", "slowed", "guided", "warned" or
+              ///< "injected", value = seconds of it, text = what of it. Input: the attempt is judged as one with aids
+    inject,   ///< an instructor lets something happen: as `set`, but input
+    note      ///< an instructor pins text to this moment. Input
 };
 
 struct Command {
@@ -25,10 +27,9 @@ struct Command {
     std::string text;
 };
 
-/// Of whoever operates, not of the exercise.
+/// Of whoever operates or instructs, not of the exercise.
 inline bool is_input(const Command& command) {
-    return command.kind == CommandKind::request || command.kind == CommandKind::adjust ||
-           command.kind == CommandKind::aid;
+    return command.kind == CommandKind::request || command.kind >= CommandKind::adjust;
 }
 
 }  // namespace rhexis

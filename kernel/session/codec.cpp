@@ -124,7 +124,7 @@ void step_fields(auto& io, auto& step) {
     });
     io.list(step.commands, 28, [](auto& inner, auto& command) {
         inner(command.kind);
-        inner.limit(command.kind >= CommandKind::set && command.kind <= CommandKind::aid);
+        inner.limit(command.kind >= CommandKind::set && command.kind <= CommandKind::note);
         inner(command.name);
         inner(command.value);
         inner(command.text);

@@ -199,7 +199,8 @@ void Session::Parts::set(const Command& command) {
 
 void Session::Parts::obey(std::span<const Command> commands) {
     for (const Command& command : commands) {
-        if (command.kind == CommandKind::set || command.kind == CommandKind::adjust) {
+        if (command.kind == CommandKind::set || command.kind == CommandKind::adjust ||
+            command.kind == CommandKind::inject) {
             set(command);
         } else if (command.kind == CommandKind::say) {
             note(LogLevel::info, command.text);

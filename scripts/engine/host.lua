@@ -5,6 +5,7 @@ local Eye = require "engine.eye"
 local Run = require "engine.run"
 local condition = require "engine.condition"
 local globals = require "engine.globals"
+local injections = require "engine.injections"
 local language = require "exercise"
 local operation = require "operation"
 local osacss = require "osacss"
@@ -169,8 +170,11 @@ function host.start(schema)
     return host.row
 end
 
---- asked: ids of the requests made in the step that led here, or nil; aids: likewise, list of { name, value }, or nil.
-function host.observe(time_s, asked, aids) return host.run:observe(time_s, host.row, asked, aids) end
+--- asked: ids of the requests made in the step that led here, or nil; aids, notes: likewise, list of { name, value,
+--- text }, or nil.
+function host.observe(time_s, asked, aids, notes)
+    return host.run:observe(time_s, host.row, asked, aids, notes)
+end
 
 --- Whether the turn has just come to another step: when a changed exercise may be taken up.
 function host.at_boundary() return host.run ~= nil and not host.run.finished and host.run.steps:has_turned() end
@@ -179,6 +183,32 @@ function host.at_boundary() return host.run ~= nil and not host.run.finished and
 function host.marks()
     local shown = host.run ~= nil and host.exercise.mode == "teaching"
     return shown and host.run.steps:marks() or {}
+end
+
+--- What the theatre's monitor shows now; score: with the points so far.
+function host.theatre(score) return host.run and host.run:theatre(score) or nil end
+
+--- What an instructor may let happen in this scene: see theatre/injections.lua.
+function host.injections() return injections.listing(host.run.eye, host.exercise) end
+
+--- What of a level may change while the exercise runs, and how many values may not.
+function host.level_now(name)
+    local level, settings, later = host.exercise.levels[name], words.as_object({}), 0
+    if not level then return nil end
+    for _, key in ipairs(words.keys(level.settings)) do
+        local info = settings_check.info(key)
+        if info and info.live then settings[key] = level.settings[key] else later = later + 1 end
+    end
+    return { settings = settings, later = later + #words.keys(level.patient) + #words.keys(level.goals or {}) }
+end
+
+--- Warnings that show now: list of { title, advice }.
+function host.warnings()
+    local shown = {}
+    for i, record in ipairs(host.run and host.run:raised_warnings() or {}) do
+        shown[i] = { title = record.title, advice = record.advice }
+    end
+    return shown
 end
 
 --- Of the exercise as it was, and to the exercise as it is now, after start.

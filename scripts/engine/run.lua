@@ -7,7 +7,10 @@ local condition = require "engine.condition"
 local events = require "engine.events"
 local orientation = require "engine.orientation"
 local scoring = require "scoring"
+local standard_warnings = require "theatre.warnings"
 local steps = require "engine.steps"
+local vitals = require "engine.vitals"
+local warnings = require "engine.warnings"
 local words = require "engine.words"
 
 local Run = {}
@@ -58,8 +61,8 @@ end
 
 --- schema: list of { name, unit, meaning }; exercise: from exercise { ... }.
 function Run.new(exercise, schema)
-    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, aids = {}, commands = {}, time_s = 0 },
-        Run)
+    local self = setmetatable({ exercise = exercise, events = {}, asked = {}, aids = {}, notes = {}, commands = {},
+        time_s = 0 }, Run)
     self.t = exercise.translated or function(text) return text end
     scoring.translate_with(self.t)
     self.eye = Eye.new(schema, exercise.goals, exercise.requests)
@@ -69,6 +72,8 @@ function Run.new(exercise, schema)
     self.watches = {}
     local task = not (exercise.whole and exercise.whole.before.parts)
     for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye, task) end
+    self.warned, self.warnings = {}, {}
+    for _, rule in ipairs(standard_warnings) do table.insert(self.warnings, warnings.watch(rule, self.eye)) end
     self.over = exercise.over and words.try(condition.bind, exercise.over, self.eye, "in 'over'")
     if exercise.scoring then
         self.sheet = words.try(scoring.sheet, exercise.scoring, self.eye, exercise.reference, exercise.step_s)
@@ -135,20 +140,32 @@ local function note_aids(self, aids, time_s)
             table.insert(self.aids, known)
         end
         known.times, known.seconds = known.times + 1, known.seconds + aid.value
+        if aid.text ~= "" then
+            known.told = known.told or {}
+            table.insert(known.told, { text = aid.text, time_s = time_s })
+        end
     end
 end
 
+-- What an instructor pinned to the clock.
+local function pin(self, notes, time_s)
+    for _, note in ipairs(notes) do table.insert(self.notes, { time_s = time_s, text = note.text }) end
+end
+
 --- Takes one observation: time_s, a row of numbers in the order of the schema, and of the step that led to it the ids
---- of the requests and the aids, a list of { name, value }; or nil. Returns the commands, a list of { kind, name,
+--- of the requests, the aids and the notes, lists of { name, value, text }; or nil. Returns the commands, a list of { kind, name,
 --- value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
-function Run:observe(time_s, row, asked, aids)
+function Run:observe(time_s, row, asked, aids, notes)
     self.commands = {}
     if self.finished then return self.commands end
     self.time_s = time_s
     self.eye:look(time_s, row, time_s - self.steps:since())
     if asked then hear(self, asked, time_s) end
     if aids then note_aids(self, aids, time_s) end
+    if notes then pin(self, notes, time_s) end
     for _, watch in ipairs(self.watches) do watch:tick(time_s, self.steps:current(), self.log) end
+    for _, watch in ipairs(self.warnings) do watch:tick(time_s, self.warned, self.t) end
+    if self.vitals then self.vitals:tick(time_s) end
     if self.sheet then self.sheet:tick(time_s) end
     if self.whole then self.whole:tick(time_s) end
     self.steps:tick(time_s)
@@ -163,7 +180,7 @@ function Run:left()
     for i, record in ipairs(self.events) do index_of[record] = i end
     for i, watch in ipairs(self.watches) do watches[i] = watch:left(index_of) end
     return { time_s = self.time_s, steps = self.steps:left(), events = self.events, watches = watches,
-        asked = self.asked, aids = self.aids,
+        asked = self.asked, aids = self.aids, notes = self.notes, warned = self.warned,
         score = self.sheet and self.sheet:carried(self.time_s).measures }
 end
 
@@ -183,8 +200,64 @@ function Run:take_up(left)
     for _, watch in ipairs(self.watches) do
         if known[watch.declared.id] then watch:take_up(known[watch.declared.id], self.events) end
     end
+    for _, note in ipairs(left.notes) do table.insert(self.notes, note) end
+    for _, record in ipairs(left.warned) do
+        words.as_object(record.evidence)
+        table.insert(self.warned, record)
+    end
     self.steps:take_up(left.steps, left.time_s)
     if self.sheet and left.score then self.sheet:take_up(left.score) end
+end
+
+-- What the monitor shows of an error event: what the trainee is told.
+local function shown_event(record)
+    return { title = record.title, advice = record.advice, time_s = record.time_s, outcome = record.outcome,
+        severity = record.severity }
+end
+
+-- Steps in their order, with where the turn is.
+local function shown_steps(self)
+    local shown = {}
+    for i, record in ipairs(self.steps.records) do
+        local declared = self.exercise.steps[i]
+        local state = record.completed and "done" or record.skipped and "left out" or record.end_s and "undone"
+            or i == self.steps.at and "now" or "to come"
+        shown[i] = { title = record.title, state = state, hint = state == "now" and declared.hint or nil }
+    end
+    return shown
+end
+
+-- The score as it would be if the attempt ended now.
+local function shown_score(self)
+    if not self.sheet then return nil end
+    local score = self.sheet:score(self.events, false, self:how())
+    local items = {}
+    for i, item in ipairs(score.items) do
+        items[i] = { id = item.id, name = item.name, score = item.score }
+    end
+    return { total = score.total, max = score.max, scaled = score.scaled, items = items }
+end
+
+--- What the theatre's monitor shows, as of the last observation. The patient's constants begin with the first time
+--- that this is asked. score: with the points so far, which takes longer.
+function Run:theatre(score)
+    self.vitals = self.vitals or vitals.new(self.exercise.vitals, self.eye)
+    local events, raised = {}, {}
+    for i, record in ipairs(self.events) do events[i] = shown_event(record) end
+    for i, record in ipairs(self:raised_warnings()) do
+        raised[i] = { title = record.title, advice = record.advice }
+    end
+    return { steps = shown_steps(self), events = events, warnings = raised, vitals = self.vitals:now(),
+        notes = self.notes, score = score and shown_score(self) or nil }
+end
+
+--- Warnings that show now.
+function Run:raised_warnings()
+    local raised = {}
+    for _, watch in ipairs(self.warnings) do
+        if watch:raised() then table.insert(raised, watch.record) end
+    end
+    return raised
 end
 
 local slowed_from = 0.05  -- share of an attempt's time
@@ -203,7 +276,8 @@ function Run:result()
     local exercise = self.exercise
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
         steps = self.steps.records, events = self.events, requests = self.asked,
-        aids = #self.aids > 0 and self.aids or nil, mode = exercise.mode, hints = exercise.mode == "teaching",
+        aids = #self.aids > 0 and self.aids or nil, warnings = #self.warned > 0 and self.warned or nil,
+        notes = #self.notes > 0 and self.notes or nil, mode = exercise.mode, hints = exercise.mode == "teaching",
         level = exercise.level, language = exercise.language or "en",
         orientation = orientation.of(exercise.patient, exercise.handedness), title = exercise.title,
         summary = exercise.summary, objectives = exercise.objectives, goals = words.as_object(exercise.goals),

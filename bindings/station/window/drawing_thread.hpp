@@ -6,6 +6,7 @@
 #include <atomic>
 #include <future>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -13,13 +14,15 @@
 #include "station/window/live_picture.hpp"
 #include "station/window/mapping_file.hpp"
 #include "station/window/prepared.hpp"
+#include "station/window/sound.hpp"
 
 namespace rhexis::station {
 
 class DrawingThread {
 public:
-    /// All of it outlives the drawing.
-    DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options);
+    /// All of it outlives the drawing. sound: null, there is none; notice: why, or empty.
+    DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options, Sound* sound = nullptr,
+                  std::string notice = "");
     /// Closes the desk.
     ~DrawingThread();
     DrawingThread(const DrawingThread&) = delete;
@@ -46,6 +49,8 @@ private:
     Window& window_;
     Prepared& prepared_;
     const StationOptions& options_;
+    Sound* sound_;
+    std::string notice_;
     std::atomic<bool> takes_cursor_ = false;
     std::atomic<bool> panel_asks_ = false;
     std::mutex mutex_;

@@ -10,6 +10,7 @@
 
 #include "base/clock.hpp"
 #include "station/person.hpp"
+#include "station/window/read_window.hpp"
 
 namespace rhexis::station {
 namespace {
@@ -40,24 +41,11 @@ std::vector<UserEvent> LivePicture::draw(Shown& shown, const std::vector<UserEve
     std::vector<UserEvent> clicked =
         panels_.draw(shown, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
     if (taken != nullptr) {
-        *taken = read_window();
+        *taken = read_window(window_);
     }
     window_.present();
     count(wall_seconds() - before);
     return clicked;
-}
-
-Image LivePicture::read_window() const {
-    const int width = window_.width();
-    const int height = window_.height();
-    Image image{width, height, std::vector<unsigned char>(3 * static_cast<std::size_t>(width) * height)};
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (int row = 0; row < height; ++row) {  // the window's first one is at the bottom
-        glReadPixels(0, height - 1 - row, width, 1, GL_RGB, GL_UNSIGNED_BYTE,
-                     &image.rgb[3 * static_cast<std::size_t>(row) * width]);
-    }
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    return image;
 }
 
 void LivePicture::count(double took_s) {

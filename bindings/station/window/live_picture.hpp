@@ -30,7 +30,6 @@ public:
     std::vector<UserEvent> draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken = nullptr);
 
 private:
-    [[nodiscard]] Image read_window() const;
     void count(double took_s);
     void draw_smaller(double mean_s);
     void run_ahead(Shown& shown, const std::vector<UserEvent>& after);

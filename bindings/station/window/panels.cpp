@@ -111,6 +111,32 @@ void draw_ghost(const Shown& shown, const Ghost& ghost) {
     }
 }
 
+/// How hard tissue is pressed, which no hand feels here: an arc around the tip, the longer and the brighter the harder.
+void draw_force(const Shown& shown) {
+    constexpr double shown_from_mN = 2.0;
+    constexpr double full_mN = 40.0;
+    constexpr float radius = 26.0F;
+    constexpr float turn = 6.2832F;
+    for (const HandState& hand : shown.hands.hands) {
+        if (hand.instrument < 0 || !hand.inside) {
+            continue;
+        }
+        const std::string& name = shown.stand->instruments[static_cast<std::size_t>(hand.instrument)].name;
+        double most_mN = 0.0;
+        for (const HandForce& force : shown.forces) {
+            most_mN = force.instrument == name ? std::max(most_mN, force.mN) : most_mN;
+        }
+        const auto share = static_cast<float>(std::min(1.0, most_mN / full_mN));
+        if (most_mN < shown_from_mN) {
+            continue;
+        }
+        ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
+        drawn.PathArcTo(in_window(shown, hand.tip), radius, -0.25F * turn, (share - 0.25F) * turn, 48);
+        drawn.PathStroke(ImGui::ColorConvertFloat4ToU32({share, 0.45F + 0.4F * share, 1.0F - 0.8F * share, 0.85F}),
+                         ImDrawFlags_None, 2.0F + 3.0F * share);
+    }
+}
+
 /// Where the cursor has to come to, for the clock waits for it.
 void draw_meeting_place(const Shown& shown) {
     const HandState& hand = shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)];
@@ -201,7 +227,7 @@ void Panels::draw_state(const Shown& shown, const DrawingRate& rate) const {
 
 void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& next) const {
     const bool noticed = wall_seconds() < notice_until_s_;
-    if (!next && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
+    if (!next && shown.warnings.empty() && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();
@@ -212,6 +238,9 @@ void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& ne
     ImGui::PushTextWrapPos(0.3F * io.DisplaySize.x);
     if (next) {
         ImGui::TextColored(to_learn, "%s", next->c_str());
+    }
+    for (const std::string& one : shown.warnings) {
+        ImGui::TextColored(warning, "! %s", one.c_str());
     }
     for (const std::string& line : shown.lines) {
         ImGui::TextWrapped("%s", line.c_str());
@@ -392,6 +421,7 @@ std::vector<UserEvent> Panels::draw(const Shown& shown, const Ghost* ghost, cons
     if (shown.hands.ghost && ghost != nullptr) {
         draw_ghost(shown, *ghost);
     }
+    draw_force(shown);
     if (shown.waits && !shown.hands.paused &&
         shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)].instrument >= 0) {
         draw_meeting_place(shown);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person operates in a window: the simulation and the picture on threads of their own, the devices on this one.
 #include <memory>
+#include <vector>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "station/window/prepared.hpp"
 #include "station/window/window.hpp"
 #include "station/window/x_number.hpp"
+#include "theatre/link.hpp"
 
 namespace rhexis::station {
 namespace {
@@ -20,8 +22,11 @@ namespace {
 constexpr double event_wait_s = 0.005;  ///< for an event, before it is looked whether the trial has ended
 
 /// Until the trial has ended.
-void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingThread& drawing) {
+void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingThread& drawing, TheatreFeed* theatre) {
     while (!desk.ended()) {
+        if (theatre != nullptr && !options.again) {
+            desk.post(theatre->requests());
+        }
         for (const UserEvent& event : window.poll(event_wait_s)) {
             if (operates(options)) {
                 drawing.take(event);
@@ -62,7 +67,7 @@ Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, 
 
 /// On this thread devices, on others the simulation and the pictures.
 Result<AttemptResult> operate(const StationOptions& options, Person& person, Desk& desk, Window& window,
-                              DrawingThread& drawing) {
+                              DrawingThread& drawing, TheatreFeed* theatre) {
     AttemptOptions of_attempt = options.attempt;
     of_attempt.guest = &person;
     of_attempt.quiet = true;
@@ -72,7 +77,7 @@ Result<AttemptResult> operate(const StationOptions& options, Person& person, Des
         result.emplace(attempt(of_attempt));
         desk.end();
     });
-    look_on(options, desk, window, drawing);
+    look_on(options, desk, window, drawing, theatre);
     simulation.join();
     const Status pictured = drawing.finish();
     return pictured || !result->ok() ? std::move(*result) : pictured.error();
@@ -89,12 +94,27 @@ Result<AttemptResult> train(const StationOptions& options) {
     if (!window) {
         return window.error();
     }
+    std::unique_ptr<TheatreFeed> theatre;
+    if (!options.theatre.empty()) {
+        Result<std::unique_ptr<TheatreFeed>> opened = TheatreFeed::open(options.theatre);
+        if (!opened) {
+            return opened.error();
+        }
+        theatre = std::move(opened).value();
+    }
     Desk desk;
     Result<std::unique_ptr<EventSource>> source = make_source(options, prepared, desk, window.value());
     if (!source) {
         return source.error();
     }
-    DrawingThread drawing(desk, window.value(), prepared, options);
+    std::unique_ptr<Sound> sound;
+    std::string notice;
+    if (!options.silent && !is_stepped(options)) {
+        Result<std::unique_ptr<Sound>> opened = Sound::open();
+        sound = opened ? std::move(opened).value() : nullptr;
+        notice = opened ? "" : opened.error().text();
+    }
+    DrawingThread drawing(desk, window.value(), prepared, options, sound.get(), notice);
     if (const Status begun = drawing.begun(); !begun) {
         return begun.error();
     }
@@ -103,9 +123,11 @@ Result<AttemptResult> train(const StationOptions& options) {
                                   options.attempt.exercise.root,
                                   static_cast<std::uint64_t>(options.picture_every),
                                   is_stepped(options),
-                                  prepared.ghost.has_value()};
-    Person person(of_person, *source.value(), desk, prepared.writer ? &*prepared.writer : nullptr);
-    Result<AttemptResult> result = operate(options, person, desk, window.value(), drawing);
+                                  prepared.ghost.has_value(),
+                                  options.warns,
+                                  prepared.title};
+    Person person(of_person, *source.value(), desk, prepared.writer ? &*prepared.writer : nullptr, theatre.get());
+    Result<AttemptResult> result = operate(options, person, desk, window.value(), drawing, theatre.get());
     const Status kept = result.ok() && prepared.writer ? prepared.writer->finish() : success();
     return kept ? std::move(result) : kept.error();
 }

@@ -149,7 +149,8 @@ void Window::Parts::keep_raw(const SDL_Event& event) {
     constexpr std::size_t most = 1000;
     const bool of_panels = event.type == SDL_MOUSEWHEEL || event.type == SDL_MOUSEBUTTONDOWN ||
                            event.type == SDL_MOUSEBUTTONUP || event.type == SDL_MOUSEMOTION ||
-                           event.type == SDL_KEYDOWN || event.type == SDL_KEYUP || event.type == SDL_WINDOWEVENT;
+                           event.type == SDL_KEYDOWN || event.type == SDL_KEYUP || event.type == SDL_TEXTINPUT ||
+                           event.type == SDL_WINDOWEVENT;
     const std::lock_guard lock(raw_mutex);
     if (of_panels && raw.size() < most) {
         raw.push_back(event);

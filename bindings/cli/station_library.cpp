@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/station_library.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include "trial/places.hpp"
+
+namespace rhexis::cli {
+namespace {
+
+constexpr const char* library = "rhexis-window.so";
+
+}  // namespace
+
+Result<void*> load_station() {
+    std::error_code unknown;
+    const std::filesystem::path folder = std::filesystem::canonical(program_path(), unknown).parent_path();
+    std::string tried;
+    for (const std::filesystem::path& path : {folder / library, folder / "../lib/rhexis" / library}) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) {
+            tried += (tried.empty() ? "" : ", ") + path.string();
+            continue;
+        }
+        void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (opened == nullptr) {
+            return Error{std::string("the window cannot be loaded: ") + ::dlerror(), path.string(),
+                         "the Debian packages of deps.txt"};
+        }
+        return opened;
+    }
+    return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
+}
+
+}  // namespace rhexis::cli
