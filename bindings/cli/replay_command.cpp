@@ -8,8 +8,11 @@
 #include "base/folder_lock.hpp"
 #include "base/hash.hpp"
 #include "cli/command.hpp"
+#include "cli/language.hpp"
+#include "cli/station_library.hpp"
 #include "lua/operation_script.hpp"
 #include "session/replay.hpp"
+#include "station/station.hpp"
 #include "trial/film.hpp"
 #include "trial/pictures.hpp"
 #include "trial/places.hpp"
@@ -28,6 +31,8 @@ constexpr const char* replay_help =
     "  rhexis replay runs/groove-expert-1 --score-with rubrics/ico_oscar.lua      same exercise, another rubric\n"
     "  rhexis replay runs/groove-expert-1 --video --out film/\n"
     "\n"
+    "  rhexis replay runs/groove-person-20261128-101500 --window     look at it again, with what happened and why\n"
+    "\n"
     "  rhexis replay runs/full_operation-expert-1 --score-with full_operation     all its parts\n"
     "\n"
     "A recording that was cut short (recording.rhx.part) is used up to its last whole step.";
@@ -44,6 +49,8 @@ struct ReplayOptions {
     bool json = false;
     int threads = 0;
     std::string instruction_set;
+    bool window = false;
+    station::DebriefingOptions debriefing;
 };
 
 nlohmann::json describe(const Recording& recording, const std::string& path) {
@@ -202,6 +209,21 @@ int look_at(ReplayOptions given, const Context& context, nlohmann::json& out) {
     return status;
 }
 
+/// In a window, to the end.
+int debrief(const ReplayOptions& given, const Context& context) {
+    const Result<void*> opened = load_station();
+    if (!opened) {
+        return complain(opened.error());
+    }
+    station::DebriefingOptions options = given.debriefing;
+    options.root = context.root;
+    options.recording = recording_path(given.recording);
+    options.language = options.language.empty() ? language_of_environment(context.root) : options.language;
+    Status status = success();
+    entry_of<station::DebriefingEntry>(opened.value(), station::debriefing_entry_name)(options, status);
+    return status ? done : complain(status.error());
+}
+
 /// The score over all parts, as `out["result"]`.
 int score_whole(const ReplayOptions& given, const std::vector<std::string>& parts, const Context& context,
                 nlohmann::json& out) {
@@ -258,6 +280,11 @@ int replay_whole(const ReplayOptions& given, const std::vector<std::string>& par
 
 int replay(const ReplayOptions& given, const Context& context) {
     const std::vector<std::string> parts = part_folders(given.recording);
+    if (given.window) {
+        return parts.empty() ? debrief(given, context)
+                             : complain({"an operation is looked at part by part", given.recording,
+                                         "one of the folders in " + given.recording + "/parts"});
+    }
     if (!parts.empty()) {
         return replay_whole(given, parts, context);
     }
@@ -292,6 +319,22 @@ void add_replay(CLI::App& app, Context& context) {
         ->check(CLI::Range(1, 64));
     add_instruction_set(*command, given->instruction_set);
     command->add_flag("--json", given->json, "Print what was found as JSON");
+    CLI::Option* window = command->add_flag("--window", given->window, "Look at it again, in a window");
+    station::DebriefingOptions& debriefing = given->debriefing;
+    command->add_option("--ghost", debriefing.ghost, "With --window: an expert's run of the same exercise, to compare with")
+        ->needs(window);
+    command->add_option("--at", debriefing.at_s, "With --window: begin at this time [s]")
+        ->check(CLI::Range(0.0, 1e6))
+        ->needs(window);
+    command->add_option("--language", debriefing.language, "With --window: en, fr, ...")->needs(window);
+    command->add_flag("--full-screen", debriefing.full_screen, "With --window")->needs(window);
+    command->add_option("--width", debriefing.width, "Of the window [pixels]")->check(CLI::Range(320, 4096))->needs(window);
+    command->add_option("--height", debriefing.height, "Of the window [pixels]")
+        ->check(CLI::Range(240, 4096))
+        ->needs(window);
+    command->add_option("--seconds", debriefing.seconds, "With --window: so long [until it is closed]")->needs(window);
+    command->add_option("--screenshot", debriefing.screenshot, "PNG file for what the window shows in the end")
+        ->needs(window);
     command->callback([given, &context] { context.status = replay(*given, context); });
 }
 

@@ -51,6 +51,23 @@ struct MonitorOptions {
     int height = 800;
 };
 
+/// What the command line asks of a debriefing.
+struct DebriefingOptions {
+    std::string root;       ///< folder of scripts/
+    std::string language;   ///< as above
+    std::string recording;  ///< file
+    std::string ghost;      ///< run or recording of an expert; empty: none
+    double at_s = 0.0;      ///< where it begins
+    double seconds = 0.0;   ///< so long; 0: until it is closed
+    std::string screenshot;
+    int width = 1280;
+    int height = 960;
+    bool full_screen = false;
+};
+
+inline constexpr const char* debriefing_entry_name = "rhexis_station_debrief";
+using DebriefingEntry = void(const DebriefingOptions& options, Status& status);
+
 inline constexpr const char* monitor_entry_name = "rhexis_station_monitor";
 using MonitorEntry = void(const MonitorOptions& options, Status& status);
 

@@ -57,6 +57,22 @@ function reasons.measure_value(measure)
     return quantity.with_unit(markup.number(measure.value, 2), quantity.unit(measure.unit))
 end
 
+--- Sentences that say what would have made an item a four.
+function reasons.to_four(rubric, item)
+    local list = {}
+    for _, error in ipairs(item.to_four.errors) do
+        list[#list + 1] = t("Without \"%s\", or with it put right at once.", known(error.title))
+    end
+    for _, one in ipairs(item.to_four.measures) do
+        local function told(value)
+            return reasons.measure_value({ value = value, unit = one.unit, name = one.name })
+        end
+        list[#list + 1] = t("%s: %s instead of %s.", reasons.measure_name(rubric, item, one), told(one.wanted),
+            told(one.value))
+    end
+    return list
+end
+
 local outcomes = { near_miss = "a near miss, put right at once", recovered = "put right",
     not_recovered = "not put right in time", open = "not put right yet" }
 

@@ -103,6 +103,11 @@ local function item_row(w, score, item, least)
         "</b><ul>")
     if item.anchor then w('<li class="soft">', e(t("This level reads: ")), e(known(item.anchor)), ".</li>") end
     for _, reason in ipairs(reasons.of(score.rubric, item)) do w("<li>", e(reason), "</li>") end
+    local way = item.to_four
+    if way and #way.errors + #way.measures > 0 then
+        w("<li><b>", e(t("For 4 points: ")), "</b>", e(table.concat(reasons.to_four(score.rubric, item), " ")),
+            "</li>")
+    end
     for _, measure in ipairs(item.given or {}) do
         w('<li class="soft">', e(t("%s: given at the start, not judged.", reasons.measure_name(score.rubric, item,
             measure))), "</li>")
