@@ -34,6 +34,7 @@ constexpr const char* test_help =
 struct TestOptions {
     std::vector<std::string> paths;
     std::string junit;
+    std::string results;
     std::string filter;
     int jobs = 0;
     double longest_s = 0.0;  ///< 0: no limit
@@ -217,6 +218,21 @@ Status write_junit(const Plan& plan, const std::string& path) {
     return write_file(path, junit_xml(scenarios));
 }
 
+/// What the exercise found in each scenario, for who wants to look on.
+Status write_results(const Plan& plan, const std::string& path) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Job& job : plan.jobs) {
+        const FinishedScenario& one = job.scenario;
+        list.push_back({{"file", one.file->path},
+                        {"exercise", one.file->exercise},
+                        {"name", one.file->scenarios.at(one.number).at("name")},
+                        {"passed", one.result.passed()},
+                        {"simulated_s", one.result.simulated_s},
+                        {"found", one.result.findings}});
+    }
+    return write_file(path, list.dump(1) + "\n");
+}
+
 Coverage coverage_of(const Plan& plan) {
     Coverage coverage;
     for (const Job& job : plan.jobs) {
@@ -248,7 +264,8 @@ int test(const TestOptions& given, const Context& context) {
         }
         result = given.require_all && !coverage.complete() ? found_failures : result;
     }
-    const Status written = given.junit.empty() ? success() : write_junit(plan, given.junit);
+    Status written = given.junit.empty() ? success() : write_junit(plan, given.junit);
+    written = written && !given.results.empty() ? write_results(plan, given.results) : written;
     return written ? result : complain(written.error());
 }
 
@@ -260,6 +277,7 @@ void add_test(CLI::App& app, Context& context) {
     auto given = std::make_shared<TestOptions>();
     command->add_option("path", given->paths, "Scenario files, folders, or names in curricula/")->required();
     command->add_option("--junit", given->junit, "Write the results to this file as JUnit XML");
+    command->add_option("--results", given->results, "Write what the exercise found in each scenario to this file, as JSON");
     CLI::Option* filter = command->add_option("--filter", given->filter, "Only scenarios with this text in their name");
     command->add_option("--jobs", given->jobs, "Scenarios to run at once [processor cores]")->check(CLI::Range(1, 64));
     command->add_option("--longest", given->longest_s, "Fail when a scenario simulates more seconds [no limit]")

@@ -24,7 +24,7 @@ struct PersonOptions {
     bool wait_for_pictures = false;  ///< each is drawn before the next step: stepped
     bool has_ghost = false;          ///< there is an expert's way to show
     bool warns = false;              ///< from the beginning, of what is about to go wrong
-    std::string title;               ///< of the exercise
+    std::string title{};             ///< of the exercise
 };
 
 class Person final : public Guest {

@@ -63,7 +63,7 @@ void Voices::mix(std::span<float> samples) {
         alarm_s_ += 1.0 / samples_per_s_;
         const bool first = std::fmod(alarm_s_, 2.0 * alarm_turn_s) < alarm_turn_s;
         const double sum =
-            next(ultrasound_, ultrasound_hz(power), power > 0.0 ? ultrasound_loud : 0.0) +
+            next(ultrasound_, power > 0.0 ? ultrasound_hz(power) : ultrasound_.hz, power > 0.0 ? ultrasound_loud : 0.0) +
             next(vacuum_, vacuum_hz(vacuum_mmhg), aspirates_ ? vacuum_loud : 0.0) +
             next(alarm_, first ? alarm_first_hz : alarm_second_hz, alarm_left_s_ > 0.0 ? alarm_loud : 0.0) +
             next(force_, force_hz, force_loud * std::clamp(pressed, 0.0, 1.0));

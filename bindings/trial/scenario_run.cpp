@@ -130,6 +130,8 @@ public:
     void fill(ScenarioResult& result, const ScenarioFile& file, const Status& status) {
         result.declared = hand_.declared();
         result.simulated_s = session_.time_s();
+        const Result<json> findings = host_.result();
+        result.findings = findings ? findings.value() : json();
         const Result<json> outcome = script_.outcome();
         if (!status || !outcome) {
             const Error& error = status ? outcome.error() : status.error();

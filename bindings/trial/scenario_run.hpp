@@ -25,6 +25,7 @@ struct ScenarioResult {
     std::string error;        ///< a script failed: "file:line: what"; empty: none did
     nlohmann::json declared;  ///< error events of the exercise: [{"id", "title"}]
     nlohmann::json covered;   ///< event id -> {"raised", "recovered", "not_recovered", "silent"}, as far as true
+    nlohmann::json findings;  ///< of the exercise, as in report.json; null: there are none
     double simulated_s = 0.0;
     double cpu_s = 0.0;
     [[nodiscard]] bool passed() const { return failures.empty() && error.empty(); }

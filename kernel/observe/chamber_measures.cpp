@@ -71,6 +71,8 @@ public:
         schema.push_back({"wound.burn_share", "1", "Its burn: 0 none, 1 shrunk as far as it goes."});
         schema.push_back({"panel.vacuum_mmhg", "mmHg", "Vacuum in the tubing, as the machine's panel shows it."});
         schema.push_back({"panel.flow_ml_min", "ml/min", "Flow through the pump, as the panel shows it."});
+        schema.push_back({"panel.stored_mm3", "mm^3",
+                          "What the tubing's vacuum has stored: so much it draws at once when the tip comes free."});
     }
     [[nodiscard]] std::size_t memory_size() const override { return memory_count; }
 
@@ -95,7 +97,7 @@ public:
               1e-3 * chamber.totals.infused, 1e-3 * chamber.totals.leaked, flows.infusion / mm3_s_per_ml_min,
               chamber.wound.temperature, burn_share(chamber.wound),
               std::max(0.0, -tube_pressure(model, chamber.tube_volume) / pascal_per_mmhg),
-              flows.pump / mm3_s_per_ml_min}) {
+              flows.pump / mm3_s_per_ml_min, std::max(0.0, -chamber.tube_volume)}) {
             values[next++] = value;
         }
     }

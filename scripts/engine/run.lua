@@ -72,7 +72,7 @@ function Run.new(exercise, schema)
     self.watches = {}
     local task = not (exercise.whole and exercise.whole.before.parts)
     for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye, task) end
-    self.warned, self.warnings = {}, {}
+    self.warned, self.warnings = { came = {} }, {}
     for _, rule in ipairs(standard_warnings) do table.insert(self.warnings, warnings.watch(rule, self.eye)) end
     self.over = exercise.over and words.try(condition.bind, exercise.over, self.eye, "in 'over'")
     if exercise.scoring then
@@ -174,13 +174,17 @@ function Run:observe(time_s, row, asked, aids, notes)
     return self.commands
 end
 
+-- A list for the report; nil: there is nothing in it.
+local function listed(list) return #list > 0 and table.move(list, 1, #list, 1, {}) or nil end
+
 --- What the run of a changed exercise goes on from: steps, events and scores so far.
 function Run:left()
     local index_of, watches = {}, {}
     for i, record in ipairs(self.events) do index_of[record] = i end
     for i, watch in ipairs(self.watches) do watches[i] = watch:left(index_of) end
     return { time_s = self.time_s, steps = self.steps:left(), events = self.events, watches = watches,
-        asked = self.asked, aids = self.aids, notes = self.notes, warned = self.warned,
+        asked = self.asked, aids = self.aids, notes = self.notes, warned = listed(self.warned) or {},
+        came = self.warned.came,
         score = self.sheet and self.sheet:carried(self.time_s).measures }
 end
 
@@ -201,6 +205,7 @@ function Run:take_up(left)
         if known[watch.declared.id] then watch:take_up(known[watch.declared.id], self.events) end
     end
     for _, note in ipairs(left.notes) do table.insert(self.notes, note) end
+    for _, one in ipairs(left.came) do table.insert(self.warned.came, one) end
     for _, record in ipairs(left.warned) do
         words.as_object(record.evidence)
         table.insert(self.warned, record)
@@ -276,7 +281,7 @@ function Run:result()
     local exercise = self.exercise
     local result = { completed = self.finished == true and self.steps:all_completed(), reason = self.reason,
         steps = self.steps.records, events = self.events, requests = self.asked,
-        aids = #self.aids > 0 and self.aids or nil, warnings = #self.warned > 0 and self.warned or nil,
+        aids = #self.aids > 0 and self.aids or nil, warnings = listed(self.warned), foreseen = listed(self.warned.came),
         notes = #self.notes > 0 and self.notes or nil, mode = exercise.mode, hints = exercise.mode == "teaching",
         level = exercise.level, language = exercise.language or "en",
         orientation = orientation.of(exercise.patient, exercise.handedness), title = exercise.title,

@@ -147,10 +147,23 @@ local function aids_told(w, report)
     for i, aid in ipairs(aids) do
         local how = aid.id == "slowed" and t("%s s", markup.number(aid.seconds, 0)) or count(aid.times, "once",
             "%d times", aid.times)
-        list[i] = ("%s (%s)"):format(t(aid_words[aid.id] or aid.id), how)
+        local of = {}
+        for k, one in ipairs(aid.told or {}) do of[k] = known(one.text) end
+        list[i] = #of > 0 and ("%s (%s)"):format(t(aid_words[aid.id] or aid.id), table.concat(of, "; "))
+            or ("%s (%s)"):format(t(aid_words[aid.id] or aid.id), how)
     end
     w("<p><b>", e(t("With aids: ")), "</b>", e(table.concat(list, ", ")), ". ",
         e(t("Such an attempt counts for no gate, and its score is not compared.")), "</p>")
+end
+
+-- What an instructor pinned to the clock.
+local function notes_told(w, report)
+    if not report.notes then return end
+    w("<p><b>", e(t("Notes of the instructor")), "</b></p><ul>")
+    for _, note in ipairs(report.notes) do
+        w("<li>", e(t("%s s", markup.number(note.time_s, 1))), " ", e(note.text), "</li>")
+    end
+    w("</ul>")
 end
 
 --- The section.
@@ -161,6 +174,7 @@ function story.section(w, report)
     events_told(w, events)
     begun_in_the_middle_told(w, report)
     aids_told(w, report)
+    notes_told(w, report)
     opening_told(w, report)
     not_begun_told(w, report)
     if report.error then

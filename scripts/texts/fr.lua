@@ -3,7 +3,7 @@
 
 local french = {}
 local files = { "engine", "errors", "task_items", "global_items", "sources", "report", "charts", "names", "records",
-    "anchors", "station" }
+    "anchors", "station", "theatre" }
 for _, name in ipairs(files) do
     for english, text in pairs(require("texts.fr." .. name)) do french[english] = text end
 end

@@ -1,0 +1,67 @@
+-- SPDX-License-Identifier: GPL-3.0-or-later
+-- Tips that go down to the posterior capsule, by suction, ultrasound or touch, each at its own speed and place, and tips
+-- that turn back in time: how often is warned before it tears, and how often for nothing?
+
+local function chance(seed)
+    local state = (seed * 7919 + 104729) % 2147483647
+    return function(from, to)
+        state = state * 48271 % 2147483647
+        return from + (to - from) * (state % 100000) / 100000
+    end
+end
+
+local coarse = { patient = { tetrahedra = 1000 } }
+
+-- Down the hole in the middle, to so far from the capsule.
+local function go_down(t, draw, gap)
+    t.phaco:enter({ speed = 20 })
+    t.phaco:pedal(1)
+    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
+    t.phaco:move_to({ 0, 0, -5 }, { speed = draw(2, 5), motion = "even",
+        stop = ("phaco.tip_posterior_mm < %.3f"):format(gap) })
+end
+
+local list = {}
+local function add(name, hand) list[#list + 1] = scenario(name) { start = "hole", set = coarse, hand } end
+
+for seed = 1, 32 do
+    local draw = chance(seed)
+    local way = seed % 3
+    add(("%s, torn %d"):format(seed <= 16 and "tuning" or "held out", seed), function(t)
+        go_down(t, draw, 1.5)
+        t.phaco:pedal(3)
+        t.phaco:move_to({ 0, 0, -5 }, { speed = draw(0.8, 1.6), motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
+        if way == 0 then  -- ultrasound, straight on
+            t.phaco:move_by({ draw(-0.3, 0.3), draw(-0.3, 0.3), -1.6 }, { speed = draw(0.4, 1.5), motion = "even",
+                stop = "capsule.open" })
+        elseif way == 1 then  -- suction, and drawn back with the capsule in the tip
+            t:set { ["machine.vacuum_mmhg"] = draw(150, 350) }
+            t.phaco:pedal(2)
+            t.phaco:move_by({ 0, 0, -0.3 }, { speed = draw(0.3, 1), motion = "even" })
+            t:wait(draw(0.5, 1.5))
+            t.phaco:move_by({ draw(-1, 1), draw(-1, 1), 1.5 }, { speed = draw(1, 4), motion = "even",
+                stop = "capsule.open" })
+        else  -- pushed through
+            t.phaco:pedal(2)
+            t.phaco:move_by({ 0, 0, -2.5 }, { speed = draw(0.6, 2), motion = "even", stop = "capsule.open" })
+        end
+        t:wait(0.5)
+    end)
+end
+for seed = 33, 48 do
+    local draw = chance(seed)
+    add(("%s, kept %d"):format(seed <= 40 and "tuning" or "held out", seed), function(t)
+        go_down(t, draw, 1.5)
+        for _ = 1, 3 do  -- strokes close to it
+            t.phaco:pedal(3)
+            t.phaco:move_to({ draw(-0.5, 0.5), draw(-0.5, 0.5), -5 }, { speed = draw(0.6, 1.4), motion = "even",
+                stop = ("phaco.tip_posterior_mm < %.3f"):format(draw(0.25, 0.6)) })
+            t.phaco:pedal(2)
+            t.phaco:move_by({ 0, 0, draw(0.8, 1.6) }, { speed = draw(2, 4) })
+            t:wait(draw(0.1, 0.5))
+        end
+        t.phaco:pedal(1)
+    end)
+end
+
+return scenarios "phaco_sculpt" (list)

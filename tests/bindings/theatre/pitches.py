@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""pitches.py SOUND SERIES: whether a recorded sound (floats, 44100 Hz, one channel) has the pitches of an attempt.
+
+The highest pitch of the vacuum's voice must be that of the highest vacuum that lasted under an aspirating foot, and the
+pitch of the strongest sound of ultrasound that of the power which the attempt mostly had. Exit status 1 if not.
+"""
+import array
+import json
+import math
+import sys
+
+KEPT = 4  # every fourth sample is enough up to 1 kHz
+RATE = 44100 // KEPT
+WINDOW = 4410
+VACUUM = range(500, 1001, 5)
+ULTRASOUND = range(220, 441, 5)
+
+
+def power_at(samples, hz):
+    """Goertzel's sum."""
+    turn = 2 * math.cos(2 * math.pi * hz / RATE)
+    a = b = 0.0
+    for sample in samples:
+        a, b = sample + turn * a - b, a
+    return (a * a + b * b - turn * a * b) * 4 / len(samples) ** 2
+
+
+def strongest(samples, pitches):
+    return max((power_at(samples, hz), hz) for hz in pitches)
+
+
+def main():
+    with open(sys.argv[1], "rb") as file:
+        sound = array.array("f", file.read())
+    with open(sys.argv[2], encoding="utf-8") as file:
+        measures = json.load(file)["measures"]
+    values = {name: measures[name]["values"] for name in ("phaco.pedal", "phaco.power", "panel.vacuum_mmhg")}
+    vacuum = sorted(v for v, pedal in zip(values["panel.vacuum_mmhg"], values["phaco.pedal"]) if pedal and pedal >= 2)[-20]
+    powers = [round(p, 2) for p in values["phaco.power"] if p]
+    power = max(set(powers), key=powers.count)
+    heard = []
+    for at in range(0, len(sound) - WINDOW, 2 * WINDOW):
+        window = sound[at:at + WINDOW:KEPT]
+        if max(abs(s) for s in window) > 0.02:
+            heard.append(window)
+    highest = max((hz for power, hz in (strongest(w, VACUUM) for w in heard) if power > 1e-3), default=0)
+    wanted = 500 + 500 * vacuum / 650
+    print(f"vacuum {vacuum:.0f} mmHg: {wanted:.0f} Hz, heard {highest} Hz")
+    loudest, pitch = max(strongest(w, ULTRASOUND) for w in heard)
+    most = 220 + 220 * power
+    print(f"power mostly {power:.2f}: {most:.0f} Hz, heard {pitch} Hz ({loudest:.1e})")
+    return 0 if abs(highest - wanted) <= 25 and abs(pitch - most) <= 8 and loudest > 1e-3 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
