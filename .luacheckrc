@@ -9,6 +9,7 @@ files["docs/examples/exercises"] = { read_globals = exercise_words }
 files["docs/examples/exercises/*/tests"] = { read_globals = { "scenarios", "scenario" } }
 files["rubrics"] = { read_globals = { "rubric" } }
 files["curricula/*/tests"] = { read_globals = { "scenarios", "scenario" } }
+files["studies/warnings"] = { read_globals = { "scenarios", "scenario" } }
 files["curricula/*/starts.lua"] = { read_globals = { "starts" } }
 files["tests/bindings/cli/walk"] = { read_globals = { "exercise", "step" } }
 files["tests/scripts"] = { read_globals = { "harness" } }

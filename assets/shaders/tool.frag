@@ -7,7 +7,7 @@ flat in vec3 along;  // of the shaft
 uniform vec3 camera;
 uniform vec3 lamp_way;  // towards the lamps
 uniform int encoded;    // 1: light as screens expect it, 0: linear
-uniform int finish;    // titanium, bore, sleeve, steel, skin, lash, drape
+uniform int finish;    // titanium, bore, sleeve, steel, skin, lash, drape, clear, hub, sponge, nylon
 uniform int medium;    // 0: all of it, 1: only inside the eye, 2: only outside
 uniform vec4 cornea;   // centre and radius of the ball of the cornea
 uniform vec4 globe;    // and of the sclera
@@ -47,6 +47,23 @@ void main() {
         float ribs = 0.93 + 0.07 * sin(9.0 * body.z);
         vec3 shine = 0.055 * mirror + 0.25 * graze * mirror;
         colour = vec4(shown(silicone * ribs + shine / wall) * wall, wall);
+        return;
+    }
+    if (finish == 7) {
+        // Moulded, clear: seen by its edges and by the lamps in it.
+        float wall = mix(0.13, 0.62, pow(1.0 - facing, 1.6));
+        vec3 body = (encoded == 1 ? 1.0 : 0.35) * vec3(0.62, 0.70, 0.76) * (0.3 + 0.7 * (1.0 - facing));
+        colour = vec4(shown(body + (0.09 + 0.5 * graze) * mirror / wall) * wall, wall);
+        return;
+    }
+    if (finish >= 8) {
+        // Plastic, cellulose, nylon.
+        float lit = 0.30 + 0.70 * clamp(dot(n, lamp_way), 0.0, 1.0);
+        float grain = texture(detail_map, 0.23 * body.xz + 0.31 * body.yy).a - 0.5;
+        vec3 matte = finish == 8 ? vec3(0.30, 0.33, 0.36) : finish == 9 ? vec3(0.88, 0.87, 0.84) * (1.0 + 0.25 * grain)
+                                                                        : vec3(0.05, 0.16, 0.42);
+        float gloss = finish == 9 ? 0.0 : 0.05;
+        colour = vec4(shown((encoded == 1 ? 1.0 : 0.9) * matte * lit + (gloss + 0.3 * gloss * graze) * mirror), 1.0);
         return;
     }
     if (finish >= 4) {

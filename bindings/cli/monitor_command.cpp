@@ -49,7 +49,8 @@ void add_monitor(CLI::App& app, Context& context) {
     CLI::Option* ask = command->add_option("--ask", given->request, "Ask the station for this, without a window");
     CLI::Option* json = command->add_flag("--json", given->json, "Each moment as a line of JSON, without a window");
     ask->excludes(json);
-    command->add_option("--seconds", given->seconds, "Look so long [until it is closed]")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--seconds", given->seconds, "Look so long [until it is closed]")
+        ->check(CLI::Range(0.0, 86400.0));
     command->add_flag("--once", given->once, "Until the attempt has ended");
     command->add_option("--screenshot", given->screenshot, "PNG file for what the window shows in the end");
     command->add_option("--width", given->width, "Of the window [pixels]")

@@ -321,14 +321,18 @@ void add_replay(CLI::App& app, Context& context) {
     command->add_flag("--json", given->json, "Print what was found as JSON");
     CLI::Option* window = command->add_flag("--window", given->window, "Look at it again, in a window");
     station::DebriefingOptions& debriefing = given->debriefing;
-    command->add_option("--ghost", debriefing.ghost, "With --window: an expert's run of the same exercise, to compare with")
+    command
+        ->add_option("--ghost", debriefing.ghost,
+                     "With --window: an expert's run of the same exercise, to compare with")
         ->needs(window);
     command->add_option("--at", debriefing.at_s, "With --window: begin at this time [s]")
         ->check(CLI::Range(0.0, 1e6))
         ->needs(window);
     command->add_option("--language", debriefing.language, "With --window: en, fr, ...")->needs(window);
     command->add_flag("--full-screen", debriefing.full_screen, "With --window")->needs(window);
-    command->add_option("--width", debriefing.width, "Of the window [pixels]")->check(CLI::Range(320, 4096))->needs(window);
+    command->add_option("--width", debriefing.width, "Of the window [pixels]")
+        ->check(CLI::Range(320, 4096))
+        ->needs(window);
     command->add_option("--height", debriefing.height, "Of the window [pixels]")
         ->check(CLI::Range(240, 4096))
         ->needs(window);

@@ -277,7 +277,8 @@ void add_test(CLI::App& app, Context& context) {
     auto given = std::make_shared<TestOptions>();
     command->add_option("path", given->paths, "Scenario files, folders, or names in curricula/")->required();
     command->add_option("--junit", given->junit, "Write the results to this file as JUnit XML");
-    command->add_option("--results", given->results, "Write what the exercise found in each scenario to this file, as JSON");
+    command->add_option("--results", given->results,
+                        "Write what the exercise found in each scenario to this file, as JSON");
     CLI::Option* filter = command->add_option("--filter", given->filter, "Only scenarios with this text in their name");
     command->add_option("--jobs", given->jobs, "Scenarios to run at once [processor cores]")->check(CLI::Range(1, 64));
     command->add_option("--longest", given->longest_s, "Fail when a scenario simulates more seconds [no limit]")

@@ -95,8 +95,8 @@ public:
     /// Where the tip is to be in the step that runs, in the eye's frame [mm]: one place, or a way through several.
     /// Empty where the exercise marks none, and in an exam. After start.
     [[nodiscard]] Result<std::vector<Vec3>> marks();
-    /// What the theatre's monitor shows now: "steps", "events", "warnings", "vitals", "notes", and if wanted the "score"
-    /// as it would be if the attempt ended here.
+    /// What the theatre's monitor shows now: "steps", "events", "warnings", "vitals", "notes", and if wanted the
+    /// "score" as it would be if the attempt ended here.
     [[nodiscard]] Result<nlohmann::json> theatre(bool score);
     /// Warnings that show now: list of {"title", "advice"}.
     [[nodiscard]] Result<nlohmann::json> warnings();

@@ -32,8 +32,8 @@ struct Shown {
     double slowed = 1.0;       ///< simulated seconds per second of the clock
     bool waits = false;        ///< the clock stands until the hand meets its instrument, or pause ends
     std::shared_ptr<const Stand> stand;
-    std::vector<std::string> lines;  ///< what was said to the trainee of late, the last one last
-    std::vector<Vec3> marks;         ///< where the tip is to be: one place, or a way through several
+    std::vector<std::string> lines;       ///< what was said to the trainee of late, the last one last
+    std::vector<Vec3> marks;              ///< where the tip is to be: one place, or a way through several
     std::vector<std::string> warnings{};  ///< of what is about to go wrong
     MachinePanel machine{};
     std::vector<HandForce> forces{};

@@ -60,8 +60,8 @@ public:
 private:
     struct Running {
         double time_s = 0.0;
-        std::size_t at = 0;    ///< setting that is on its way
-        double begun_s = 0.0;  ///< when that was
+        std::size_t at = 0;                    ///< setting that is on its way
+        double begun_s = 0.0;                  ///< when that was
         std::map<std::string, double> before;  ///< settings
         bool told = false;
     };

@@ -26,7 +26,8 @@ public:
 
     /// Time goes on by dt [s]: the head moves under the hands, dials turn. What is to be commanded.
     std::vector<Command> advance(double dt, const Session& session, Hands& hands);
-    /// The head and a push move the microscope, which is the last of the samples where the scene has one. After advance.
+    /// The head and a push move the microscope, which is the last of the samples where the scene has one. After
+    /// advance.
     void move_microscope(const Surroundings& around, std::vector<DeviceSample>& samples);
 
     /// By how much the attempt is to go back [s]; asked once.

@@ -39,13 +39,13 @@ using Entry = void(const StationOptions& options, Result<AttemptResult>& result)
 
 /// What the command line asks of a theatre's monitor.
 struct MonitorOptions {
-    std::string root;      ///< folder of scripts/
-    std::string language;  ///< "fr", ...; "" and "en": English
-    std::string address;   ///< of the station
-    std::string request;   ///< "inject cough", "note ...": asked for, without a window; empty: none
-    bool json = false;     ///< each moment as a line on standard output, without a window
-    double seconds = 0.0;  ///< so long; 0: until it is closed
-    bool once = false;     ///< until the attempt has ended
+    std::string root;        ///< folder of scripts/
+    std::string language;    ///< "fr", ...; "" and "en": English
+    std::string address;     ///< of the station
+    std::string request;     ///< "inject cough", "note ...": asked for, without a window; empty: none
+    bool json = false;       ///< each moment as a line on standard output, without a window
+    double seconds = 0.0;    ///< so long; 0: until it is closed
+    bool once = false;       ///< until the attempt has ended
     std::string screenshot;  ///< PNG file for what the window shows in the end; empty: none
     int width = 1280;        ///< of the window [pixels]
     int height = 800;

@@ -12,7 +12,7 @@
 namespace rhexis::station {
 namespace {
 
-constexpr std::array kind_names = {"key",     "pointer", "button", "wheel",  "axis", "press",
+constexpr std::array kind_names = {"key",     "pointer", "button", "wheel",  "axis",  "press",
                                    "control", "bind",    "focus",  "device", "staff", "quit"};
 constexpr double farthest = 1000.0;  ///< of a number beyond is no device's and no tuning's
 

@@ -23,9 +23,9 @@ enum class EventKind {
     focus,    ///< value 1: the window has the keyboard; 0: it has lost it, and with it all keys that were held; name
               ///< "away": the whole computer was away, or too busy, for a moment
     device,   ///< name "pad" or "pedal"; value 1: it is there; 0: it has gone, and with it all that it held
-    staff,    ///< an instructor at the theatre's monitor: name "inject", "put_right" or "level" and which, "note" and its
-              ///< text, "rewind" by so many seconds, "pause", "go_on", "warn" (value 1 or 0)
-    quit      ///< the window is closed
+    staff,  ///< an instructor at the theatre's monitor: name "inject", "put_right" or "level" and which, "note" and its
+            ///< text, "rewind" by so many seconds, "pause", "go_on", "warn" (value 1 or 0)
+    quit    ///< the window is closed
 };
 
 struct UserEvent {

@@ -9,13 +9,13 @@ namespace rhexis::station {
 namespace {
 
 constexpr double most_vacuum_mmhg = 650.0;
-constexpr double aspirates_from = 1.95;    ///< position of the pedal
-constexpr double surge_share = 0.3;        ///< of the chamber's depth lost within a second, as the surge event has it
-constexpr double alarm_lasts_s = 1.5;      ///< after the last sign
-constexpr double alarm_turn_s = 0.25;      ///< each of its two pitches
+constexpr double aspirates_from = 1.95;  ///< position of the pedal
+constexpr double surge_share = 0.3;      ///< of the chamber's depth lost within a second, as the surge event has it
+constexpr double alarm_lasts_s = 1.5;    ///< after the last sign
+constexpr double alarm_turn_s = 0.25;    ///< each of its two pitches
 constexpr double silent_below_mN = 2.0;
 constexpr double loudest_from_mN = 40.0;
-constexpr double glide_s = 0.03;           ///< of pitch and loudness: none jumps, which would click
+constexpr double glide_s = 0.03;  ///< of pitch and loudness: none jumps, which would click
 
 // Loudness: all together stay below 1.
 constexpr double ultrasound_loud = 0.22;
@@ -30,8 +30,7 @@ double ultrasound_hz(double power) {
 }
 
 double vacuum_hz(double vacuum_mmhg) {
-    return vacuum_low_hz +
-           (vacuum_high_hz - vacuum_low_hz) * std::clamp(vacuum_mmhg / most_vacuum_mmhg, 0.0, 1.0);
+    return vacuum_low_hz + (vacuum_high_hz - vacuum_low_hz) * std::clamp(vacuum_mmhg / most_vacuum_mmhg, 0.0, 1.0);
 }
 
 void Voices::tell(const MachinePanel& machine, double force_mN) {
@@ -63,7 +62,8 @@ void Voices::mix(std::span<float> samples) {
         alarm_s_ += 1.0 / samples_per_s_;
         const bool first = std::fmod(alarm_s_, 2.0 * alarm_turn_s) < alarm_turn_s;
         const double sum =
-            next(ultrasound_, power > 0.0 ? ultrasound_hz(power) : ultrasound_.hz, power > 0.0 ? ultrasound_loud : 0.0) +
+            next(ultrasound_, power > 0.0 ? ultrasound_hz(power) : ultrasound_.hz,
+                 power > 0.0 ? ultrasound_loud : 0.0) +
             next(vacuum_, vacuum_hz(vacuum_mmhg), aspirates_ ? vacuum_loud : 0.0) +
             next(alarm_, first ? alarm_first_hz : alarm_second_hz, alarm_left_s_ > 0.0 ? alarm_loud : 0.0) +
             next(force_, force_hz, force_loud * std::clamp(pressed, 0.0, 1.0));

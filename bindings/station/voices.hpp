@@ -11,7 +11,7 @@
 namespace rhexis::station {
 
 // Pitches [Hz]: each voice has a range of its own, so that one is not taken for the other.
-inline constexpr double ultrasound_low_hz = 220.0;  ///< at no power
+inline constexpr double ultrasound_low_hz = 220.0;   ///< at no power
 inline constexpr double ultrasound_high_hz = 440.0;  ///< at full power
 inline constexpr double vacuum_low_hz = 500.0;       ///< at no vacuum
 inline constexpr double vacuum_high_hz = 1000.0;     ///< at 650 mmHg

@@ -140,7 +140,7 @@ Result<std::unique_ptr<TheatreView>> TheatreView::open(const std::string& addres
         parts->moments.set(zmq::sockopt::conflate, 1);  // the newest only
         parts->moments.set(zmq::sockopt::subscribe, "");
         parts->moments.set(zmq::sockopt::linger, 0);
-        parts->requests.set(zmq::sockopt::linger, 500);  // [ms] for a request on its way
+        parts->requests.set(zmq::sockopt::linger, 500);   // [ms] for a request on its way
         parts->requests.set(zmq::sockopt::immediate, 1);  // to a station that is there, or to none
         parts->moments.connect(address);
         parts->requests.connect(requests_of(address));

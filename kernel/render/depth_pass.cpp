@@ -120,8 +120,9 @@ void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tool
         }
         corners_.clear();
         for (const ToolMesh::Part& part : tools[i].parts) {
+            const Pose pose = pose_of(part, frame.tools[i]);
             for (const ToolMesh::Vertex& corner : part.corners) {
-                corners_.push_back(frame.tools[i].pose.to_world(corner.place));
+                corners_.push_back(pose.to_world(corner.place));
             }
         }
         raster_.stop_at(corners_, area);

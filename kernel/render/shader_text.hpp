@@ -6,7 +6,7 @@
 
 namespace rhexis {
 
-/// Text of assets/shaders/<file>; asserts that there is such a file.
+/// Text of assets/shaders/<file>; empty: there is no such file.
 std::string_view shader_text(std::string_view file);
 
 }  // namespace rhexis

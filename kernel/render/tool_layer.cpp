@@ -11,6 +11,8 @@ namespace rhexis {
 
 namespace {
 
+constexpr double opening_mm = 0.7;  ///< how far jaws may go beyond where they are drawn closed
+
 bool in_ball(const Vec4& ball, const Vec3& point, double margin) {
     return (point - ball.head<3>()).norm() < ball.w() + margin;
 }
@@ -23,15 +25,16 @@ bool reaches(Medium medium, const EyeAnatomy& eye, const Vec3& point, double rad
 }
 
 /// Boxes around what of the instruments lies in this medium.
-PixelRect rect_around_tools(const Frame& frame, const View& view, Medium medium, const EyeAnatomy& eye) {
+PixelRect rect_around_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view, Medium medium,
+                            const EyeAnatomy& eye) {
     constexpr int pieces = 16;
     PixelRect rect;
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (!frame.tools[i].present) {
             continue;
         }
-        for (const RoundedCone& part : drawn_parts(frame.model->tools[i])) {
-            const double radius = std::max(part.radius_a, part.radius_b);
+        for (const RoundedCone& part : tools[i].bounds) {
+            const double radius = std::max(part.radius_a, part.radius_b) + opening_mm;
             const Vec3 step = (part.b - part.a) / pieces;
             const double reach = radius + 0.5 * step.norm();
             for (int piece = 0; piece < pieces; ++piece) {
@@ -96,11 +99,11 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
     program_.set("globe", eye == nullptr ? Vec4(Vec4::Zero()) : globe_ball(*eye));
     program_.set("detail_map", detail, 0);
     if (frame.lids && medium == Medium::outside) {
-        paint_tool(lids_mesh(*frame.model->lids, *frame.lids), Pose{});
+        paint_tool(lids_mesh(*frame.model->lids, *frame.lids), ToolState{});
     }
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (frame.tools[i].present) {
-            paint_tool(tools[i], frame.tools[i].pose);
+            paint_tool(tools[i], frame.tools[i]);
         }
     }
     glDisable(GL_BLEND);
@@ -108,9 +111,9 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
     glDisable(GL_DEPTH_TEST);
 }
 
-void ToolPainter::paint_tool(const ToolMesh& mesh, const Pose& pose) {
-    program_.set("world_from_body", matrix_of(pose));
+void ToolPainter::paint_tool(const ToolMesh& mesh, const ToolState& tool) {
     for (const ToolMesh::Part& part : mesh.parts) {
+        program_.set("world_from_body", matrix_of(pose_of(part, tool)));
         stream_.clear();
         append_triangles(part, stream_);
         program_.set("finish", static_cast<int>(part.finish));
@@ -127,7 +130,7 @@ ToolLayer::ToolLayer(int width, int height)
 void ToolLayer::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
                      Medium medium, const PixelRect& area, const EyeAnatomy& eye, const Texture& detail) {
     const bool lids = frame.lids && medium == Medium::outside;  // they reach over all of the picture
-    const PixelRect now = lids ? area : intersected(rect_around_tools(frame, view, medium, eye), area);
+    const PixelRect now = lids ? area : intersected(rect_around_tools(frame, tools, view, medium, eye), area);
     const Scissor scissor(united(drawn_, now));
     drawn_ = now;
     samples_.bind();

@@ -24,7 +24,7 @@ public:
 
 private:
     explicit ToolPainter(Program program) : program_(std::move(program)), vertices_({3, 3}) {}
-    void paint_tool(const ToolMesh& mesh, const Pose& pose);
+    void paint_tool(const ToolMesh& mesh, const ToolState& tool);
 
     Program program_;
     VertexStream vertices_;

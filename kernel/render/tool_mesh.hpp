@@ -2,14 +2,13 @@
 // Instruments as triangles. What the light meets is what is drawn: the same triangles cast their depth into the lens.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "flow/tool.hpp"
+#include "render/tool_shape.hpp"
 
 namespace rhexis {
-
-/// What a part of an instrument looks like.
-enum class ToolFinish { titanium, bore, sleeve, steel, skin, lash, drape };
 
 struct ToolMesh {
     struct Vertex {
@@ -18,14 +17,22 @@ struct ToolMesh {
     };
     struct Part {
         ToolFinish finish = ToolFinish::steel;
-        std::vector<Vertex> corners;  ///< three per triangle, counter-clockwise from outside
+        std::vector<Vertex> corners;   ///< three per triangle, counter-clockwise from outside
+        std::optional<Hinge> hinge{};  ///< it turns as the jaws open
     };
-    std::vector<Part> parts;  ///< opaque ones first
+    std::vector<Part> parts;          ///< opaque ones first
+    std::vector<RoundedCone> bounds;  ///< all of it lies within these
 };
 
-/// Triangles of an instrument. The last part goes on beyond its end, away from the tip, so that a shaft does not end in
-/// mid-air; a phaco tip is a hollow needle cut at its bevel, opening to local +y, in a sleeve.
+/// Triangles of an instrument, of its shape (tool_shape.hpp) where it has one, else of what it touches with. The last
+/// part goes on beyond its end, away from the tip, so that a shaft does not end in mid-air; a phaco tip is a hollow
+/// needle cut at its bevel, opening to local +y, in a sleeve.
 ToolMesh tool_mesh(const ToolModel& tool);
+/// The same of a shape alone, of an instrument that nothing is touched with.
+ToolMesh tool_mesh(const ToolShape& shape);
+
+/// Where a part is, of an instrument in this state.
+Pose pose_of(const ToolMesh::Part& part, const ToolState& tool);
 
 /// The parts as they are drawn: the last one continued.
 std::vector<RoundedCone> drawn_parts(const ToolModel& tool);

@@ -203,13 +203,7 @@ function host.level_now(name)
 end
 
 --- Warnings that show now: list of { title, advice }.
-function host.warnings()
-    local shown = {}
-    for i, record in ipairs(host.run and host.run:raised_warnings() or {}) do
-        shown[i] = { title = record.title, advice = record.advice }
-    end
-    return shown
-end
+function host.warnings() return host.run and host.run:raised_warnings() or {} end
 
 --- Of the exercise as it was, and to the exercise as it is now, after start.
 function host.left() return host.run:left() end

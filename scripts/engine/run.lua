@@ -153,8 +153,8 @@ local function pin(self, notes, time_s)
 end
 
 --- Takes one observation: time_s, a row of numbers in the order of the schema, and of the step that led to it the ids
---- of the requests, the aids and the notes, lists of { name, value, text }; or nil. Returns the commands, a list of { kind, name,
---- value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
+--- of the requests, the aids and the notes, lists of { name, value, text }; or nil. Returns the commands, a list of
+--- { kind, name, value, text }. Raises "file:line: message (in step ...)" when the curriculum errs.
 function Run:observe(time_s, row, asked, aids, notes)
     self.commands = {}
     if self.finished then return self.commands end
@@ -247,20 +247,18 @@ end
 --- that this is asked. score: with the points so far, which takes longer.
 function Run:theatre(score)
     self.vitals = self.vitals or vitals.new(self.exercise.vitals, self.eye)
-    local events, raised = {}, {}
-    for i, record in ipairs(self.events) do events[i] = shown_event(record) end
-    for i, record in ipairs(self:raised_warnings()) do
-        raised[i] = { title = record.title, advice = record.advice }
-    end
-    return { steps = shown_steps(self), events = events, warnings = raised, vitals = self.vitals:now(),
-        notes = self.notes, score = score and shown_score(self) or nil }
+    local shown = {}
+    for i, record in ipairs(self.events) do shown[i] = shown_event(record) end
+    return { steps = shown_steps(self), events = shown, warnings = self:raised_warnings(),
+        vitals = self.vitals:now(), notes = self.notes, score = score and shown_score(self) or nil }
 end
 
---- Warnings that show now.
+--- Warnings that show now: list of { title, advice }.
 function Run:raised_warnings()
     local raised = {}
     for _, watch in ipairs(self.warnings) do
-        if watch:raised() then table.insert(raised, watch.record) end
+        local record = watch:raised()
+        if record then table.insert(raised, { title = record.title, advice = record.advice }) end
     end
     return raised
 end

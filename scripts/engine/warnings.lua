@@ -128,8 +128,8 @@ local function evidence_of(self)
     return evidence
 end
 
---- One step. log: list of the warnings so far, which grows, and as its field `came` what came of what is warned of, with
---- how long before it was warned, if it was. translated: what makes a text one of the run's language.
+--- One step. log: list of the warnings so far, which grows, and as its field `came` what came of what is warned of,
+--- with how long before it was warned, if it was. translated: what makes a text one of the run's language.
 function Watch:tick(time_s, log, translated)
     local shows = any_shows(self, time_s)
     note_outcome(self, time_s, log)
@@ -146,7 +146,7 @@ function Watch:tick(time_s, log, translated)
     table.insert(log, self.record)
 end
 
---- Whether the sign shows now, or did a moment ago.
-function Watch:raised() return self.record ~= nil end
+--- The warning, if a sign of it shows now or did a while ago; else nil.
+function Watch:raised() return self.record end
 
 return warnings

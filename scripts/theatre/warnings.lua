@@ -16,8 +16,9 @@ return {
         advice = "Stop pulling: fill the chamber, take the flap close to the tear, and pull to the middle.",
         of = "rhexis.run_out",
         signs = {
-            { when = "rhexis.opened and not rhexis.closed and rhexis.tip_heading_deg > 20 and rhexis.tip_radius_mm > 2.6",
-                rises = "rhexis.tip_radius_mm", to = 4.2, over_s = 0.4, within_s = 1.5 },
+            { when = "rhexis.opened and not rhexis.closed and rhexis.tip_heading_deg > 15 "
+                .. "and rhexis.tip_radius_mm > 2.5", rises = "rhexis.tip_radius_mm", to = "3.2 + viscoelastic.fill",
+                over_s = 0.4, within_s = 2 },
         },
     },
     {

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- Tips that go down to the posterior capsule, by suction, ultrasound or touch, each at its own speed and place, and tips
--- that turn back in time: how often is warned before it tears, and how often for nothing?
+-- Tips that go down to the posterior capsule, by suction, ultrasound or touch, each at its own speed and place, and
+-- tips that turn back in time: how often is warned before it tears, and how often for nothing?
 
-local function chance(seed)
-    local state = (seed * 7919 + 104729) % 2147483647
-    return function(from, to)
-        state = state * 48271 % 2147483647
-        return from + (to - from) * (state % 100000) / 100000
-    end
+local chance = require "surgeons.chance"
+
+-- Numbers between two others, the same for the same seed.
+local function draws(seed)
+    local stream = chance.stream(seed, "warnings: ruptures")
+    return function(from, to) return from + (to - from) * stream:uniform() end
 end
 
 local coarse = { patient = { tetrahedra = 1000 } }
@@ -25,12 +25,13 @@ local list = {}
 local function add(name, hand) list[#list + 1] = scenario(name) { start = "hole", set = coarse, hand } end
 
 for seed = 1, 32 do
-    local draw = chance(seed)
+    local draw = draws(seed)
     local way = seed % 3
     add(("%s, torn %d"):format(seed <= 16 and "tuning" or "held out", seed), function(t)
         go_down(t, draw, 1.5)
         t.phaco:pedal(3)
-        t.phaco:move_to({ 0, 0, -5 }, { speed = draw(0.8, 1.6), motion = "even", stop = "phaco.tip_posterior_mm < 0.3" })
+        t.phaco:move_to({ 0, 0, -5 }, { speed = draw(0.8, 1.6), motion = "even",
+            stop = "phaco.tip_posterior_mm < 0.3" })
         if way == 0 then  -- ultrasound, straight on
             t.phaco:move_by({ draw(-0.3, 0.3), draw(-0.3, 0.3), -1.6 }, { speed = draw(0.4, 1.5), motion = "even",
                 stop = "capsule.open" })
@@ -49,7 +50,7 @@ for seed = 1, 32 do
     end)
 end
 for seed = 33, 48 do
-    local draw = chance(seed)
+    local draw = draws(seed)
     add(("%s, kept %d"):format(seed <= 40 and "tuning" or "held out", seed), function(t)
         go_down(t, draw, 1.5)
         for _ = 1, 3 do  -- strokes close to it

@@ -2,12 +2,12 @@
 -- A piece on the tip with much vacuum, let go of with the pedal down or up, under bottles of all heights: how often is
 -- warned before the chamber empties, and how often for nothing?
 
-local function chance(seed)
-    local state = (seed * 7919 + 104729) % 2147483647
-    return function(from, to)
-        state = state * 48271 % 2147483647
-        return from + (to - from) * (state % 100000) / 100000
-    end
+local chance = require "surgeons.chance"
+
+-- Numbers between two others, the same for the same seed.
+local function draws(seed)
+    local stream = chance.stream(seed, "warnings: surges")
+    return function(from, to) return from + (to - from) * stream:uniform() end
 end
 
 local function occlude(t, draw)
@@ -27,7 +27,7 @@ local list = {}
 local function add(name, settings, hand) list[#list + 1] = scenario(name) { set = settings, hand } end
 
 for seed = 1, 48 do
-    local draw = chance(seed)
+    local draw = draws(seed)
     local settings = { ["machine.vacuum_mmhg"] = draw(150, 500), ["machine.bottle_cm"] = draw(45, 110),
         ["machine.tubing_mm3_mmhg"] = draw(0.2, 0.8), ["machine.flow_ml_min"] = draw(20, 40) }
     local set = seed % 2 == 1 and "tuning" or "held out"

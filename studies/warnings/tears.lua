@@ -2,15 +2,13 @@
 -- Capsulorhexes by hands that draw the tear outwards, and by hands that lead it round, each otherwise: how often is
 -- warned before the edge is lost, and how often for nothing? scripts/dev/warnings.py counts.
 
+local chance = require "surgeons.chance"
 local rhexis_hand = require "rhexis_hand"
 
--- Numbers that look like chance, the same for the same seed on every machine.
-local function chance(seed)
-    local state = (seed * 7919 + 104729) % 2147483647
-    return function(from, to)
-        state = state * 48271 % 2147483647
-        return from + (to - from) * (state % 100000) / 100000
-    end
+-- Numbers between two others, the same for the same seed.
+local function draws(seed)
+    local stream = chance.stream(seed, "warnings: tears")
+    return function(from, to) return from + (to - from) * stream:uniform() end
 end
 
 -- Holds near the end of the tear and leads it, again and again. outwards: of each pull's goal from the circle [mm].
@@ -34,7 +32,7 @@ end
 
 for seed = 1, 32 do
     local set = seed <= 16 and "tuning" or "held out"
-    local draw = chance(seed)
+    local draw = draws(seed)
     -- the chamber shallow or the capsule brittle, and a hand that pulls away from the middle
     add(("%s, outwards %d"):format(set, seed), { ["viscoelastic.fill"] = draw(0.3, 0.7),
         ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = draw(0.2, 0.6) }, "brittle", function(t)
@@ -45,7 +43,7 @@ for seed = 1, 32 do
 end
 for seed = 33, 48 do
     local set = seed <= 40 and "tuning" or "held out"
-    local draw = chance(seed)
+    local draw = draws(seed)
     -- round, with a hand that errs now this way, now that way, in a deep chamber
     add(("%s, round %d"):format(set, seed), { ["viscoelastic.fill"] = 1 }, "flap", function(t)
         t.forceps:enter({ speed = 20 })

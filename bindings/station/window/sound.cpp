@@ -10,7 +10,8 @@ constexpr int samples_per_s = 44100;
 constexpr Uint16 samples_at_once = 512;  ///< 12 ms: heard with the picture
 
 void fill(void* voices, Uint8* bytes, int size) {
-    static_cast<Voices*>(voices)->mix({reinterpret_cast<float*>(bytes), static_cast<std::size_t>(size) / sizeof(float)});
+    static_cast<Voices*>(voices)->mix(
+        {reinterpret_cast<float*>(bytes), static_cast<std::size_t>(size) / sizeof(float)});
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person operates in a window: the simulation and the picture on threads of their own, the devices on this one.
 #include <memory>
-#include <vector>
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "station/person.hpp"
 #include "station/scripted.hpp"

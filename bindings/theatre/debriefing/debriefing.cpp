@@ -129,7 +129,8 @@ Result<DebriefingParts> prepare_debriefing(const Recording& recording, const Deb
     if (!own) {
         return own.error();
     }
-    DebriefingParts prepared{judged(recording, options), std::move(words).value(), std::move(own).value(), std::nullopt, ""};
+    DebriefingParts prepared{judged(recording, options), std::move(words).value(), std::move(own).value(), std::nullopt,
+                             ""};
     if (!options.ghost.empty()) {
         Result<Ghost> expert = Ghost::read(options.ghost, instruments);
         if (!expert) {

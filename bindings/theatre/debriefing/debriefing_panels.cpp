@@ -16,7 +16,7 @@ constexpr ImGuiWindowFlags panel_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWind
                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 constexpr float side = side_width;
 constexpr float bottom = line_height;
-constexpr double way_s = 2.0;     ///< of a way, from where the tip is
+constexpr double way_s = 2.0;  ///< of a way, from where the tip is
 constexpr double before_mark_s = 1.0;
 
 struct MarkLook {
@@ -50,8 +50,8 @@ void draw_way(const PlayedMoment& moment, const View& view, const std::vector<Ve
         const Frame& frame = moment.frame;
         const Vec3 place = frame.globe ? to_eye(*frame.model->globe, *frame.globe, room) : room;
         const Vec2 pixel = pixel_of(view, place);
-        ImGui::GetBackgroundDrawList()->AddCircleFilled(
-            {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())}, 2.5F, ImGui::ColorConvertFloat4ToU32(colour));
+        ImGui::GetBackgroundDrawList()->AddCircleFilled({static_cast<float>(pixel.x()), static_cast<float>(pixel.y())},
+                                                        2.5F, ImGui::ColorConvertFloat4ToU32(colour));
     }
 }
 

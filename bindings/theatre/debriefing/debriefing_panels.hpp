@@ -44,7 +44,8 @@ public:
     DebriefingPanels(Window& window, Words words, Story story, std::vector<std::string> instruments)
         : overlay_(window), words_(std::move(words)), story_(std::move(story)), instruments_(std::move(instruments)) {}
 
-    /// view: of the picture, which fills what lists and line leave. own: the way of the recording; expert: null, there is none. moment: null, nothing to see yet.
+    /// view: of the picture, which fills what lists and line leave. own: the way of the recording; expert: null, there
+    /// is none. moment: null, nothing to see yet.
     DebriefingWish draw(const DebriefingState& state, const PlayedMoment* moment, const View& view, const Ghost& own,
                         const Ghost* expert, const std::string& notice);
     /// The cursor is over a panel, which takes it.

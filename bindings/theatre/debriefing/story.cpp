@@ -28,15 +28,18 @@ void add_events(const json& result, std::vector<StoryMark>& marks) {
         const double time_s = event.value("time_s", 0.0);
         marks.push_back({MarkKind::error, time_s, event.value("title", ""), event.value("advice", "")});
         if (event.contains("recovery_s")) {
-            marks.push_back({MarkKind::put_right, time_s + event["recovery_s"].get<double>(), event.value("title", ""),
-                             ""});
+            marks.push_back(
+                {MarkKind::put_right, time_s + event["recovery_s"].get<double>(), event.value("title", ""), ""});
         }
     }
 }
 
 StoryItem item_of(const json& item) {
-    StoryItem told{item.value("id", ""), item.value("name", ""), item.value("score", -1.0),
-                   texts_in(list_in(item, "reasons")), {}};
+    StoryItem told{item.value("id", ""),
+                   item.value("name", ""),
+                   item.value("score", -1.0),
+                   texts_in(list_in(item, "reasons")),
+                   {}};
     const json way = item.value("to_four", json::object());
     for (const char* part : {"errors", "measures"}) {
         const std::vector<std::string> texts = texts_in(list_in(way, part));

@@ -12,14 +12,14 @@
 #include "base/clock.hpp"
 #include "render/image_file.hpp"
 #include "station/station.hpp"
-#include "theatre/monitor/monitor_panels.hpp"
 #include "station/window/read_window.hpp"
 #include "theatre/link.hpp"
+#include "theatre/monitor/monitor_panels.hpp"
 
 namespace rhexis::station {
 namespace {
 
-constexpr double every_s = 0.05;       ///< between two pictures of the monitor
+constexpr double every_s = 0.05;  ///< between two pictures of the monitor
 constexpr double stalled_after_s = 2.0;
 constexpr double asks_for_s = 3.0;  ///< so long for a station that takes a request
 

@@ -14,7 +14,7 @@ namespace rhexis::station {
 namespace {
 
 constexpr ImGuiWindowFlags frame_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 // Apart for eyes that do not tell red from green: lightness differs as well as hue, and words say the same.
 const ImVec4 heart_colour{0.45F, 0.95F, 0.55F, 1.0F};
 const ImVec4 pressure_colour{1.0F, 0.55F, 0.35F, 1.0F};
@@ -53,8 +53,7 @@ void bar(const std::string& label, double share, const std::string& text, const 
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(label.c_str());
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
-                          {of_bars * colour.x, of_bars * colour.y, of_bars * colour.z, 1.0F});
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, {of_bars * colour.x, of_bars * colour.y, of_bars * colour.z, 1.0F});
     ImGui::ProgressBar(static_cast<float>(std::clamp(share, 0.0, 1.0)), {-1.0F, 0.0F}, text.c_str());
     ImGui::PopStyleColor();
 }
@@ -102,10 +101,9 @@ void MonitorPanels::draw_head(News news, double silent_s, const std::string& add
     if (news == News::none) {
         ImGui::TextColored(warning_colour, "%s", words_("no station at %s yet", {address}).c_str());
     } else if (news == News::stalled && !ended) {
-        ImGui::TextColored(warning_colour, "%s",
-                           words_("nothing has come for %s s: the station is busy, suspended or gone",
-                                  {whole(silent_s)})
-                               .c_str());
+        ImGui::TextColored(
+            warning_colour, "%s",
+            words_("nothing has come for %s s: the station is busy, suspended or gone", {whole(silent_s)}).c_str());
     } else if (news == News::strange) {
         ImGui::TextColored(warning_colour, "%s", words_("a station of another version speaks there").c_str());
     }
@@ -148,8 +146,8 @@ void MonitorPanels::draw_vitals() const {
     };
     curve(heart_colour, words_("heart, per min"), whole(vitals.heart_per_min),
           [](const Traces::Sample& one) { return ecg_at(one.beat); });
-    curve(pressure_colour, words_("pressure, mmHg"),
-          whole(vitals.systolic_mmhg) + "/" + whole(vitals.diastolic_mmhg), [](const Traces::Sample& one) {
+    curve(pressure_colour, words_("pressure, mmHg"), whole(vitals.systolic_mmhg) + "/" + whole(vitals.diastolic_mmhg),
+          [](const Traces::Sample& one) {
               const double mmhg = one.diastolic_mmhg + (one.systolic_mmhg - one.diastolic_mmhg) * pulse_at(one.beat);
               return (mmhg - 40.0) / 180.0;
           });
@@ -220,8 +218,10 @@ void MonitorPanels::draw_events() const {
     for (auto event = moment_->events.rbegin(); event != moment_->events.rend(); ++event) {
         const bool open = event->outcome == "open";
         const bool right = event->outcome == "recovered" || event->outcome == "near_miss";
-        ImGui::TextColored(open ? alarm_colour : right ? heart_colour : warning_colour, "%s s  %s: %s",
-                           tenth(event->time_s).c_str(), event->title.c_str(),
+        ImGui::TextColored(open    ? alarm_colour
+                           : right ? heart_colour
+                                   : warning_colour,
+                           "%s s  %s: %s", tenth(event->time_s).c_str(), event->title.c_str(),
                            words_(open    ? "open"
                                   : right ? "put right"
                                           : "not put right")
@@ -292,8 +292,7 @@ void MonitorPanels::draw_health() const {
     heading(words_("The station"));
     ImGui::TextUnformatted(words_("%s pictures/s", {whole(moment_->pictures_per_s)}).c_str());
     if (moment_->slowed < 0.97) {
-        ImGui::TextColored(warning_colour, "%s",
-                           words_("slow clock: %s %", {whole(100.0 * moment_->slowed)}).c_str());
+        ImGui::TextColored(warning_colour, "%s", words_("slow clock: %s %", {whole(100.0 * moment_->slowed)}).c_str());
     }
     for (const DeviceHealth& one : moment_->devices) {
         ImGui::TextColored(one.there ? heart_colour : alarm_colour, "%s: %s", words_(one.name).c_str(),
@@ -334,8 +333,7 @@ void MonitorPanels::draw_instructor(std::vector<UserEvent>& asked) {
         ImGui::TextDisabled("%s", words_("Difficulty").c_str());
     }
     ImGui::SetNextItemWidth(-90.0F);
-    const bool entered =
-        ImGui::InputText("##note", note_.data(), note_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputText("##note", note_.data(), note_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     if ((ImGui::Button(words_("Pin note").c_str()) || entered) && note_[0] != '\0') {
         asked.push_back(asked_for("note", note_.data()));

@@ -10,8 +10,8 @@
 #include "station/theatre_moment.hpp"
 #include "station/user_event.hpp"
 #include "station/window/overlay.hpp"
-#include "theatre/monitor/traces.hpp"
 #include "station/words.hpp"
+#include "theatre/monitor/traces.hpp"
 
 namespace rhexis::station {
 

@@ -17,7 +17,8 @@ using namespace rhexis::station;
 namespace {
 
 std::string an_address(const char* name) {
-    return "ipc://" + (std::filesystem::temp_directory_path() / ("rhexis_" + std::to_string(::getpid()) + name)).string();
+    return "ipc://" +
+           (std::filesystem::temp_directory_path() / ("rhexis_" + std::to_string(::getpid()) + name)).string();
 }
 
 TheatreMoment a_moment(double time_s) {
@@ -125,8 +126,8 @@ TEST_CASE("what is no moment and no request is left out") {
     zmq::socket_t rude(context, zmq::socket_type::push);
     rude.set(zmq::sockopt::linger, 0);
     rude.connect(other + ".requests");
-    for (const std::string text : {"nonsense", R"({"event":"key","name":"E","value":1})", R"({"event":"staff","value":"x"})",
-                                   R"({"event":"staff","name":"pause"})"}) {
+    for (const std::string text : {"nonsense", R"({"event":"key","name":"E","value":1})",
+                                   R"({"event":"staff","value":"x"})", R"({"event":"staff","name":"pause"})"}) {
         rude.send(zmq::buffer(text), zmq::send_flags::none);
     }
     const std::vector<UserEvent> list = asked(*feed.value());

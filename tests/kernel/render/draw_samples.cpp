@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // draw_samples FOLDER [WIDTH HEIGHT]: writes pictures of eyes and bare bodies to look at, and says what each cost.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 
 #include "base/clock.hpp"
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
+#include "render/tool_shape.hpp"
 #include "scenes/capsule_pictures.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "scenes/implant_pictures.hpp"
+#include "tools/instruments.hpp"
 #include "tools/rhexis_tools.hpp"
 
 using namespace rhexis;
@@ -40,6 +44,38 @@ Frame bare_ball() {
     Frame frame = frame_of(std::shared_ptr<const WorldModel>(std::move(model)));
     frame.tools[0].present = true;
     frame.tools[0].pose = hand_pose(Vec3(0.0, -0.6, 1.8), 1.0);
+    return frame;
+}
+
+/// Instruments with a shape, those too that nothing is touched with yet.
+std::vector<std::string> shaped_instruments() {
+    std::vector<std::string> names = {"chopper", "iris_hook"};
+    for (const std::string& name : tool_names()) {
+        if (shape_of_instrument(name)) {
+            names.push_back(name);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// One of them from above, or from its side where its end is bent; jaws half open.
+Frame instrument(const std::string& name) {
+    const Result<ToolModel> known = make_tool(name);
+    std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>();
+    model->tools.push_back(known.ok() ? known.value() : ToolModel{});
+    const ToolModel& tool = model->tools.front();
+    const bool straight = known.ok() && tool.parts.back().b.z() > 50.0;
+    model->tools.front().name = name;
+    Frame frame;
+    ToolState state;
+    state.present = true;
+    state.jaw = 0.5;
+    state.pose.position = Vec3(0.0, 3.0, 0.0);
+    state.pose.orientation = straight ? Quat(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitX()))
+                                      : Quat(Eigen::AngleAxisd(0.9, Vec3::UnitY()));
+    frame.tools.push_back(state);
+    frame.model = std::move(model);
     return frame;
 }
 
@@ -102,20 +138,38 @@ std::vector<Sample> samples() {
     return all;
 }
 
-/// Pictures of one size in rows of two.
-Image sheet_of(const std::vector<Image>& images) {
+/// Pictures of one size, so many in a row.
+Image sheet_of(const std::vector<Image>& images, std::size_t in_a_row) {
     const int width = images[0].width;
     const int height = images[0].height;
-    Image sheet{2 * width, height * static_cast<int>((images.size() + 1) / 2), {}};
+    Image sheet{
+        static_cast<int>(in_a_row) * width, height * static_cast<int>((images.size() + in_a_row - 1) / in_a_row), {}};
     sheet.rgb.assign(3 * static_cast<std::size_t>(sheet.width) * sheet.height, 0);
     for (std::size_t i = 0; i < images.size(); ++i) {
         for (int y = 0; y < height; ++y) {
-            const std::size_t row = (i / 2) * height + y;
+            const std::size_t row = (i / in_a_row) * height + y;
             std::copy_n(&images[i].rgb[3 * static_cast<std::size_t>(y) * width], 3 * width,
-                        &sheet.rgb[3 * (row * sheet.width + (i % 2) * width)]);
+                        &sheet.rgb[3 * (row * sheet.width + (i % in_a_row) * width)]);
         }
     }
     return sheet;
+}
+
+/// All instruments beside each other, and their names in the order of the picture.
+Status write_instruments(const std::string& folder) {
+    Result<Renderer> renderer = Renderer::create(120, 190);
+    if (!renderer.ok()) {
+        return renderer.error();
+    }
+    Camera camera;
+    camera.field_mm = 9.0;
+    std::vector<Image> all;
+    for (const std::string& name : shaped_instruments()) {
+        std::printf("%s ", name.c_str());
+        all.push_back(renderer.value().draw(instrument(name), camera));
+    }
+    std::printf("\n");
+    return write_png(sheet_of(all, 7), folder + "/instruments.png");
 }
 
 Status write_sample(Renderer& renderer, const Sample& sample, const std::string& folder, std::vector<Image>& all) {
@@ -151,5 +205,5 @@ int main(int count, char** words) {
             return 1;
         }
     }
-    return write_png(sheet_of(all), folder + "/sheet.png").ok() ? 0 : 1;
+    return write_png(sheet_of(all, 2), folder + "/sheet.png").ok() && write_instruments(folder).ok() ? 0 : 1;
 }
