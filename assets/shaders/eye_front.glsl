@@ -13,7 +13,7 @@ uniform float sclera_extent;
 uniform float pixel_mm;  // at the iris
 uniform int has_iris;
 uniform int has_cornea;  // and sclera
-out vec4 colour;
+layout(location = 0) out vec4 colour;
 
 const vec3 nothing = vec3(0.003, 0.002, 0.002);  // where a tissue is left out
 

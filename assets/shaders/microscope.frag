@@ -4,7 +4,10 @@
 // The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea shows,
 // 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the middle of the pupil,
 // where neither iris nor wound nor limbus can show. What eye_front.glsl and bag_support.glsl have comes before it.
-#if PART >= 2
+// Under a microscope that stands still, parts 0 and 1 are kept as light, before instruments and lamp: 4 and 5 write what
+// is kept of them, 6 and 7 draw with it. What lies over the iris is linear in what lies under it: light = share * iris
+// + added.
+#if PART == 2 || PART == 3
 uniform sampler2D optical_depth;
 uniform sampler2D soft_depth;
 uniform sampler2D front;
@@ -344,23 +347,97 @@ vec3 under_sheets(vec3 deep) {
 }
 #endif
 
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 outside = normalize(outside_direction(gl_FragCoord.xy));
-    vec2 shade = texture(shadows, place).rg;
-#if PART == 3
-    vec3 picture = nothing;
-#else
-    vec3 picture = nothing;
-    if (has_cornea == 1) {
-        float to_globe = to_ball(view_eye, outside, globe);
-        vec3 on_globe = view_eye + max(to_globe, 0.0) * outside;
-        picture = to_globe > 0.0 ? sclera_colour(on_globe, outside) : vec3(0.16, 0.07, 0.06);
-        vec3 on_lids = view_eye + (limbus_z + 1.5 - view_eye.z) / outside.z * outside;
-        picture = around_eye(on_lids.xy, picture);
-    }
+#if PART == 5
+layout(location = 1) out vec4 added;  // light over the iris; in the last component how clear the cornea is
 #endif
-#if PART >= 1
+#if PART == 6 || PART == 7
+uniform sampler2D kept;
+#endif
+#if PART == 7
+uniform sampler2D kept_added;
+#endif
+
+#if PART == 0 || PART == 1 || PART == 2 || PART == 4 || PART == 5
+vec3 beyond_limbus(vec3 outside) {
+    if (has_cornea == 0) {
+        return nothing;
+    }
+    float to_globe = to_ball(view_eye, outside, globe);
+    vec3 on_globe = view_eye + max(to_globe, 0.0) * outside;
+    vec3 picture = to_globe > 0.0 ? sclera_colour(on_globe, outside) : vec3(0.16, 0.07, 0.06);
+    vec3 on_lids = view_eye + (limbus_z + 1.5 - view_eye.z) / outside.z * outside;
+    return around_eye(on_lids.xy, picture);
+}
+
+vec3 before_eye(vec3 picture, vec3 outside) {
+    vec3 at = view_eye + (limbus_z - view_eye.z) / outside.z * outside;
+    picture = with_hooks_outside(picture, at.xy);
+    if (prolapse.w > 0.0) {
+        vec4 fold = prolapsed(at);
+        picture = mix(picture, fold.rgb, fold.a);
+    }
+    return picture;
+}
+#endif
+
+#if PART != 0 && PART != 4 && PART != 6
+// The line of a pixel inside the eye, and where it meets the plane of the iris.
+struct Inside {
+    vec3 entry;
+    vec3 way;
+    float to_iris;
+    vec3 on_iris;
+};
+
+Inside inside_of_eye() {
+    Inside line;
+    line.entry = at_plane(gl_FragCoord.xy);
+    line.way = inside_direction(line.entry);
+    line.to_iris = (iris_z - line.entry.z) / line.way.z;
+    line.on_iris = line.entry + line.to_iris * line.way;
+    return line;
+}
+#endif
+
+#if PART == 1 || PART == 2 || PART == 7
+// How much of the iris an instrument before it hides.
+float hidden_iris(Inside line, vec4 tool) {
+    if (tool.a == 0.0) {
+        return 0.0;
+    }
+    float tool_depth = texelFetch(stop, ivec2(gl_FragCoord.xy), 0).r + dot(view_axis, reference - view_plane);
+    return tool.a * step(tool_depth / dot(line.way, view_axis), line.to_iris);
+}
+
+vec3 with_tool(vec3 iris, vec4 tool, float hidden) { return iris * (1.0 - hidden) + tool.rgb * step(0.001, hidden); }
+#endif
+
+#if PART == 1 || PART == 2 || PART == 5
+vec3 iris_at(Inside line) {
+    float rho = length(line.on_iris.xy);
+    if (has_iris == 0 || rho >= limbus_radius + 0.25) {
+        return nothing;
+    }
+    // An edge that has come in takes the tissue behind it along.
+    float span = limbus_radius + 0.25;
+    float edge = edge_at(line.on_iris, rho);
+    float from = caught_edge.z < 0.0 ? pupil_radius + (rho - edge) * (span - pupil_radius) / (span - edge) : rho;
+    return iris_colour(line.on_iris, from);
+}
+#endif
+
+#if PART == 1 || PART == 2 || PART == 3 || PART == 5
+// What lies over what shows inside the eye: hooks, cornea with its wounds, limbus, lamps. white: sclera and lids.
+vec3 over_inside(vec3 inner, Inside line, vec3 outside, vec3 white_light, out float clear) {
+#if PART == 3
+    inner = with_hooks_inside(inner, line.on_iris.xy, 0.25);
+#else
+    inner = with_hooks_inside(inner, line.on_iris.xy, length(line.on_iris.xy) < pupil_radius ? 0.25 : 1.0);
+#endif
+    clear = 0.0;
+    if (has_cornea == 0) {
+        return inner;
+    }
     float to_cornea = to_ball(view_eye, outside, cornea);
     vec3 on_cornea = view_eye + to_cornea * outside;
     float cornea_rho = to_cornea > 0.0 ? length(on_cornea.xy) : 100.0;
@@ -370,116 +447,127 @@ void main() {
 #else
     float ragged = cornea_rho + 0.22 * (grain.r - 0.5);
     float white = smoothstep(limbus_radius - 0.55, limbus_radius + 0.20, ragged);
+    // Cornea: the pale ring of age, the wound.
+    float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
+    inner = mix(inner, vec3(0.10, 0.10, 0.098) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
+    vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
+    inner = inner * (1.0 - cut.y) + cut.x * lamp;
+    if (wound_peel.x > 0.05) {
+        vec2 flap = descemet_flap(on_cornea, incision, incision_width, wound_peel.x);
+        inner = inner * (1.0 - flap.y) + flap.x * lamp;
+    }
+    if (wound_peel.y > 0.05) {
+        vec2 flap = descemet_flap(on_cornea, side_port, side_port_width, wound_peel.y);
+        inner = inner * (1.0 - flap.y) + flap.x * lamp;
+    }
+    inner = mix(inner, vec3(0.68, 0.67, 0.63) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
+    if (wound_swelling.x > 0.0) {
+        inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
+                    wound_swelling.x * swollen_stroma(on_cornea, incision, incision_width, grain.g));
+    }
+    if (wound_swelling.y > 0.0) {
+        inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
+                    wound_swelling.y * swollen_stroma(on_cornea, side_port, side_port_width, grain.g));
+    }
+#endif
+    vec3 picture = mix(inner, white_light, white);
+    vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
+    vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
+    clear = (1.0 - white) * step(0.0, to_cornea);
+#if PART != 3
+    if (wound_stitches.x > 0.0) {
+        vec2 stitch = stitches_over(on_cornea, incision, incision_width, wound_stitches.x);
+        picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
+    }
+    if (wound_stitches.y > 0.0) {
+        vec2 stitch = stitches_over(on_cornea, side_port, side_port_width, wound_stitches.y);
+        picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
+    }
+    if (wound_fluid.x > 0.0) {
+        vec2 film = film_on_lip(on_cornea, incision, wound_fluid.x, grain.g);
+        picture = picture * (1.0 - film.y) + film.x * lamp;
+    }
+    if (wound_fluid.y > 0.0) {
+        vec2 film = film_on_lip(on_cornea, side_port, wound_fluid.y, grain.g);
+        picture = picture * (1.0 - film.y) + film.x * lamp;
+    }
+#endif
+    return picture + clear * (2.0 * lamps.x + 0.010 * lamps.y + 0.0006) * lamp;
+}
 #endif
 
-    // Inside: iris, or the pupil with the lens; an instrument before or behind the iris.
-    vec3 entry = at_plane(gl_FragCoord.xy);
-    vec3 inside = inside_direction(entry);
-    float to_iris = (iris_z - entry.z) / inside.z;
-    vec3 on_iris = entry + to_iris * inside;
-    float iris_rho = length(on_iris.xy);
+#if PART == 1 || PART == 2 || PART == 3 || PART == 7
+// The tear film is a veil that thickens and thins as it runs.
+vec3 tear_film(vec3 outside, float clear) {
+    vec2 at = (view_eye + (limbus_z - view_eye.z) / outside.z * outside).xy;
+    float film = max(0.0, sin(0.9 * at.x - 0.6 * at.y + 0.21 * time_s) + sin(0.5 * at.x + 1.1 * at.y - 0.13 * time_s));
+    return clear * 0.0016 * film * lamp;
+}
+#endif
+
+#if PART == 2 || PART == 3
+vec3 pupil_at(Inside line, vec4 tool, float shade) {
+    float rho = length(line.on_iris.xy);
+    vec3 lens = past_bag(pupil_colour(line.entry, line.way, tool, rho), line.entry, line.way, tool.a);
+    vec3 deep = under_sheets(lens) * (1.0 - 0.12 * shade) + capsule(line.entry, line.way) * (1.0 - 0.92 * tool.a);
+    deep = with_ring_fed(deep, line.on_iris.xy, tool.a);
+    float edge = edge_at(line.on_iris, rho);
+    return deep * (1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, rho));
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 outside = normalize(outside_direction(gl_FragCoord.xy));
+#if PART == 4
+    colour = vec4(before_eye(beyond_limbus(outside), outside), 1.0);
+#elif PART == 5
+    Inside line = inside_of_eye();
+    vec3 white = beyond_limbus(outside);
+    float clear = 0.0;
+    vec3 from_none = before_eye(over_inside(vec3(0.0), line, outside, white, clear), outside);
+    vec3 from_one = before_eye(over_inside(vec3(1.0), line, outside, white, clear), outside);
+    colour = vec4(iris_at(line), from_one.g - from_none.g);
+    added = vec4(from_none, clear);
+#else
+    vec2 shade = texture(shadows, place).rg;
+#if PART == 0
+    vec3 picture = before_eye(beyond_limbus(outside), outside);
+#elif PART == 6
+    vec3 picture = texelFetch(kept, pixel, 0).rgb;
+#else
+    Inside line = inside_of_eye();
     vec4 tool = texelFetch(inner_tools, pixel, 0);
-#if PART < 3
-    float tool_depth = texelFetch(stop, pixel, 0).r + dot(view_axis, reference - view_plane);
-    float before_iris = tool.a * step(tool_depth / dot(inside, view_axis), to_iris);
-    vec3 iris = nothing;
-    if (has_iris == 1 && iris_rho < limbus_radius + 0.25) {
-        // An edge that has come in takes the tissue behind it along.
-        float span = limbus_radius + 0.25;
-        float edge_here = edge_at(on_iris, iris_rho);
-        float from = caught_edge.z < 0.0
-                         ? pupil_radius + (iris_rho - edge_here) * (span - pupil_radius) / (span - edge_here)
-                         : iris_rho;
-        iris = iris_colour(on_iris, from) * (1.0 - 0.55 * shade.r);
-    }
-    vec3 inner = iris * (1.0 - before_iris) + tool.rgb * step(0.001, before_iris);
-#endif
-#if PART >= 2
-    vec3 lens = past_bag(pupil_colour(entry, inside, tool, iris_rho), entry, inside, tool.a);
-    vec3 deep = under_sheets(lens) * (1.0 - 0.12 * shade.r) +
-                capsule(entry, inside) * (1.0 - 0.92 * tool.a);
-    deep = with_ring_fed(deep, on_iris.xy, tool.a);
-    float edge = edge_at(on_iris, iris_rho);
-    deep *= 1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, iris_rho);
-#if PART == 3
-    vec3 inner = deep;
+    float clear = 0.0;
+#if PART == 7
+    vec4 under = texelFetch(kept, pixel, 0);
+    vec4 over_it = texelFetch(kept_added, pixel, 0);
+    vec3 inner = with_tool(under.rgb * (1.0 - 0.55 * shade.r), tool, hidden_iris(line, tool));
+    vec3 picture = under.a * inner + over_it.rgb + tear_film(outside, over_it.a);
 #else
+#if PART == 3
+    vec3 inner = pupil_at(line, tool, shade.r);
+    vec3 white = nothing;
+#else
+    vec3 inner = with_tool(iris_at(line) * (1.0 - 0.55 * shade.r), tool, hidden_iris(line, tool));
+    vec3 white = beyond_limbus(outside);
+#endif
+#if PART == 2
+    float rho = length(line.on_iris.xy);
+    float edge = edge_at(line.on_iris, rho);
     float soft = max(0.015, 0.8 * pixel_mm);
-    inner = mix(deep, inner, smoothstep(edge - soft, edge + soft, iris_rho));
+    inner = mix(pupil_at(line, tool, shade.r), inner, smoothstep(edge - soft, edge + soft, rho));
 #endif
+    vec3 picture = over_inside(inner, line, outside, white, clear);
+#if PART != 3
+    picture = before_eye(picture, outside);
 #endif
-
-#if PART == 3
-    inner = with_hooks_inside(inner, on_iris.xy, 0.25);
-#else
-    inner = with_hooks_inside(inner, on_iris.xy, iris_rho < pupil_radius ? 0.25 : 1.0);
+    picture += tear_film(outside, clear);
 #endif
-
-    if (has_cornea == 0) {
-        picture = inner;
-    } else {
-#if PART < 3
-        // Cornea: the pale ring of age, the wound, the tear film.
-        float arcus = exp(-pow((ragged - limbus_radius + 0.85) / 0.24, 2.0));
-        inner = mix(inner, vec3(0.10, 0.10, 0.098) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
-        vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
-        inner = inner * (1.0 - cut.y) + cut.x * lamp;
-        if (wound_peel.x > 0.05) {
-            vec2 flap = descemet_flap(on_cornea, incision, incision_width, wound_peel.x);
-            inner = inner * (1.0 - flap.y) + flap.x * lamp;
-        }
-        if (wound_peel.y > 0.05) {
-            vec2 flap = descemet_flap(on_cornea, side_port, side_port_width, wound_peel.y);
-            inner = inner * (1.0 - flap.y) + flap.x * lamp;
-        }
-        inner = mix(inner, vec3(0.68, 0.67, 0.63) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
-        if (wound_swelling.x > 0.0) {
-            inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
-                        wound_swelling.x * swollen_stroma(on_cornea, incision, incision_width, grain.g));
-        }
-        if (wound_swelling.y > 0.0) {
-            inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
-                        wound_swelling.y * swollen_stroma(on_cornea, side_port, side_port_width, grain.g));
-        }
-#endif
-        picture = mix(inner, picture, white);
-        vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
-        vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
-        float clear = (1.0 - white) * step(0.0, to_cornea);
-#if PART < 3
-        if (wound_stitches.x > 0.0) {
-            vec2 stitch = stitches_over(on_cornea, incision, incision_width, wound_stitches.x);
-            picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
-        }
-        if (wound_stitches.y > 0.0) {
-            vec2 stitch = stitches_over(on_cornea, side_port, side_port_width, wound_stitches.y);
-            picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
-        }
-        if (wound_fluid.x > 0.0) {
-            vec2 film = film_on_lip(on_cornea, incision, wound_fluid.x, grain.g);
-            picture = picture * (1.0 - film.y) + film.x * lamp;
-        }
-        if (wound_fluid.y > 0.0) {
-            vec2 film = film_on_lip(on_cornea, side_port, wound_fluid.y, grain.g);
-            picture = picture * (1.0 - film.y) + film.x * lamp;
-        }
-#endif
-        // The tear film is a veil that thickens and thins as it runs.
-        float film = max(0.0, sin(0.9 * on_cornea.x - 0.6 * on_cornea.y + 2.0 * grain.r + 0.21 * time_s) +
-                                  sin(0.5 * on_cornea.x + 1.1 * on_cornea.y - 0.13 * time_s));
-        picture += clear * (2.0 * lamps.x + 0.010 * lamps.y + 0.0006 + 0.0016 * film) * lamp;
-    }
-#endif
-
-#if PART < 3
-    picture = with_hooks_outside(picture, (view_eye + (limbus_z - view_eye.z) / outside.z * outside).xy);
-    if (prolapse.w > 0.0) {
-        vec4 fold = prolapsed(view_eye + (limbus_z - view_eye.z) / outside.z * outside);
-        picture = mix(picture, fold.rgb, fold.a);
-    }
 #endif
     vec4 over = texelFetch(outer_tools, pixel, 0);
     picture *= 1.0 - 0.50 * shade.g;
     picture = picture * (1.0 - over.a) + over.rgb;
     colour = vec4(picture * lamp_at(outside), 1.0);
+#endif
 }

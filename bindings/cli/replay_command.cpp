@@ -328,6 +328,12 @@ void add_replay(CLI::App& app, Context& context) {
     command->add_option("--at", debriefing.at_s, "With --window: begin at this time [s]")
         ->check(CLI::Range(0.0, 1e6))
         ->needs(window);
+    command->add_option("--right", debriefing.right_deg, "With --window: the camera so many degrees round the eye")
+        ->check(CLI::Range(-70.0, 70.0))
+        ->needs(window);
+    command->add_option("--up", debriefing.up_deg, "Likewise, away from the surgeon")
+        ->check(CLI::Range(-70.0, 70.0))
+        ->needs(window);
     command->add_option("--language", debriefing.language, "With --window: en, fr, ...")->needs(window);
     command->add_flag("--full-screen", debriefing.full_screen, "With --window")->needs(window);
     command->add_option("--width", debriefing.width, "Of the window [pixels]")

@@ -115,8 +115,19 @@ void Desk::wait_until_drawn(std::uint64_t step) {
     drawn_.wait(lock, [&] { return closed_ || (any_drawn_ && drawn_step_ >= step); });
 }
 
+void Desk::hear(const Heard& heard) {
+    const std::lock_guard lock(mutex_);
+    heard_ = heard;
+}
+
+Heard Desk::heard() const {
+    const std::lock_guard lock(mutex_);
+    return heard_;
+}
+
 void Desk::end() {
     const std::lock_guard lock(mutex_);
+    heard_.silent = true;
     ended_ = true;
     shown_.notify_all();
 }

@@ -39,6 +39,13 @@ struct Shown {
     std::vector<HandForce> forces{};
 };
 
+/// What a loudspeaker makes of a step.
+struct Heard {
+    MachinePanel machine;
+    double force_mN = 0.0;  ///< the greatest of all hands
+    bool silent = true;     ///< the clock stands
+};
+
 class Desk {
 public:
     // The window's side.
@@ -68,6 +75,9 @@ public:
     [[nodiscard]] double pictures_per_s() const;
     /// Waits until it is drawn, or the window has gone.
     void wait_until_drawn(std::uint64_t step);
+    /// Every step, drawn or not.
+    void hear(const Heard& heard);
+    [[nodiscard]] Heard heard() const;
     void end();
     [[nodiscard]] bool closed() const;
 
@@ -80,6 +90,7 @@ private:
     std::deque<PostedEvent> recent_;   ///< not yet in a picture
     std::uint64_t last_number_ = 0;
     std::shared_ptr<Shown> newest_;
+    Heard heard_;
     std::uint64_t drawn_step_ = 0;
     bool any_drawn_ = false;
     std::uint64_t pictures_ = 0;

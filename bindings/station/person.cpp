@@ -208,6 +208,14 @@ void Person::show(const Session& session, bool waits) {
     }
 }
 
+void Person::sound(const Session& session) {
+    Heard heard{panel_->panel(session), 0.0, hands_->waits()};
+    for (const HandForce& force : panel_->forces(session)) {
+        heard.force_mN = std::max(heard.force_mN, force.mN);
+    }
+    desk_.hear(heard);
+}
+
 /// The monitor sees each moment whole; how many, the wall clock says.
 Status Person::show_theatre(const Session& session, bool ended) {
     const double now = wall_seconds();
@@ -253,6 +261,7 @@ Result<OperatorStep> Person::operate(Timeline& timeline) {
         show(session, hands_->waits());
     }
     do {
+        sound(session);
         if (const Status shown = show_theatre(session, false); !shown) {
             return shown.error();
         }

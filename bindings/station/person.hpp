@@ -57,6 +57,7 @@ private:
     void note_aids(double dt);
     Status warn();
     void show(const Session& session, bool waits);
+    void sound(const Session& session);
     Status show_theatre(const Session& session, bool ended);
 
     PersonOptions options_;

@@ -53,12 +53,14 @@ struct MonitorOptions {
 
 /// What the command line asks of a debriefing.
 struct DebriefingOptions {
-    std::string root;       ///< folder of scripts/
-    std::string language;   ///< as above
-    std::string recording;  ///< file
-    std::string ghost;      ///< run or recording of an expert; empty: none
-    double at_s = 0.0;      ///< where it begins
-    double seconds = 0.0;   ///< so long; 0: until it is closed
+    std::string root;        ///< folder of scripts/
+    std::string language;    ///< as above
+    std::string recording;   ///< file
+    std::string ghost;       ///< run or recording of an expert; empty: none
+    double at_s = 0.0;       ///< where it begins
+    double right_deg = 0.0;  ///< that the camera has gone round the eye
+    double up_deg = 0.0;
+    double seconds = 0.0;  ///< so long; 0: until it is closed
     std::string screenshot;
     int width = 1280;
     int height = 960;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/gl_objects.hpp"
 
+#include <array>
+
 #include "base/assert.hpp"
 #include "render/shader_text.hpp"
 
@@ -91,6 +93,16 @@ Target make_single_target(int width, int height, GLenum format, GLenum filter, G
     return make_target(std::move(colours), with_depth);
 }
 
+Target make_double_target(int width, int height, GLenum format, GLenum filter) {
+    std::vector<Texture> colours;
+    colours.push_back(make_texture(width, height, format, filter));
+    colours.push_back(make_texture(width, height, format, filter));
+    Target target = make_target(std::move(colours), false);
+    const std::array<GLenum, 2> both = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(2, both.data());
+    return target;
+}
+
 void cover_target() {
     const GlName<release_vertex_array> no_vertices(new_name(glGenVertexArrays));
     glBindVertexArray(*no_vertices);
@@ -150,41 +162,56 @@ Result<Program> Program::build(std::initializer_list<const char*> vertex, std::i
     return program;
 }
 
-void Program::set(const char* parameter, int value) const { glUniform1i(place(parameter), value); }
+GLint Program::place(const char* parameter, const void* bytes, std::size_t size) const {
+    const GLint place = glGetUniformLocation(*name_, parameter);
+    if (log_ != nullptr && place >= 0) {
+        const auto* own = reinterpret_cast<const unsigned char*>(&place);
+        const auto* given = static_cast<const unsigned char*>(bytes);
+        log_->insert(log_->end(), own, own + sizeof place);
+        log_->insert(log_->end(), given, given + size);
+    }
+    return place;
+}
+
+void Program::set(const char* parameter, int value) const {
+    glUniform1i(place(parameter, &value, sizeof value), value);
+}
 
 void Program::set(const char* parameter, double value) const {
-    glUniform1f(place(parameter), static_cast<float>(value));
+    const auto narrow = static_cast<float>(value);
+    glUniform1f(place(parameter, &narrow, sizeof narrow), narrow);
 }
 
 void Program::set(const char* parameter, const Vec2& value) const {
     const Eigen::Vector2f narrow = value.cast<float>();
-    glUniform2fv(place(parameter), 1, narrow.data());
+    glUniform2fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, narrow.data());
 }
 
 void Program::set(const char* parameter, const Vec3& value) const {
     const Eigen::Vector3f narrow = value.cast<float>();
-    glUniform3fv(place(parameter), 1, narrow.data());
+    glUniform3fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, narrow.data());
 }
 
 void Program::set(const char* parameter, const Eigen::Vector4d& value) const {
     const Eigen::Vector4f narrow = value.cast<float>();
-    glUniform4fv(place(parameter), 1, narrow.data());
+    glUniform4fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, narrow.data());
 }
 
 void Program::set(const char* parameter, const Eigen::Matrix4d& value) const {
     const Eigen::Matrix4f narrow = value.cast<float>();
-    glUniformMatrix4fv(place(parameter), 1, GL_FALSE, narrow.data());
+    glUniformMatrix4fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, GL_FALSE, narrow.data());
 }
 
 void Program::set(const char* parameter, const Mat3& value) const {
     const Eigen::Matrix3f narrow = value.cast<float>();
-    glUniformMatrix3fv(place(parameter), 1, GL_FALSE, narrow.data());
+    glUniformMatrix3fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, GL_FALSE, narrow.data());
 }
 
 void Program::set(const char* parameter, const Texture& texture, int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, *texture.name);
-    glUniform1i(place(parameter), unit);
+    const GLuint name = *texture.name;
+    glUniform1i(place(parameter, &name, sizeof name), unit);
 }
 
 VertexStream::VertexStream(std::initializer_list<int> layout)

@@ -68,6 +68,8 @@ struct Target {
 
 Target make_target(std::vector<Texture> colours, bool with_depth);
 Target make_multisampled_target(int width, int height, GLenum format);
+/// Several textures of one size, drawn into at once.
+Target make_double_target(int width, int height, GLenum format, GLenum filter);
 /// One texture, drawn into.
 Target make_single_target(int width, int height, GLenum format, GLenum filter, GLenum wrap = GL_CLAMP_TO_EDGE,
                           bool with_depth = false);
@@ -95,9 +97,15 @@ public:
     /// Binds a texture to unit `unit` under this name.
     void set(const char* parameter, const Texture& texture, int unit) const;
 
+    /// From now on what is set of the parameters that the shader uses is written here too: equal bytes, equal picture,
+    /// as long as its textures hold the same. Null: nowhere.
+    void log_to(std::vector<unsigned char>* log) { log_ = log; }
+
 private:
-    [[nodiscard]] GLint place(const char* parameter) const { return glGetUniformLocation(*name_, parameter); }
+    /// Of a parameter that is set to these bytes.
+    [[nodiscard]] GLint place(const char* parameter, const void* bytes, std::size_t size) const;
     GlName<release_program> name_;
+    std::vector<unsigned char>* log_ = nullptr;
 };
 
 /// Vertices that are sent anew for each picture: `layout` counts the floats of each attribute.

@@ -323,7 +323,12 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     Result<Program> iris = build_part("part_iris.glsl");
     Result<Program> pupil = build_part("part_pupil.glsl");
     Result<Program> core = build_part("part_core.glsl");
-    for (const Result<Program>* program : {&light, &soften, &shadows, &card, &white, &iris, &pupil, &core}) {
+    Result<Program> write_white = build_part("part_still_white.glsl");
+    Result<Program> write_iris = build_part("part_still_iris.glsl");
+    Result<Program> draw_white = build_part("part_kept_white.glsl");
+    Result<Program> draw_iris = build_part("part_kept_iris.glsl");
+    for (const Result<Program>* program : {&light, &soften, &shadows, &card, &white, &iris, &pupil, &core, &write_white,
+                                           &write_iris, &draw_white, &draw_iris}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -344,13 +349,17 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
         Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value(), std::move(card).value()},
         std::array<Program, 4>{std::move(white).value(), std::move(iris).value(), std::move(pupil).value(),
                                std::move(core).value()},
+        Kept{std::move(write_white).value(), std::move(write_iris).value(), std::move(draw_white).value(),
+             std::move(draw_iris).value()},
         std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width, height);
 }
 
-MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front,
-                               SheetLayer sheets, int width, int height)
+MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, Kept kept, EyePainter painter,
+                               LensFront front, SheetLayer sheets, int width, int height)
     : steps_(std::move(steps)),
       parts_(std::move(parts)),
+      keep_(std::move(kept)),
+      kept_(make_double_target(width, height, GL_RGBA16F, GL_NEAREST)),
       eye_painter_(std::move(painter)),
       front_(std::move(front)),
       sheets_(std::move(sheets)),
@@ -392,12 +401,48 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(frame), eye.iris_z);
     const std::array<std::vector<PixelRect>, 4> where{without(without(bands_of(inner), cornea), pupil),
                                                       without(cornea, pupil), without(pupil, core), core};
+    const bool still = keeps_still(frame, inner, depth, detail, outer);
+    if (still && !is_kept_) {
+        kept_.bind();
+        compose(keep_.write_white, frame, inner, depth, detail, outer);
+        draw_part(where[0], inner, stop_pixels);
+        compose(keep_.write_iris, frame, inner, depth, detail, outer);
+        draw_part(where[1], inner, stop_pixels);
+    }
+    is_kept_ = still;
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-        compose(parts_[part], frame, inner, depth, detail, outer);
-        rectangles_.send(triangles_of(within_stop(where[part], inner, stop_pixels), inner));
-        rectangles_.draw();
+        const Program& program = !still || part > 1 ? parts_[part] : part == 0 ? keep_.draw_white : keep_.draw_iris;
+        compose(program, frame, inner, depth, detail, outer);
+        if (still && part < 2) {
+            program.set("kept", kept_.colours[0], 14);
+            program.set("kept_added", kept_.colours[1], 15);
+        }
+        draw_part(where[part], inner, stop_pixels);
     }
+}
+
+/// Whether the front of the eye is seen as in the picture before.
+bool MicroscopeView::keeps_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
+                                 const View& outer) {
+    if (!keeps_) {
+        return false;
+    }
+    parameters_.clear();
+    for (Program* program : {&keep_.write_white, &keep_.write_iris}) {
+        program->log_to(&parameters_);
+        compose(*program, frame, inner, depth, detail, outer);
+        program->log_to(nullptr);
+    }
+    const bool same = parameters_ == kept_for_;
+    kept_for_.swap(parameters_);
+    return same;
+}
+
+/// With the program in use.
+void MicroscopeView::draw_part(const std::vector<PixelRect>& where, const View& inner, double stop_pixels) {
+    rectangles_.send(triangles_of(within_stop(where, inner, stop_pixels), inner));
+    rectangles_.draw();
 }
 
 void MicroscopeView::draw_card(double reflectance, const EyeAnatomy& eye, const View& outer) {

@@ -30,6 +30,10 @@ public:
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& outer,
               const View& inner, const DepthPass& depth, const Texture& detail, double stop_pixels);
 
+    /// Whether light is kept from picture to picture where nothing has changed. Off, as at first, each is drawn anew,
+    /// which is the reference.
+    void keep_light(bool keeps) { keeps_ = keeps; }
+
     /// A matte card as high as the limbus of this eye, in its place.
     void draw_card(double reflectance, const EyeAnatomy& eye, const View& outer);
 
@@ -54,8 +58,19 @@ private:
         bool cornea = false;
         bool operator==(const PaintedFor&) const = default;
     };
-    MicroscopeView(Steps steps, std::array<Program, 4> parts, EyePainter painter, LensFront front, SheetLayer sheets,
-                   int width, int height);
+    /// What lies beyond the limbus, and the iris with what lies over it, as light before instruments and lamp: kept as
+    /// long as neither the microscope nor the front of the eye changes.
+    struct Kept {
+        Program write_white;
+        Program write_iris;
+        Program draw_white;
+        Program draw_iris;
+    };
+    MicroscopeView(Steps steps, std::array<Program, 4> parts, Kept kept, EyePainter painter, LensFront front,
+                   SheetLayer sheets, int width, int height);
+    bool keeps_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
+                     const View& outer);
+    void draw_part(const std::vector<PixelRect>& where, const View& inner, double stop_pixels);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
     void cast_shadows(const View& inner);
@@ -64,6 +79,12 @@ private:
 
     Steps steps_;
     std::array<Program, 4> parts_;  ///< see microscope.frag
+    Kept keep_;
+    Target kept_;                            ///< iris and its share; what lies over it
+    std::vector<unsigned char> kept_for_;    ///< parameters of what is kept, or would be
+    std::vector<unsigned char> parameters_;  ///< of this picture
+    bool is_kept_ = false;
+    bool keeps_ = false;
     EyePainter eye_painter_;
     LensFront front_;
     SheetLayer sheets_;

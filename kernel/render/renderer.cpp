@@ -284,6 +284,8 @@ Camera microscope_camera(const Frame& frame) {
     return frame.eye ? microscope_camera(*frame.eye, *frame.model, frame.microscope) : camera_around(frame);
 }
 
+void Renderer::keep_light(bool keeps) { parts_->passes->microscope.keep_light(keeps); }
+
 OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {
     const GlContext::Use use(parts_->context);
     parts_->look_at(frame);

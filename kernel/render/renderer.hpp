@@ -53,6 +53,9 @@ public:
     /// A matte card of this reflectance (0 to 1) in the place of the frame's eye: what lamp and film make of it. By
     /// this their constants are told.
     Image photograph_card(double reflectance, const Frame& frame, const Camera& camera);
+    /// Whether light is kept from picture to picture where nothing has changed, which costs less and looks the same but
+    /// for rounding. Off, as at first: each picture is drawn anew, whatever came before it.
+    void keep_light(bool keeps);
     /// The lens part alone.
     OpticalDepth optical_depth(const Frame& frame, const Camera& camera);
 

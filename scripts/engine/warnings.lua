@@ -131,6 +131,7 @@ end
 --- One step. log: list of the warnings so far, which grows, and as its field `came` what came of what is warned of,
 --- with how long before it was warned, if it was. translated: what makes a text one of the run's language.
 function Watch:tick(time_s, log, translated)
+    self.time_s = time_s
     local shows = any_shows(self, time_s)
     note_outcome(self, time_s, log)
     if self.there or not shows then
@@ -146,7 +147,7 @@ function Watch:tick(time_s, log, translated)
     table.insert(log, self.record)
 end
 
---- The warning, if a sign of it shows now or did a while ago; else nil.
-function Watch:raised() return self.record end
+--- The warning, if a sign of it shows now or did a moment ago; else nil.
+function Watch:raised() return self.record and self.time_s - self.seen_s < apart_s and self.record or nil end
 
 return warnings

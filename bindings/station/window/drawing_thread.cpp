@@ -27,14 +27,8 @@ void step_back() {
 }  // namespace
 
 DrawingThread::DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options,
-                             Sound* sound, std::string notice)
-    : desk_(desk),
-      window_(window),
-      prepared_(prepared),
-      options_(options),
-      sound_(sound),
-      notice_(std::move(notice)),
-      thread_([this] {
+                             std::string notice)
+    : desk_(desk), window_(window), prepared_(prepared), options_(options), notice_(std::move(notice)), thread_([this] {
           run();
           SDL_TLSCleanup();  // what SDL keeps for each thread, it frees for those only that it began itself
       }) {}
@@ -84,9 +78,6 @@ void DrawingThread::draw_all(Panels& panels, LivePicture& picture) {
     while (!desk_.ended() && !desk_.closed()) {
         const std::shared_ptr<Shown> shown = desk_.wait_for(seen, longest_wait_s);
         const bool by_hand = operates(options_);
-        if (sound_ != nullptr && shown) {
-            sound_->tell(*shown);
-        }
         if (!shown || (!by_hand && shown->step == seen)) {
             continue;  // there is none, or nobody moves anything before the next one
         }
@@ -127,9 +118,6 @@ void DrawingThread::hand_to_panel(Panels& panels) {
 /// What the window shows in the end, when all has been done.
 Status DrawingThread::keep_picture(LivePicture& picture) {
     desk_.wait_until_ended();
-    if (sound_ != nullptr) {
-        sound_->hush();
-    }
     const std::shared_ptr<Shown> last = desk_.newest();
     if (options_.screenshot.empty() || !last) {
         return success();

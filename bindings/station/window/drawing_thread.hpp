@@ -14,14 +14,13 @@
 #include "station/window/live_picture.hpp"
 #include "station/window/mapping_file.hpp"
 #include "station/window/prepared.hpp"
-#include "station/window/sound.hpp"
 
 namespace rhexis::station {
 
 class DrawingThread {
 public:
-    /// All of it outlives the drawing. sound: null, there is none; notice: why, or empty.
-    DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options, Sound* sound = nullptr,
+    /// All of it outlives the drawing. notice: to be shown at first; may be empty.
+    DrawingThread(Desk& desk, Window& window, Prepared& prepared, const StationOptions& options,
                   std::string notice = "");
     /// Closes the desk.
     ~DrawingThread();
@@ -49,7 +48,6 @@ private:
     Window& window_;
     Prepared& prepared_;
     const StationOptions& options_;
-    Sound* sound_;
     std::string notice_;
     std::atomic<bool> takes_cursor_ = false;
     std::atomic<bool> panel_asks_ = false;

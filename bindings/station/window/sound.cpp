@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/sound.hpp"
 
-#include <algorithm>
-
 namespace rhexis::station {
 namespace {
 
@@ -43,15 +41,11 @@ Sound::~Sound() {
     SDL_QuitSubSystem(SDL_INIT_AUDIO);
 }
 
-void Sound::tell(const Shown& shown) {
-    double most_mN = 0.0;
-    for (const HandForce& force : shown.forces) {
-        most_mN = std::max(most_mN, force.mN);
-    }
-    if (shown.waits || shown.hands.paused) {
+void Sound::tell(const Heard& heard) {
+    if (heard.silent) {
         voices_.hush();
     } else {
-        voices_.tell(shown.machine, most_mN);
+        voices_.tell(heard.machine, heard.force_mN);
     }
 }
 

@@ -20,9 +20,8 @@ public:
     Sound(const Sound&) = delete;
     Sound& operator=(const Sound&) = delete;
 
-    /// Sounds as what is shown; silent while the clock stands.
-    void tell(const Shown& shown);
-    void hush() { voices_.hush(); }
+    /// Sounds as this step does.
+    void tell(const Heard& heard);
 
 private:
     explicit Sound(double samples_per_s) : voices_(samples_per_s) {}

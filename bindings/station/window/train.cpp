@@ -2,6 +2,7 @@
 // A person operates in a window: the simulation and the picture on threads of their own, the devices on this one.
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "station/window/cut_short.hpp"
 #include "station/window/drawing_thread.hpp"
 #include "station/window/prepared.hpp"
+#include "station/window/sound.hpp"
 #include "station/window/window.hpp"
 #include "station/window/x_number.hpp"
 #include "theatre/link.hpp"
@@ -21,11 +23,38 @@ namespace {
 
 constexpr double event_wait_s = 0.005;  ///< for an event, before it is looked whether the trial has ended
 
+/// What there is besides the window.
+struct Around {
+    std::unique_ptr<TheatreFeed> theatre{};  ///< null: no monitor is fed
+    std::unique_ptr<Sound> sound{};          ///< null: there is no loudspeaker, or none is wanted
+    std::string notice{};                    ///< to be shown
+};
+
+Result<Around> make_around(const StationOptions& options) {
+    Around around;
+    if (!options.theatre.empty()) {
+        Result<std::unique_ptr<TheatreFeed>> opened = TheatreFeed::open(options.theatre);
+        if (!opened) {
+            return opened.error();
+        }
+        around.theatre = std::move(opened).value();
+    }
+    if (!options.silent && !is_stepped(options)) {
+        Result<std::unique_ptr<Sound>> opened = Sound::open();
+        around.sound = opened ? std::move(opened).value() : nullptr;
+        around.notice = opened ? "" : opened.error().text();
+    }
+    return around;
+}
+
 /// Until the trial has ended.
-void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingThread& drawing, TheatreFeed* theatre) {
+void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingThread& drawing, const Around& around) {
     while (!desk.ended()) {
-        if (theatre != nullptr && !options.again) {
-            desk.post(theatre->requests());
+        if (around.sound) {
+            around.sound->tell(desk.heard());
+        }
+        if (around.theatre && !options.again) {
+            desk.post(around.theatre->requests());
         }
         for (const UserEvent& event : window.poll(event_wait_s)) {
             if (operates(options)) {
@@ -35,6 +64,9 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingT
             }
         }
         window.take_cursor(drawing.takes_cursor());
+    }
+    if (around.sound) {
+        around.sound->tell({});
     }
     window.take_cursor(false);
 }
@@ -67,7 +99,7 @@ Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, 
 
 /// On this thread devices, on others the simulation and the pictures.
 Result<AttemptResult> operate(const StationOptions& options, Person& person, Desk& desk, Window& window,
-                              DrawingThread& drawing, TheatreFeed* theatre) {
+                              DrawingThread& drawing, const Around& around) {
     AttemptOptions of_attempt = options.attempt;
     of_attempt.guest = &person;
     of_attempt.quiet = true;
@@ -77,7 +109,7 @@ Result<AttemptResult> operate(const StationOptions& options, Person& person, Des
         result.emplace(attempt(of_attempt));
         desk.end();
     });
-    look_on(options, desk, window, drawing, theatre);
+    look_on(options, desk, window, drawing, around);
     simulation.join();
     const Status pictured = drawing.finish();
     return pictured || !result->ok() ? std::move(*result) : pictured.error();
@@ -94,27 +126,16 @@ Result<AttemptResult> train(const StationOptions& options) {
     if (!window) {
         return window.error();
     }
-    std::unique_ptr<TheatreFeed> theatre;
-    if (!options.theatre.empty()) {
-        Result<std::unique_ptr<TheatreFeed>> opened = TheatreFeed::open(options.theatre);
-        if (!opened) {
-            return opened.error();
-        }
-        theatre = std::move(opened).value();
+    Result<Around> around = make_around(options);
+    if (!around) {
+        return around.error();
     }
     Desk desk;
     Result<std::unique_ptr<EventSource>> source = make_source(options, prepared, desk, window.value());
     if (!source) {
         return source.error();
     }
-    std::unique_ptr<Sound> sound;
-    std::string notice;
-    if (!options.silent && !is_stepped(options)) {
-        Result<std::unique_ptr<Sound>> opened = Sound::open();
-        sound = opened ? std::move(opened).value() : nullptr;
-        notice = opened ? "" : opened.error().text();
-    }
-    DrawingThread drawing(desk, window.value(), prepared, options, sound.get(), notice);
+    DrawingThread drawing(desk, window.value(), prepared, options, around.value().notice);
     if (const Status begun = drawing.begun(); !begun) {
         return begun.error();
     }
@@ -126,8 +147,9 @@ Result<AttemptResult> train(const StationOptions& options) {
                                   prepared.ghost.has_value(),
                                   options.warns,
                                   prepared.title};
-    Person person(of_person, *source.value(), desk, prepared.writer ? &*prepared.writer : nullptr, theatre.get());
-    Result<AttemptResult> result = operate(options, person, desk, window.value(), drawing, theatre.get());
+    Person person(of_person, *source.value(), desk, prepared.writer ? &*prepared.writer : nullptr,
+                  around.value().theatre.get());
+    Result<AttemptResult> result = operate(options, person, desk, window.value(), drawing, around.value());
     const Status kept = result.ok() && prepared.writer ? prepared.writer->finish() : success();
     return kept ? std::move(result) : kept.error();
 }
