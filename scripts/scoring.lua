@@ -526,25 +526,6 @@ local function counting(line, rubric, reference, completed, how)
     return list
 end
 
--- What would have made it a four, with sentences that say so; nil: it is one.
-local function way_to_four(line, result)
-    local measures = {}
-    for _, open in ipairs(line.open) do measures[open.measure.id] = open.measure end
-    local curves = {}
-    for id, measure in pairs(measures) do curves[id] = measure.curve end
-    local way = to_four.of(result, curves)
-    if not way then return nil end
-    for _, error in ipairs(way.errors) do
-        error.text = t("Without \"%s\", or with it put right at once."):format(error.title)
-    end
-    for _, one in ipairs(way.measures) do
-        local measure = measures[one.id]
-        one.text = t("%s: %s instead of %s."):format(one.name, amount(measure, one.wanted),
-            amount(measure, one.value))
-    end
-    return way
-end
-
 local function score_item(line, rubric, events, reference, completed, how)
     local item = line.item
     local result = { id = item.id, name = t(item.name), measures = counting(line, rubric, reference, completed, how) }
@@ -558,7 +539,7 @@ local function score_item(line, rubric, events, reference, completed, how)
         result.score = round(math.max(rubric.least, math.min(cap, sum / weight)), 2)
         result.reasons = reasons(result, cap)
         result.anchor = item.anchors and item.anchors[math.floor(result.score + 0.5)]
-        result.to_four = way_to_four(line, result)
+        result.to_four = to_four.of(result, line.open, amount, t)
     else
         result.reasons = { t("Not scored: ") .. t(result.hidden and "what it was operated with does not show it."
             or item.not_scored or "nothing that this attempt showed tells of it.") }

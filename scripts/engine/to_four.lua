@@ -65,11 +65,22 @@ local function of_errors(capped_by)
     return list
 end
 
---- item: as a score has it, with measures and capped_by; curves: by id of a measure. Nil: it has four, or was not
---- scored. Else { errors, measures }; both empty: its work was not begun.
-function to_four.of(item, curves)
+--- item: as a score has it, with measures and capped_by; open: list of { measure = }, as the rubric declares them;
+--- amount(measure, value): a value as it is told; t: makes a text one of the run's language. Nil: it has four, or was
+--- not scored. Else { errors, measures }, each with a sentence; both empty: its work was not begun.
+function to_four.of(item, open, amount, t)
     if not item.score or item.score >= good - 0.005 then return nil end
-    return { errors = of_errors(item.capped_by), measures = of_measures(item.measures, curves) }
+    local declared, curves = {}, {}
+    for _, one in ipairs(open) do declared[one.measure.id], curves[one.measure.id] = one.measure, one.measure.curve end
+    local way = { errors = of_errors(item.capped_by), measures = of_measures(item.measures, curves) }
+    for _, error in ipairs(way.errors) do
+        error.text = t("Without \"%s\", or with it put right at once."):format(error.title)
+    end
+    for _, one in ipairs(way.measures) do
+        local measure = declared[one.id]
+        one.text = t("%s: %s instead of %s."):format(one.name, amount(measure, one.wanted), amount(measure, one.value))
+    end
+    return way
 end
 
 return to_four

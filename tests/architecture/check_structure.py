@@ -24,8 +24,10 @@ BINDINGS = {"lua": ["lua"], "records": ["records"], "trial": ["lua", "trial"],
 # A library may be included only where these prefixes say.
 WALLS = {
     r"opencv2/": ["kernel/tracking/", "kernel/render/", "tests/"],
-    r"(epoxy/|EGL/|GL/)": ["kernel/render/", "bindings/station/window/"],
-    r"(SDL\.h|SDL2/|imgui|backends/imgui)": ["bindings/station/window/", "tests/bindings/station/window/"],
+    r"(epoxy/|EGL/|GL/)": ["kernel/render/", "bindings/station/window/", "bindings/theatre/"],
+    r"(SDL\.h|SDL2/|imgui|backends/imgui)": ["bindings/station/window/", "bindings/theatre/",
+                                             "tests/bindings/station/window/"],
+    r"zmq": ["bindings/theatre/", "tests/bindings/theatre/"],
     r"(lua\.h|lua\.hpp|lualib\.h|lauxlib\.h|luaconf\.h)": ["bindings/lua/", "tests/bindings/"],
     r"cholmod\.h": ["kernel/math/", "tests/bench/"],
     r"CLI/": ["bindings/cli/"],

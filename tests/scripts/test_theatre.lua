@@ -98,28 +98,34 @@ case("the patient's constants follow what happens, and come back", function()
 end)
 
 case("what would have been a four asks as little as it takes", function()
-    local curves = { time = { { 10, 5 }, { 20, 3 }, { 40, 1 } }, path = { { 0, 5 }, { 8, 1 } } }
+    local open = { { measure = { id = "time", curve = { { 10, 5 }, { 20, 3 }, { 40, 1 } } } },
+        { measure = { id = "path", curve = { { 0, 5 }, { 8, 1 } } } } }
+    local function way_of(score)
+        local function amount(_, value) return ("%g"):format(value) end
+        return to_four.of(score, open, amount, function(text) return text end)
+    end
     local function item(time, time_score, path, path_score, capped)
         return { score = math.min((time_score + path_score) / 2, capped and capped[1].cap or 5),
             capped_by = capped or {}, measures = {
                 { id = "time", name = "Time", unit = "s", value = time, score = time_score, weight = 1 },
                 { id = "path", name = "Path", unit = "mm", value = path, score = path_score, weight = 1 } } }
     end
-    local way = to_four.of(item(20, 3, 2, 4), curves)
+    local way = way_of(item(20, 3, 2, 4))
     equal(#way.measures, 1, "one of them is enough")
     equal(way.measures[1].id, "time")
+    equal(way.measures[1].text, "Time: 15 instead of 20.")
     near(way.measures[1].wanted, 15, 1e-9, "4 points there make the mean a four")
-    way = to_four.of(item(40, 1, 8, 1), curves)
+    way = way_of(item(40, 1, 8, 1))
     equal(#way.measures, 2)
     equal(way.measures[1].id, "path", "5 points of one")
     near(way.measures[1].wanted, 0, 1e-9)
     near(way.measures[2].wanted, 20, 1e-9, "and 3 of the other")
-    way = to_four.of(item(10, 5, 0, 5, { { event = "touch", title = "Touched", cap = 2, time_s = 3 },
-        { event = "touch", title = "Touched", cap = 2, time_s = 9 } }), curves)
+    way = way_of(item(10, 5, 0, 5, { { event = "touch", title = "Touched", cap = 2, time_s = 3 },
+        { event = "touch", title = "Touched", cap = 2, time_s = 9 } }))
     equal(#way.errors, 1)
     equal(#way.measures, 0)
-    equal(to_four.of(item(10, 5, 2, 4), curves), nil)
-    equal(to_four.of({ capped_by = {}, measures = {} }, curves), nil)
+    equal(way_of(item(10, 5, 2, 4)), nil)
+    equal(way_of({ capped_by = {}, measures = {} }), nil)
 end)
 
 case("an instructor may let happen what the scene has, and no outcome", function()
