@@ -179,9 +179,9 @@ void DebriefingPanels::draw_state(const DebriefingState& state, const PlayedMome
     ImGui::SetNextWindowBgAlpha(0.5F);
     ImGui::Begin("state", nullptr, panel_flags | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::TextUnformatted(story_.title.c_str());
-    if (moment == nullptr) {
+    if (moment == nullptr && notice.empty()) {
         ImGui::TextUnformatted(words_("simulating ...").c_str());
-    } else {
+    } else if (moment != nullptr) {
         const double behind_s = state.time_s - moment->frame.time_s;
         if (std::abs(behind_s) > 0.3) {
             ImGui::Text("%s %s s", words_("simulating ...").c_str(), tenths(moment->frame.time_s).c_str());
@@ -206,7 +206,9 @@ void DebriefingPanels::draw_state(const DebriefingState& state, const PlayedMome
         wish.resets_camera = true;
     }
     if (!notice.empty()) {
+        ImGui::PushTextWrapPos(0.5F * ImGui::GetIO().DisplaySize.x);
         ImGui::TextColored({1.0F, 0.8F, 0.2F, 1.0F}, "%s", notice.c_str());
+        ImGui::PopTextWrapPos();
     }
     ImGui::End();
 }
@@ -227,9 +229,11 @@ DebriefingWish DebriefingPanels::draw(const DebriefingState& state, const Played
     ImGui::Begin("story", nullptr, panel_flags);
     draw_marks(state, wish);
     draw_items();
+    ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled("%s", words_("Space plays, left and right one second, N and B the next and the last mark, "
                                      "right button turns the camera, wheel zooms, R back, H the expert's way")
                                   .c_str());
+    ImGui::PopTextWrapPos();
     ImGui::End();
     overlay_.end();
     return wish;
