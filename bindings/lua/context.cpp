@@ -110,8 +110,9 @@ void* allocate(void* user, void* block, std::size_t old_size, std::size_t new_si
         const std::size_t limit = c.options.limits.memory_bytes;
         const std::size_t more = new_size - old_size;
         if (limit != 0 && (more > limit || c.used_bytes > limit - more)) {
-            // While an error unwinds, Lua asks again without a frame to name.
-            if (std::string where = c.current != nullptr ? place(c.current) : std::string(); !where.empty()) {
+            // While an error unwinds, Lua asks again without a frame to name, or for the engine that passes it on.
+            std::string where = c.current != nullptr ? place(c.current) : std::string();
+            if (!where.empty() && (c.refused_at.empty() || !where.starts_with("scripts/"))) {
                 c.refused_at = std::move(where);
             }
             return nullptr;

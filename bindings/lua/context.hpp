@@ -57,9 +57,9 @@ struct Context {
     bool expired = false;  ///< it ran out: every further instruction raises
     long long remaining = 0;
     double cpu_start = 0.0;
-    std::string expired_text;          ///< where and why it ran out
-    std::string refused_at;            ///< file:line of the last allocation that was refused
-    std::string traceback;             ///< of the last error
+    std::string expired_text;  ///< where and why it ran out
+    std::string refused_at;  ///< file:line of the last allocation that was refused; of the engine only if it was first
+    std::string traceback;   ///< of the last error
     std::shared_ptr<Objects> objects;  ///< behind the handles of the kernel modules, if they are open
 
     explicit Context(LuaOptions given) : options(std::move(given)), rng(options.seed, "lua") {}

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "station/window/sound.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace rhexis::station {
 namespace {
 
@@ -12,9 +15,36 @@ void fill(void* voices, Uint8* bytes, int size) {
         {reinterpret_cast<float*>(bytes), static_cast<std::size_t>(size) / sizeof(float)});
 }
 
+/// Libraries of sound tell on the terminal, in many lines, that a machine has no loudspeaker: while this lives, they
+/// tell nobody. Before other threads begin.
+class QuietTerminal {
+public:
+    QuietTerminal() : kept_(::dup(STDERR_FILENO)) {
+        const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (kept_ >= 0 && nowhere >= 0) {
+            ::dup2(nowhere, STDERR_FILENO);
+        }
+        if (nowhere >= 0) {
+            ::close(nowhere);
+        }
+    }
+    ~QuietTerminal() {
+        if (kept_ >= 0) {
+            ::dup2(kept_, STDERR_FILENO);
+            ::close(kept_);
+        }
+    }
+    QuietTerminal(const QuietTerminal&) = delete;
+    QuietTerminal& operator=(const QuietTerminal&) = delete;
+
+private:
+    int kept_;
+};
+
 }  // namespace
 
 Result<std::unique_ptr<Sound>> Sound::open() {
+    const QuietTerminal quiet;
     if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) {
         return Error{std::string("no sound: ") + SDL_GetError(), "", "a loudspeaker, or --silent"};
     }
