@@ -73,6 +73,7 @@ expect 2 "nowhere" "$rhexis" replay "$work/nowhere" --window --seconds 1
 expect 2 "no_such_run" "$rhexis" replay "$work/run" --window --seconds 1 --ghost "$work/no_such_run"
 (unset DISPLAY WAYLAND_DISPLAY
  export SDL_VIDEODRIVER=x11
+ failures=0
  expect 2 "no window" "$rhexis" replay "$work/run" --window --seconds 1
  expect 2 "no window" "$rhexis" monitor "$at" --seconds 1
  [ "$failures" = 0 ]) || fail "no display"
@@ -82,6 +83,7 @@ SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=$work/sound.raw "$rhexis" train surge --b
     --width 160 --height 120 --out "$work/heard" >"$work/heard.txt" 2>&1 || fail "with sound: $(cat "$work/heard.txt")"
 python3 "$(dirname "$0")/pitches.py" "$work/sound.raw" "$work/heard/series.json" || fail "the pitch is not that of the power"
 (export SDL_AUDIODRIVER=nothing_of_the_kind
+ failures=0
  expect 0 "" "$rhexis" train surge --by d --seed 101 --live --limit 2 --width 160 --height 120 --out "$work/deaf"
  [ "$failures" = 0 ]) || fail "without a loudspeaker"
 finished
