@@ -23,9 +23,7 @@ constexpr const char* monitor_help =
     "\n"
     "What may be asked for: inject ID, put_right ID, level NAME, note TEXT, rewind SECONDS, pause, go_on, warn 0|1.";
 
-struct Given : station::MonitorOptions {};
-
-int monitor(Given given, const Context& context) {
+int monitor(station::MonitorOptions given, const Context& context) {
     const Result<void*> opened = load_station();
     if (!opened) {
         return complain(opened.error());
@@ -43,7 +41,7 @@ int monitor(Given given, const Context& context) {
 void add_monitor(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("monitor", "The theatre's monitor beside rhexis train, for an instructor");
     command->footer(monitor_help);
-    auto given = std::make_shared<Given>();
+    auto given = std::make_shared<station::MonitorOptions>();
     command->add_option("address", given->address, "Of the station [of this user on this computer]");
     command->add_option("--language", given->language, "en, fr, ... [as LANG says, where there are texts]");
     CLI::Option* ask = command->add_option("--ask", given->request, "Ask the station for this, without a window");
@@ -53,12 +51,7 @@ void add_monitor(CLI::App& app, Context& context) {
         ->check(CLI::Range(0.0, 86400.0));
     command->add_flag("--once", given->once, "Until the attempt has ended");
     command->add_option("--screenshot", given->screenshot, "PNG file for what the window shows in the end");
-    command->add_option("--width", given->width, "Of the window [pixels]")
-        ->check(CLI::Range(320, 4096))
-        ->capture_default_str();
-    command->add_option("--height", given->height, "Of the window [pixels]")
-        ->check(CLI::Range(240, 4096))
-        ->capture_default_str();
+    add_window_size(*command, given->width, given->height);
     command->callback([given, &context] { context.status = monitor(*given, context); });
 }
 

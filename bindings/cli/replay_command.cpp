@@ -336,12 +336,7 @@ void add_replay(CLI::App& app, Context& context) {
         ->needs(window);
     command->add_option("--language", debriefing.language, "With --window: en, fr, ...")->needs(window);
     command->add_flag("--full-screen", debriefing.full_screen, "With --window")->needs(window);
-    command->add_option("--width", debriefing.width, "Of the window [pixels]")
-        ->check(CLI::Range(320, 4096))
-        ->needs(window);
-    command->add_option("--height", debriefing.height, "Of the window [pixels]")
-        ->check(CLI::Range(240, 4096))
-        ->needs(window);
+    add_window_size(*command, debriefing.width, debriefing.height);
     command->add_option("--seconds", debriefing.seconds, "With --window: so long [until it is closed]")->needs(window);
     command->add_option("--screenshot", debriefing.screenshot, "PNG file for what the window shows in the end")
         ->needs(window);

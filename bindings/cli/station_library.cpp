@@ -33,4 +33,11 @@ Result<void*> load_station() {
     return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
 }
 
+void add_window_size(CLI::App& command, int& width, int& height) {
+    command.add_option("--width", width, "Of the window [pixels]")->check(CLI::Range(160, 4096))->capture_default_str();
+    command.add_option("--height", height, "Of the window [pixels]")
+        ->check(CLI::Range(120, 4096))
+        ->capture_default_str();
+}
+
 }  // namespace rhexis::cli

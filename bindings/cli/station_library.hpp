@@ -4,6 +4,8 @@
 
 #include <dlfcn.h>
 
+#include <CLI/CLI.hpp>
+
 #include "base/assert.hpp"
 #include "base/result.hpp"
 
@@ -12,6 +14,9 @@ namespace rhexis::cli {
 /// From beside the program, or from where it is installed. It stays loaded: threads of its libraries may not end with
 /// it.
 Result<void*> load_station();
+
+/// The options --width and --height of a command with a window. They hold what they are if not given.
+void add_window_size(CLI::App& command, int& width, int& height);
 
 template <typename Function>
 Function* entry_of(void* opened, const char* name) {

@@ -375,12 +375,7 @@ void add_train(CLI::App& app, Context& context) {
         command->add_option("--by", given->by, "A virtual surgeon works the devices in your place: a, b, c or d");
     CLI::Option* live = command->add_flag("--live", given->live, "With --by: by the wall clock")->needs(by);
     command->add_flag("--typed", given->typed, "With --live: through the X server, by xdotool")->needs(live);
-    command->add_option("--width", given->width, "Of the window [pixels]")
-        ->check(CLI::Range(160, 4096))
-        ->capture_default_str();
-    command->add_option("--height", given->height, "Of the window [pixels]")
-        ->check(CLI::Range(120, 4096))
-        ->capture_default_str();
+    add_window_size(*command, given->width, given->height);
     command->add_flag("--full-screen", given->full_screen, "Without borders, on the whole screen");
     command->add_option("--ghost", given->ghost,
                         "Run whose way H shows [runs/EXERCISE-expert-1, or EXERCISE-d-101, where it is]");

@@ -35,8 +35,7 @@ struct Shown {
     std::vector<std::string> lines;       ///< what was said to the trainee of late, the last one last
     std::vector<Vec3> marks;              ///< where the tip is to be: one place, or a way through several
     std::vector<std::string> warnings{};  ///< of what is about to go wrong
-    MachinePanel machine{};
-    std::vector<HandForce> forces{};
+    std::vector<HandForce> forces{};      ///< of the instruments
 };
 
 /// What a loudspeaker makes of a step.

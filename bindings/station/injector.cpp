@@ -59,8 +59,9 @@ Status Injector::begin(const std::string& id) {
         }
         return Error{"this scene knows no injection " + id, "", suggestion(id, names)};
     }
-    if (running_.emplace(id, Running{}).second && !found->microscope.isZero()) {
-        push_ = found->microscope;
+    if (running_.emplace(id, Running{}).second) {
+        next_.push_back({CommandKind::aid, "injected", 0.0, found->title});
+        push_ = found->microscope.isZero() ? push_ : std::optional<Vec3>(found->microscope);
     }
     return success();
 }
@@ -71,7 +72,7 @@ void Injector::end(const std::string& id) {
         return;
     }
     for (const auto& [name, value] : found->second.before) {
-        put_right_.push_back({CommandKind::inject, name, value, ""});
+        next_.push_back({CommandKind::inject, name, value, ""});
     }
     running_.erase(found);
 }
@@ -95,7 +96,7 @@ void Injector::run(const Injection& injection, const std::map<std::string, doubl
 }
 
 std::vector<Command> Injector::advance(double dt, const std::map<std::string, double>& settings) {
-    std::vector<Command> commands = std::exchange(put_right_, {});
+    std::vector<Command> commands = std::exchange(next_, {});
     Vec3 head = Vec3::Zero();
     bool moved = false;
     for (const Injection& injection : known_) {
@@ -104,9 +105,6 @@ std::vector<Command> Injector::advance(double dt, const std::map<std::string, do
             continue;
         }
         Running& running = found->second;
-        if (!std::exchange(running.told, true)) {
-            commands.push_back({CommandKind::aid, "injected", 0.0, injection.title});
-        }
         run(injection, settings, running, commands);
         if (!injection.head.empty()) {
             head += place_at(injection.head, running.time_s);

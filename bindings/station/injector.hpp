@@ -63,7 +63,6 @@ private:
         std::size_t at = 0;                    ///< setting that is on its way
         double begun_s = 0.0;                  ///< when that was
         std::map<std::string, double> before;  ///< settings
-        bool told = false;
     };
 
     static void run(const Injection& injection, const std::map<std::string, double>& settings, Running& running,
@@ -71,7 +70,7 @@ private:
 
     std::vector<Injection> known_;
     std::map<std::string, Running> running_;
-    std::vector<Command> put_right_;
+    std::vector<Command> next_;  ///< of what was begun or ended since the last step
     Vec3 head_ = Vec3::Zero();
     std::optional<Vec3> push_;
 };

@@ -202,13 +202,16 @@ void Person::show(const Session& session, bool waits) {
     desk_.show(std::make_shared<Shown>(Shown{session.frame(), hands_->state(), *around_, session.step_count(),
                                              source_.last_number(), source_.slowed(), waits, stand_, std::move(lines),
                                              marks ? marks.value() : std::vector<Vec3>{}, warnings_,
-                                             panel_->panel(session), panel_->forces(session)}));
+                                             panel_->forces(session)}));
     if (options_.wait_for_pictures && !waits) {
         desk_.wait_until_drawn(session.step_count());
     }
 }
 
 void Person::sound(const Session& session) {
+    if (!options_.sounds) {
+        return;
+    }
     Heard heard{panel_->panel(session), 0.0, hands_->waits()};
     for (const HandForce& force : panel_->forces(session)) {
         heard.force_mN = std::max(heard.force_mN, force.mN);

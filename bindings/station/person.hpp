@@ -25,6 +25,7 @@ struct PersonOptions {
     bool has_ghost = false;          ///< there is an expert's way to show
     bool warns = false;              ///< from the beginning, of what is about to go wrong
     std::string title{};             ///< of the exercise
+    bool sounds = false;             ///< there is a loudspeaker to tell
 };
 
 class Person final : public Guest {

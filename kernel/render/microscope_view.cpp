@@ -314,7 +314,26 @@ EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner) 
     return areas;
 }
 
-Result<MicroscopeView> MicroscopeView::create(int width, int height) {
+Result<MicroscopeView::KeptLight> MicroscopeView::make_kept_light(int width, int height) {
+    Result<Program> write_white = build_part("part_still_white.glsl");
+    Result<Program> write_iris = build_part("part_still_iris.glsl");
+    Result<Program> draw_white = build_part("part_kept_white.glsl");
+    Result<Program> draw_iris = build_part("part_kept_iris.glsl");
+    for (const Result<Program>* program : {&write_white, &write_iris, &draw_white, &draw_iris}) {
+        if (!program->ok()) {
+            return program->error();
+        }
+    }
+    return KeptLight{std::move(write_white).value(),
+                     std::move(write_iris).value(),
+                     std::move(draw_white).value(),
+                     std::move(draw_iris).value(),
+                     make_double_target(width, height, GL_RGBA16F, GL_NEAREST),
+                     {},
+                     {}};
+}
+
+Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_light) {
     Result<Program> light = Program::build({"fullscreen.vert"}, {"view.glsl", "pupil_light.frag"});
     Result<Program> soften = Program::build({"fullscreen.vert"}, {"soften.frag"});
     Result<Program> shadows = Program::build({"fullscreen.vert"}, {"shadows.frag"});
@@ -323,12 +342,7 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     Result<Program> iris = build_part("part_iris.glsl");
     Result<Program> pupil = build_part("part_pupil.glsl");
     Result<Program> core = build_part("part_core.glsl");
-    Result<Program> write_white = build_part("part_still_white.glsl");
-    Result<Program> write_iris = build_part("part_still_iris.glsl");
-    Result<Program> draw_white = build_part("part_kept_white.glsl");
-    Result<Program> draw_iris = build_part("part_kept_iris.glsl");
-    for (const Result<Program>* program : {&light, &soften, &shadows, &card, &white, &iris, &pupil, &core, &write_white,
-                                           &write_iris, &draw_white, &draw_iris}) {
+    for (const Result<Program>* program : {&light, &soften, &shadows, &card, &white, &iris, &pupil, &core}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -345,21 +359,27 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height) {
     if (!sheets.ok()) {
         return sheets.error();
     }
+    std::optional<KeptLight> kept;
+    if (keeps_light) {
+        Result<KeptLight> made = make_kept_light(width, height);
+        if (!made.ok()) {
+            return made.error();
+        }
+        kept.emplace(std::move(made).value());
+    }
     return MicroscopeView(
         Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value(), std::move(card).value()},
         std::array<Program, 4>{std::move(white).value(), std::move(iris).value(), std::move(pupil).value(),
                                std::move(core).value()},
-        Kept{std::move(write_white).value(), std::move(write_iris).value(), std::move(draw_white).value(),
-             std::move(draw_iris).value()},
-        std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width, height);
+        std::move(kept), std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width,
+        height);
 }
 
-MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, Kept kept, EyePainter painter,
-                               LensFront front, SheetLayer sheets, int width, int height)
+MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, std::optional<KeptLight> kept,
+                               EyePainter painter, LensFront front, SheetLayer sheets, int width, int height)
     : steps_(std::move(steps)),
       parts_(std::move(parts)),
-      keep_(std::move(kept)),
-      kept_(make_double_target(width, height, GL_RGBA16F, GL_NEAREST)),
+      kept_(std::move(kept)),
       eye_painter_(std::move(painter)),
       front_(std::move(front)),
       sheets_(std::move(sheets)),
@@ -401,41 +421,42 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(frame), eye.iris_z);
     const std::array<std::vector<PixelRect>, 4> where{without(without(bands_of(inner), cornea), pupil),
                                                       without(cornea, pupil), without(pupil, core), core};
-    const bool still = keeps_still(frame, inner, depth, detail, outer);
-    if (still && !is_kept_) {
-        kept_.bind();
-        compose(keep_.write_white, frame, inner, depth, detail, outer);
+    const bool still = kept_ && is_still(frame, inner, depth, detail, outer, stop_pixels);
+    if (still && !kept_->is_written) {
+        kept_->light.bind();
+        compose(kept_->write_white, frame, inner, depth, detail, outer);
         draw_part(where[0], inner, stop_pixels);
-        compose(keep_.write_iris, frame, inner, depth, detail, outer);
+        compose(kept_->write_iris, frame, inner, depth, detail, outer);
         draw_part(where[1], inner, stop_pixels);
     }
-    is_kept_ = still;
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
-        const Program& program = !still || part > 1 ? parts_[part] : part == 0 ? keep_.draw_white : keep_.draw_iris;
+        const bool from_kept = still && part < 2;
+        const Program& program = !from_kept ? parts_[part] : part == 0 ? kept_->draw_white : kept_->draw_iris;
         compose(program, frame, inner, depth, detail, outer);
-        if (still && part < 2) {
-            program.set("kept", kept_.colours[0], 14);
-            program.set("kept_added", kept_.colours[1], 15);
+        if (from_kept) {
+            program.set("kept", kept_->light.colours[0], 14);
+            program.set("kept_added", kept_->light.colours[1], 15);
         }
         draw_part(where[part], inner, stop_pixels);
+    }
+    if (kept_) {
+        kept_->is_written = still;
     }
 }
 
 /// Whether the front of the eye is seen as in the picture before.
-bool MicroscopeView::keeps_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
-                                 const View& outer) {
-    if (!keeps_) {
-        return false;
-    }
-    parameters_.clear();
-    for (Program* program : {&keep_.write_white, &keep_.write_iris}) {
-        program->log_to(&parameters_);
+bool MicroscopeView::is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
+                              const View& outer, double stop_pixels) {
+    const auto* stop = reinterpret_cast<const unsigned char*>(&stop_pixels);
+    kept_->now.assign(stop, stop + sizeof stop_pixels);
+    for (Program* program : {&kept_->write_white, &kept_->write_iris}) {
+        program->log_to(&kept_->now);
         compose(*program, frame, inner, depth, detail, outer);
         program->log_to(nullptr);
     }
-    const bool same = parameters_ == kept_for_;
-    kept_for_.swap(parameters_);
+    const bool same = kept_->now == kept_->parameters;
+    kept_->parameters.swap(kept_->now);
     return same;
 }
 

@@ -23,16 +23,14 @@ EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner);
 
 class MicroscopeView {
 public:
-    static Result<MicroscopeView> create(int width, int height);
+    /// keeps_light: from picture to picture, where nothing has changed. Else each is drawn anew, which is the
+    /// reference.
+    static Result<MicroscopeView> create(int width, int height, bool keeps_light);
 
     /// frame.eye is not null; depth has drawn this frame through the same `inner` view. The result lies in picture().
     /// detail: repeating noise. stop_pixels: radius about the middle beyond which nothing is drawn; 0: all is.
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& outer,
               const View& inner, const DepthPass& depth, const Texture& detail, double stop_pixels);
-
-    /// Whether light is kept from picture to picture where nothing has changed. Off, as at first, each is drawn anew,
-    /// which is the reference.
-    void keep_light(bool keeps) { keeps_ = keeps; }
 
     /// A matte card as high as the limbus of this eye, in its place.
     void draw_card(double reflectance, const EyeAnatomy& eye, const View& outer);
@@ -60,16 +58,21 @@ private:
     };
     /// What lies beyond the limbus, and the iris with what lies over it, as light before instruments and lamp: kept as
     /// long as neither the microscope nor the front of the eye changes.
-    struct Kept {
+    struct KeptLight {
         Program write_white;
         Program write_iris;
         Program draw_white;
         Program draw_iris;
+        Target light;                           ///< iris and its share; what lies over it
+        std::vector<unsigned char> parameters;  ///< of what is written, or would be
+        std::vector<unsigned char> now;         ///< of this picture
+        bool is_written = false;
     };
-    MicroscopeView(Steps steps, std::array<Program, 4> parts, Kept kept, EyePainter painter, LensFront front,
-                   SheetLayer sheets, int width, int height);
-    bool keeps_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
-                     const View& outer);
+    static Result<KeptLight> make_kept_light(int width, int height);
+    MicroscopeView(Steps steps, std::array<Program, 4> parts, std::optional<KeptLight> kept, EyePainter painter,
+                   LensFront front, SheetLayer sheets, int width, int height);
+    bool is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
+                  const View& outer, double stop_pixels);
     void draw_part(const std::vector<PixelRect>& where, const View& inner, double stop_pixels);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
@@ -78,13 +81,8 @@ private:
                  const Texture& detail, const View& outer) const;
 
     Steps steps_;
-    std::array<Program, 4> parts_;  ///< see microscope.frag
-    Kept keep_;
-    Target kept_;                            ///< iris and its share; what lies over it
-    std::vector<unsigned char> kept_for_;    ///< parameters of what is kept, or would be
-    std::vector<unsigned char> parameters_;  ///< of this picture
-    bool is_kept_ = false;
-    bool keeps_ = false;
+    std::array<Program, 4> parts_;   ///< see microscope.frag
+    std::optional<KeptLight> kept_;  ///< none: each picture is drawn anew
     EyePainter eye_painter_;
     LensFront front_;
     SheetLayer sheets_;

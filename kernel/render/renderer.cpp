@@ -69,12 +69,12 @@ struct Passes {
     Texture detail;
 };
 
-Result<Passes> make_passes(int width, int height) {
+Result<Passes> make_passes(int width, int height, Light light) {
     Result<ToolPainter> painter = ToolPainter::create();
     if (!painter.ok()) {
         return painter.error();
     }
-    Result<MicroscopeView> microscope = MicroscopeView::create(width, height);
+    Result<MicroscopeView> microscope = MicroscopeView::create(width, height, light == Light::kept);
     if (!microscope.ok()) {
         return microscope.error();
     }
@@ -137,13 +137,15 @@ void Renderer::Parts::look_at(const Frame& frame) {
     }
 }
 
-Result<Renderer> Renderer::create(int width, int height) { return create_with(GlContext::create(), width, height); }
-
-Result<Renderer> Renderer::create_in_window(int width, int height) {
-    return create_with(GlContext::current(), width, height);
+Result<Renderer> Renderer::create(int width, int height, Light light) {
+    return create_with(GlContext::create(), width, height, light);
 }
 
-Result<Renderer> Renderer::create_with(Result<GlContext> context, int width, int height) {
+Result<Renderer> Renderer::create_in_window(int width, int height) {
+    return create_with(GlContext::current(), width, height, Light::kept);
+}
+
+Result<Renderer> Renderer::create_with(Result<GlContext> context, int width, int height, Light light) {
     if (const Status status = check_size(width, height); !status.ok()) {
         return status.error();
     }
@@ -154,7 +156,7 @@ Result<Renderer> Renderer::create_with(Result<GlContext> context, int width, int
     parts->width = width;
     parts->height = height;
     const GlContext::Use use(parts->context);
-    Result<Passes> passes = make_passes(width, height);
+    Result<Passes> passes = make_passes(width, height, light);
     if (!passes.ok()) {
         return passes.error();
     }
@@ -283,8 +285,6 @@ Camera microscope_camera(const EyeAnatomy& eye, const WorldModel& world,
 Camera microscope_camera(const Frame& frame) {
     return frame.eye ? microscope_camera(*frame.eye, *frame.model, frame.microscope) : camera_around(frame);
 }
-
-void Renderer::keep_light(bool keeps) { parts_->passes->microscope.keep_light(keeps); }
 
 OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {
     const GlContext::Use use(parts_->context);

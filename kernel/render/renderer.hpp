@@ -27,6 +27,12 @@ struct ScreenArea {
     int height = 0;
 };
 
+/// What of a picture of an eye serves for the next one.
+enum class Light {
+    anew,  ///< nothing: a picture does not depend on what came before it
+    kept   ///< what does not change of the eye's front: it costs less, and looks the same but for rounding
+};
+
 /// Pictures for two eyes; what lies at the camera's target lies in the screen, what is nearer before it.
 enum class Stereo {
     off,
@@ -40,8 +46,8 @@ inline constexpr double stereo_base_mm = 24.0;
 class Renderer {
 public:
     /// EGL surfaceless context; the error says what is missing when there is none.
-    static Result<Renderer> create(int width, int height);
-    /// Draws in the context that is current on this thread, a window's, which outlives it.
+    static Result<Renderer> create(int width, int height, Light light = Light::anew);
+    /// Draws in the context that is current on this thread, a window's, which outlives it. Light is kept.
     static Result<Renderer> create_in_window(int width, int height);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -53,15 +59,12 @@ public:
     /// A matte card of this reflectance (0 to 1) in the place of the frame's eye: what lamp and film make of it. By
     /// this their constants are told.
     Image photograph_card(double reflectance, const Frame& frame, const Camera& camera);
-    /// Whether light is kept from picture to picture where nothing has changed, which costs less and looks the same but
-    /// for rounding. Off, as at first: each picture is drawn anew, whatever came before it.
-    void keep_light(bool keeps);
     /// The lens part alone.
     OpticalDepth optical_depth(const Frame& frame, const Camera& camera);
 
 private:
     struct Parts;
-    static Result<Renderer> create_with(Result<GlContext> context, int width, int height);
+    static Result<Renderer> create_with(Result<GlContext> context, int width, int height, Light light);
     explicit Renderer(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };

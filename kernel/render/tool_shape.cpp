@@ -9,6 +9,7 @@
 
 #include "base/assert.hpp"
 #include "base/near_names.hpp"
+#include "base/numbers.hpp"
 #include "render/instrument_text.hpp"
 
 namespace rhexis {
@@ -101,7 +102,7 @@ public:
         const double number = value.is_number() ? value.get<double>() : std::nan("");
         if (!(number >= low && number <= high)) {
             fail(std::string(name) + " is " + value.dump(),
-                 "a number, " + std::to_string(low) + " to " + std::to_string(high));
+                 "a number, " + short_number(low) + " to " + short_number(high));
             return low;
         }
         return number;

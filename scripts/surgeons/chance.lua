@@ -28,6 +28,9 @@ end
 --- In [0, 1).
 function Stream:uniform() return (self:next() >> 11) * (1.0 / (1 << 53)) end
 
+--- In [low, high).
+function Stream:between(low, high) return low + (high - low) * self:uniform() end
+
 --- Standard normal deviate, polar method.
 function Stream:normal()
     if self.spare then

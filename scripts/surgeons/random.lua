@@ -13,7 +13,7 @@ local fastest = 20.0
 --- The plan of one such person.
 return function(seed)
     local stream = chance.stream(seed, "random operator")
-    local function between(low, high) return low + (high - low) * stream:uniform() end
+    local function between(low, high) return stream:between(low, high) end
 
     local function wander(hand)
         local from = hand.tip()

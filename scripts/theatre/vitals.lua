@@ -5,7 +5,8 @@
 --   vitals = { heart_per_min = 88, reactions = { { when = "iris.touch", heart_per_min = 15, after_s = 2 } } }
 --
 -- They are scripted, not simulated: a reaction is added while its condition holds, and is there after about after_s.
--- Pressure on the eye slows the heart (oculocardiac reflex: by a fifth and more); pain and coughing quicken it.
+-- Pressure on the eye slows the heart, by more than a fifth where it does (oculocardiac reflex, [StatPearlsOCR]); the
+-- other numbers are proposals.
 
 return {
     heart_per_min = 74,

@@ -57,13 +57,13 @@ nlohmann::json picture_row(const std::string& name, const Frame& frame, const Be
     const Cost lens = lens_cost(frame, camera, options.repeats);
     Renderer renderer = std::move(Renderer::create(width, height)).value();
     const Cost picture = cost_of(options.repeats, [&] { static_cast<void>(renderer.draw(frame, camera)); });
-    renderer.keep_light(true);
+    Renderer keeping = std::move(Renderer::create(width, height, Light::kept)).value();
     Frame moving = frame;
     const Cost kept = cost_of(options.repeats, [&] {
         for (ToolState& tool : moving.tools) {
             tool.pose.position.x() += 0.002;
         }
-        static_cast<void>(renderer.draw(moving, camera));
+        static_cast<void>(keeping.draw(moving, camera));
     });
     nlohmann::json row{{"name", "render/" + name},
                        {"elements", frame.model->solids[0].coarse.tets.size()},

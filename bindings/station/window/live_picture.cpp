@@ -29,9 +29,7 @@ LivePicture::LivePicture(Window& window, Panels& panels, Renderer renderer, Hold
       wishes_(wishes),
       renderer_(std::make_unique<Renderer>(std::move(renderer))),
       holds_(std::move(holds)),
-      begun_s_(wall_seconds()) {
-    renderer_->keep_light(true);
-}
+      begun_s_(wall_seconds()) {}
 
 std::vector<UserEvent> LivePicture::draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken) {
     run_ahead(shown, after);
@@ -84,7 +82,6 @@ void LivePicture::draw_smaller(double mean_s) {
                                                           static_cast<int>(share * window_.height()));
     if (smaller) {
         renderer_ = std::make_unique<Renderer>(std::move(smaller).value());
-        renderer_->keep_light(true);
     }
     first_look_ = true;
 }

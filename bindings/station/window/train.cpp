@@ -146,7 +146,8 @@ Result<AttemptResult> train(const StationOptions& options) {
                                   is_stepped(options),
                                   prepared.ghost.has_value(),
                                   options.warns,
-                                  prepared.title};
+                                  prepared.title,
+                                  around.value().sound != nullptr};
     Person person(of_person, *source.value(), desk, prepared.writer ? &*prepared.writer : nullptr,
                   around.value().theatre.get());
     Result<AttemptResult> result = operate(options, person, desk, window.value(), drawing, around.value());

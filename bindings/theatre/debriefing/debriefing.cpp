@@ -164,7 +164,6 @@ public:
           height_(window.height()),
           begun_s_(wall_seconds()),
           before_s_(begun_s_) {
-        renderer_->keep_light(true);
         state_.end_s = recording.steps.back().observation.time_s;
         state_.time_s = std::clamp(options.at_s, 0.0, state_.end_s);
         camera_.turn(options.right_deg, options.up_deg);
@@ -218,7 +217,6 @@ private:
         const ScreenArea area = picture_area(width_, height_);
         if (Result<Renderer> fitting = Renderer::create_in_window(area.width, area.height)) {
             renderer_ = std::make_unique<Renderer>(std::move(fitting).value());
-            renderer_->keep_light(true);
         }
     }
 

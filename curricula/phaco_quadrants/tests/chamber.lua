@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Surge when an occlusion breaks, and a chamber that empties.
 
+local quarter_hand = require "quarter_hand"
+
 local coarse = { patient = { tetrahedra = 1000 } }
 -- Old tubing, much vacuum, a low bottle.
 local risky = { patient = { tetrahedra = 1000 },
@@ -8,17 +10,11 @@ local risky = { patient = { tetrahedra = 1000 },
 local careful = { patient = { tetrahedra = 1000 },
     machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 300, bottle_cm = 80 } }
 
--- From the trench into the far right quarter with ultrasound, and pressed on until it shuts the tip.
+local function come_in(t) quarter_hand.come_in(t, 20, 20) end
+
 local function occlude(t)
-    t.phaco:enter({ speed = 20 })
-    t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
-    t:wait(1.5)
-    t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
-    t.phaco:pedal(3)
-    t.phaco:move_to({ 1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
-    t.phaco:pedal(2)
-    t.phaco:move_to({ 1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
+    come_in(t)
+    quarter_hand.press_on_piece(t)
     t:wait_until("phaco.occlusion > 0.9 and panel.vacuum_mmhg > 180", 6)
 end
 
@@ -27,13 +23,6 @@ local function break_occlusion(t)
     occlude(t)
     t:wait(3)
     t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30 })
-end
-
-local function come_in(t)
-    t.phaco:enter({ speed = 20 })
-    t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
-    t:wait(1.5)
 end
 
 local function empty(t)

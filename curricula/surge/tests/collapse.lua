@@ -1,12 +1,9 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- A chamber that empties, and the posterior capsule that comes to the tip.
 
-local function come_in(t)
-    t.phaco:enter({ speed = 20 })
-    t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })
-    t:wait(1.5)
-end
+local quarter_hand = require "quarter_hand"
+
+local function come_in(t) quarter_hand.come_in(t, 20, 8) end
 
 local function empty(t)
     come_in(t)

@@ -1,19 +1,13 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- Surge when an occlusion breaks: pedal up at once, too late, as it begins, and with stiffer tubing.
 
+local quarter_hand = require "quarter_hand"
+
 local stiffer = { machine = { tubing_mm3_mmhg = 0.4 } }  -- half as soft as in the exercise
 
--- From the trench into the far right quarter with ultrasound, and pressed on until it shuts the tip.
 local function occlude(t)
-    t.phaco:enter()
-    t.phaco:pedal(1)
-    t.phaco:move_to({ 0, 0, 3 }, { speed = 6 })
-    t:wait(1.5)
-    t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
-    t.phaco:pedal(3)
-    t.phaco:move_to({ 1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
-    t.phaco:pedal(2)
-    t.phaco:move_to({ 1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
+    quarter_hand.come_in(t, nil, 6)
+    quarter_hand.press_on_piece(t)
     t:wait_until("phaco.occlusion > 0.9 and panel.vacuum_mmhg > 180", 6)
 end
 

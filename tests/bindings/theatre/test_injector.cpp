@@ -60,6 +60,15 @@ TEST_CASE("settings go where they are to go, one after the other, and back when 
     CHECK_FALSE(injector.runs("bottle"));
 }
 
+TEST_CASE("what is begun and put right before the next step changes nothing, and is told") {
+    Injector injector(known());
+    std::map<std::string, double> settings = {{"height", 80.0}, {"open", 1.0}};
+    REQUIRE(injector.begin("bottle").ok());
+    injector.end("bottle");
+    CHECK(advance(injector, settings, 10) == 1);
+    CHECK(settings["height"] == 80.0);
+}
+
 TEST_CASE("a head that moves goes its way without a jump, passes or stays, and comes back") {
     Injector injector(known());
     std::map<std::string, double> settings;

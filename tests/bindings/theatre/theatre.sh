@@ -32,7 +32,6 @@ for what in "inject cough" "inject quake" "level impossible" "note well held"; d
 done
 kill -STOP $stopped
 expect 0 "" "$rhexis" monitor "$at" --ask "inject blocked_line"
-sleep 1  # what is put right in the same step never was
 expect 0 "" "$rhexis" monitor "$at" --ask "put_right blocked_line"
 expect 0 "" "$rhexis" monitor "$at" --ask "warn 1"
 kill -KILL $killed

@@ -9,8 +9,8 @@
 
 namespace rhexis::testing {
 
-inline Renderer make_renderer(int width, int height) {
-    Result<Renderer> renderer = Renderer::create(width, height);
+inline Renderer make_renderer(int width, int height, Light light = Light::anew) {
+    Result<Renderer> renderer = Renderer::create(width, height, light);
     REQUIRE(renderer.ok());
     return std::move(renderer).value();
 }

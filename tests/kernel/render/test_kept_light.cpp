@@ -28,8 +28,7 @@ int most_apart(const Image& a, const Image& b) {
 }  // namespace
 
 TEST_CASE("kept light looks as light that is drawn anew, while instruments, eye and microscope move") {
-    Renderer keeping = make_renderer(kept_width, kept_height);
-    keeping.keep_light(true);
+    Renderer keeping = make_renderer(kept_width, kept_height, Light::kept);
     Renderer reference = make_renderer(kept_width, kept_height);
     Frame frame = sculpted_frame(3.0, 0.2, true);
     frame.wounds.emplace();
@@ -73,8 +72,7 @@ TEST_CASE("kept light looks as light that is drawn anew, while instruments, eye 
 }
 
 TEST_CASE("every golden picture looks the same from kept light") {
-    Renderer keeping = make_renderer(kept_width, kept_height);
-    keeping.keep_light(true);
+    Renderer keeping = make_renderer(kept_width, kept_height, Light::kept);
     Renderer reference = make_renderer(kept_width, kept_height);
     for (const GoldenFrame& one : golden_frames()) {
         const Camera camera = microscope_camera(one.frame);
