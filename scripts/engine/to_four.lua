@@ -3,6 +3,7 @@
 -- value of which measure. What is asked of each measure is as little as it takes.
 
 local good = 4
+local shown_as_good = 3.95  -- points are shown with one digit
 
 local to_four = {}
 
@@ -69,7 +70,7 @@ end
 --- amount(measure, value): a value as it is told; t: makes a text one of the run's language. Nil: it has four, or was
 --- not scored. Else { errors, measures }, each with a sentence; both empty: its work was not begun.
 function to_four.of(item, open, amount, t)
-    if not item.score or item.score >= good - 0.005 then return nil end
+    if not item.score or item.score >= shown_as_good then return nil end
     local declared, curves = {}, {}
     for _, one in ipairs(open) do declared[one.measure.id], curves[one.measure.id] = one.measure, one.measure.curve end
     local way = { errors = of_errors(item.capped_by), measures = of_measures(item.measures, curves) }
