@@ -65,10 +65,9 @@ void MonitorPanels::take(const TheatreMoment& moment) {
         forces_.clear();
     }
     traces_.add(moment.time_s, moment.vitals);
-    forces_.resize(moment.forces.size());
-    for (std::size_t i = 0; i < moment.forces.size(); ++i) {
-        std::vector<float>& past = forces_[i];
-        past.push_back(static_cast<float>(moment.forces[i].mN));
+    for (const HandForce& force : moment.forces) {
+        std::vector<float>& past = forces_[force.instrument + force.meaning];
+        past.push_back(static_cast<float>(force.mN));
         if (past.size() > force_samples) {
             past.erase(past.begin());
         }
@@ -194,13 +193,10 @@ void MonitorPanels::draw_steps() const {
     for (const TheatreStep& step : moment_->steps) {
         const bool now = step.state == "now";
         const char* mark = step.state == "done" ? "[x]" : now ? " > " : step.state == "to come" ? "[ ]" : "[-]";
-        ImGui::PushStyleColor(ImGuiCol_Text, now ? calm_colour : ImGui::GetStyle().Colors[now ? 0 : 1]);
-        if (step.state == "done") {
-            ImGui::PopStyleColor();
-            ImGui::PushStyleColor(ImGuiCol_Text, heart_colour);
-        }
-        ImGui::Text("%s %s", mark, step.title.c_str());
-        ImGui::PopStyleColor();
+        const ImVec4& colour = now                    ? calm_colour
+                               : step.state == "done" ? heart_colour
+                                                      : ImGui::GetStyle().Colors[ImGuiCol_TextDisabled];
+        ImGui::TextColored(colour, "%s %s", mark, step.title.c_str());
         if (now && !step.hint.empty() && !moment_->exam) {
             ImGui::Indent();
             ImGui::TextWrapped("%s", step.hint.c_str());
@@ -274,7 +270,7 @@ void MonitorPanels::draw_forces() const {
     for (std::size_t i = 0; i < moment_->forces.size(); ++i) {
         const HandForce& force = moment_->forces[i];
         const std::string who = force.instrument.empty() ? "" : words_.instrument(force.instrument) + ": ";
-        const std::vector<float>& past = forces_[i];
+        const std::vector<float>& past = forces_.at(force.instrument + force.meaning);
         const float most = std::max(10.0F, *std::max_element(past.begin(), past.end()));
         ImGui::PushID(static_cast<int>(i));
         ImGui::PlotLines("##force", past.data(), static_cast<int>(past.size()), 0, tenth(force.mN).c_str(), 0.0F, most,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +50,7 @@ private:
     Words words_;
     std::optional<TheatreMoment> moment_;
     Traces traces_;
-    std::vector<std::vector<float>> forces_;  ///< of the last seconds, by force
+    std::map<std::string, std::vector<float>> forces_;  ///< of the last seconds, by instrument and meaning
     std::array<char, 400> note_{};
     std::string notice_;
     double notice_until_s_ = 0.0;
