@@ -115,7 +115,7 @@ vec3 off_ring(vec2 at) {
 }
 
 vec3 with_ring_fed(vec3 picture, vec2 at, float covered) {
-    if (ring_feed.w == 0.0) {
+    if (ZONULES == 0 || ring_feed.w == 0.0) {
         return picture;
     }
     vec3 off = off_ring(at);
@@ -123,14 +123,14 @@ vec3 with_ring_fed(vec3 picture, vec2 at, float covered) {
 }
 
 vec3 with_hooks_inside(vec3 picture, vec2 at, float shadowed) {
-    for (int i = 0; i < capsule_hook_count; ++i) {
+    for (int i = 0; ZONULES == 1 && i < capsule_hook_count; ++i) {
         picture = with_hook_inside(picture, at, capsule_hooks[i], shadowed);
     }
     return picture;
 }
 
 vec3 with_hooks_outside(vec3 picture, vec2 at) {
-    for (int i = 0; i < capsule_hook_count; ++i) {
+    for (int i = 0; ZONULES == 1 && i < capsule_hook_count; ++i) {
         picture = with_hook_outside(picture, at, capsule_hooks[i]);
     }
     return picture;

@@ -137,6 +137,9 @@ vec2 lamps_in(vec3 at, vec3 way, vec2 ripple) {
 
 // Radius of the pupil's edge in the direction of a place.
 float edge_at(vec3 at, float rho) {
+    if (CAUGHT == 0) {
+        return pupil_radius;
+    }
     float aside = caught_edge.z != 0.0 ? dot(at.xy, caught_edge.xy) / max(rho, 0.01) : -1.0;
     return caught_edge.z < 0.0 ? pupil_radius + caught_edge.z * (1.0 - exp(-(1.0 - aside) / 0.06))
                                : pupil_radius - caught_edge.z * exp(-(1.0 - aside) / 0.05);

@@ -11,7 +11,7 @@ uniform vec2 size;              // of the picture [pixels]
 uniform vec2 middle;            // of the picture, in the eye's frame [mm]
 uniform float field_mm;         // height of the picture
 uniform float stop_mm;          // diameter of the field; 0: there is no stop
-uniform float aperture;         // half the angle of the light from a point, as a sine; 0: all is sharp
+uniform float aperture;         // half the angle of the light from a point, as a sine
 uniform float focus_z;          // height that is in focus [mm]
 uniform float iris_z;
 uniform float back_z;           // what shows in the pupil where there is no lens
@@ -20,10 +20,12 @@ uniform float limbus_radius;
 uniform vec4 globe;             // ball of the sclera
 uniform vec4 tool_ends[16];     // pairs: place in the picture from its lower left, height [mm]; alpha 0: none
 uniform float light;
-uniform int only;               // 0: all colours, 1: red, 2: green and blue
+uniform int only;               // 1: red, 2: green and blue
 out vec4 colour;
 
 const float edge_pixels = 2.0;
+
+// Features, as in microscope.frag: SPREADS what is out of focus, where TOOLS are; for one EYE of two.
 
 // Height of the instrument that is nearest to a pixel.
 float tool_height(vec2 pixel) {
@@ -55,7 +57,7 @@ vec3 spread_by_lenses(ivec2 pixel) {
 }
 
 float height_at(vec2 mm, ivec2 pixel) {
-    if (max(texelFetch(inner_tools, pixel, 0).a, texelFetch(outer_tools, pixel, 0).a) > 0.3) {
+    if (TOOLS == 1 && max(texelFetch(inner_tools, pixel, 0).a, texelFetch(outer_tools, pixel, 0).a) > 0.3) {
         return tool_height(vec2(pixel) + 0.5);
     }
     float radius = length(mm);
@@ -74,7 +76,7 @@ void main() {
     vec2 from_middle = (place - 0.5) * size;
     float pixels_per_mm = size.y / field_mm;
     vec3 seen = spread_by_lenses(ivec2(gl_FragCoord.xy));
-    if (aperture > 0.0) {
+    if (SPREADS == 1) {
         float height = height_at(middle + from_middle / pixels_per_mm, ivec2(place * size));
         float spread = 2.0 * aperture * abs(height - focus_z) * pixels_per_mm;
         if (spread > 1.3) {
@@ -90,7 +92,10 @@ void main() {
         seen = within > 0.0 ? seen * within : vec3(0.0);  // beyond it nothing is painted
     }
     seen = photographed(seen * light);
-    // for red and cyan glasses each eye gets its own colours, of a picture that is half grey: Dubois is left out
-    float grey = dot(seen, vec3(0.30, 0.59, 0.11));
-    colour = vec4(only == 1 ? vec3(mix(grey, seen.r, 0.3), 0.0, 0.0) : only == 2 ? vec3(0.0, seen.gb) : seen, 1.0);
+    if (EYE == 1) {
+        // for red and cyan glasses each eye gets its own colours, of a picture that is half grey: Dubois is left out
+        float grey = dot(seen, vec3(0.30, 0.59, 0.11));
+        seen = only == 1 ? vec3(mix(grey, seen.r, 0.3), 0.0, 0.0) : vec3(0.0, seen.gb);
+    }
+    colour = vec4(seen, 1.0);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The eye under the operating microscope. Lamps lie close to the line of sight. Inside the eye the pixel's line is bent
 // once, at the cornea (see View in kernel/render/view.hpp).
-// The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea shows,
+// What a scene shows beyond a healthy eye are features (names in capitals, 0 or 1; microscope_view.cpp): without them a
+// program is cheaper. The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea shows,
 // 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the middle of the pupil,
 // where neither iris nor wound nor limbus can show. What eye_front.glsl and bag_support.glsl have comes before it.
 // Under a microscope that stands still, parts 0 and 1 are kept as light, before instruments and lamp: 4 and 5 write what
@@ -19,11 +20,9 @@ uniform int has_bag;
 uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
-uniform int bag_edge_shows;     // whether the scene has a bag that can come out behind the iris
 uniform float ring_in;          // 1: a tension ring lies in it
 uniform float cortical_opacity;
 uniform sampler2D sheets;  // see SheetLayer
-uniform int has_sheets;
 uniform float trypan_blue;
 uniform vec4 folds;  // place where a tip holds the posterior capsule; 1 if it does
 uniform vec4 hole;   // of the posterior capsule: place, radius
@@ -34,7 +33,7 @@ uniform vec4 crumbs[24];
 uniform int crumb_count;
 uniform int crumbs_are_beads;  // 1: glass beads to practise with; 0: crumbs of lens
 uniform vec4 bag_cells[24];    // per sector of the bag, a value 0 to 1 for each ring from the axis out
-uniform int bag_sectors;       // 0: there are none
+uniform int bag_sectors;
 uniform int bag_rings;
 uniform vec4 optic;            // of an implant that is a disc only: middle, radius; 0: there is none
 uniform float optic_rocked;    // 0 to 1
@@ -90,13 +89,13 @@ LensLook lens_look(ivec2 pixel) {
 // The posterior capsule in the reflex: folds that run like a star to where it is held, and the clear edge of a hole.
 float posterior_capsule(vec3 entry, vec3 way) {
     float light = 1.0;
-    if (folds.w > 0.0) {
+    if (HARM == 1 && folds.w > 0.0) {
         vec2 off = (entry + (folds.z - entry.z) / way.z * way).xy - folds.xy;
         float radius = length(off);
         float ray = 0.5 + 0.5 * cos(11.0 * atan(off.y, off.x) + 2.0 * texture(detail_map, off * 0.2).r);
         light *= 1.0 + folds.w * (0.9 * pow(ray, 6.0) - 0.45) * exp(-radius / 1.3) * smoothstep(0.1, 0.35, radius);
     }
-    if (hole.w > 0.0) {
+    if (HARM == 1 && hole.w > 0.0) {
         vec2 off = (entry + (hole.z - entry.z) / way.z * way).xy - hole.xy;
         float beyond = length(off) - hole.w - 0.06 * (texture(detail_map, off * 0.3).r - 0.5);
         light *= 1.0 + 0.30 * (1.0 - smoothstep(-0.03, 0.03, beyond)) - 0.85 * exp(-pow(beyond / 0.06, 2.0));
@@ -149,14 +148,14 @@ float fibres(vec2 at, vec2 along) {
 // Vitreous before the hole and on its way to the wound: how much of it the light meets. Clear it hardly shows.
 float vitreous_at(vec3 entry, vec3 way) {
     float amount = 0.0;
-    if (vitreous.w > 0.0) {
+    if (HARM == 1 && vitreous.w > 0.0) {
         vec2 off = (entry + (vitreous.z - entry.z) / way.z * way).xy - vitreous.xy;
         float share = length(off) / (1.25 * vitreous.w);
         vec2 along = length(vitreous_strand.xy - vitreous.xy) > 0.1 ? normalize(vitreous_strand.xy - vitreous.xy)
                                                                     : vec2(0.0, -1.0);
         amount = smoothstep(1.0, 0.35, share + 0.5 * (texture(detail_map, off * 0.11).r - 0.5)) * fibres(off, along);
     }
-    if (vitreous_strand.w > 0.0) {
+    if (HARM == 1 && vitreous_strand.w > 0.0) {
         vec3 root = vec3(vitreous.xyz);
         vec3 line = vitreous_strand.xyz - root;
         vec3 normal = normalize(cross(line, way));
@@ -178,7 +177,7 @@ float bag_cell(int sector, int ring) {
 
 // What the cells of the bag say where the ray goes through it, smooth between them.
 float bag_cells_at(vec3 entry, vec3 way) {
-    if (bag_sectors == 0) {
+    if (CELLS == 0) {
         return 0.0;
     }
     vec3 from = (bag_from_world * vec4(entry, 1.0)).xyz;
@@ -208,7 +207,7 @@ float fluff(vec3 entry) {
 
 // The edge of an optic in the reflex: a bright line where the lamps stand in it, and a dark one beside it.
 vec2 optic_edge(vec3 entry, vec3 way) {
-    if (optic.w <= 0.0) {
+    if (OPTIC == 0) {
         return vec2(0.0);
     }
     vec2 off = (entry + (optic.z - entry.z) / way.z * way).xy - optic.xy;
@@ -257,6 +256,9 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     lens = mix(lens, vec3(0.13, 0.125, 0.115) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
     vec2 edge = optic_edge(entry, way) * (1.0 - tool.a);
     lens = lens * (1.0 - 0.30 * edge.y) + 0.22 * edge.x * lamp;
+    if (CRUMBS == 0) {
+        return lens;
+    }
     vec4 crumb = crumbs_at(entry, way);
     if (crumbs_are_beads == 1) {
         return mix(lens, bead_colour(crumb), crumb.x * (1.0 - tool.a));
@@ -297,7 +299,7 @@ vec3 capsule(vec3 entry, vec3 way) {
 
 // Beyond the edge of a bag that has come out behind the iris: the reflex without a lens, and the edge itself.
 vec3 past_bag(vec3 deep, vec3 entry, vec3 way, float covered) {
-    if (has_bag == 0 || bag_edge_shows == 0) {
+    if (has_bag == 0 || ZONULES == 0) {
         return deep;
     }
     vec3 from = (bag_from_world * vec4(entry, 1.0)).xyz;
@@ -326,7 +328,7 @@ vec4 sheets_at(vec2 at) {
 }
 
 vec3 under_sheets(vec3 deep) {
-    if (has_sheets == 0) {
+    if (SHEETS == 0) {
         return deep;
     }
     vec4 here = sheets_at(place);
@@ -372,7 +374,7 @@ vec3 beyond_limbus(vec3 outside) {
 vec3 before_eye(vec3 picture, vec3 outside) {
     vec3 at = view_eye + (limbus_z - view_eye.z) / outside.z * outside;
     picture = with_hooks_outside(picture, at.xy);
-    if (prolapse.w > 0.0) {
+    if (CAUGHT == 1 && prolapse.w > 0.0) {
         vec4 fold = prolapsed(at);
         picture = mix(picture, fold.rgb, fold.a);
     }
@@ -452,20 +454,22 @@ vec3 over_inside(vec3 inner, Inside line, vec3 outside, vec3 white_light, out fl
     inner = mix(inner, vec3(0.10, 0.10, 0.098) * lamp, 0.24 * arcus * (0.6 + 0.8 * grain.g));
     vec2 cut = wound(on_cornea, incision, incision_width) + wound(on_cornea, side_port, side_port_width);
     inner = inner * (1.0 - cut.y) + cut.x * lamp;
-    if (wound_peel.x > 0.05) {
+    if (WOUNDS == 1 && wound_peel.x > 0.05) {
         vec2 flap = descemet_flap(on_cornea, incision, incision_width, wound_peel.x);
         inner = inner * (1.0 - flap.y) + flap.x * lamp;
     }
-    if (wound_peel.y > 0.05) {
+    if (WOUNDS == 1 && wound_peel.y > 0.05) {
         vec2 flap = descemet_flap(on_cornea, side_port, side_port_width, wound_peel.y);
         inner = inner * (1.0 - flap.y) + flap.x * lamp;
     }
-    inner = mix(inner, vec3(0.68, 0.67, 0.63) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
-    if (wound_swelling.x > 0.0) {
+    if (WOUNDS == 1) {
+        inner = mix(inner, vec3(0.68, 0.67, 0.63) * lamp, sqrt(wound_burn) * burnt(on_cornea, grain.g));
+    }
+    if (WOUNDS == 1 && wound_swelling.x > 0.0) {
         inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
                     wound_swelling.x * swollen_stroma(on_cornea, incision, incision_width, grain.g));
     }
-    if (wound_swelling.y > 0.0) {
+    if (WOUNDS == 1 && wound_swelling.y > 0.0) {
         inner = mix(inner, vec3(0.60, 0.63, 0.64) * lamp,
                     wound_swelling.y * swollen_stroma(on_cornea, side_port, side_port_width, grain.g));
     }
@@ -475,19 +479,19 @@ vec3 over_inside(vec3 inner, Inside line, vec3 outside, vec3 white_light, out fl
     vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
     clear = (1.0 - white) * step(0.0, to_cornea);
 #if PART != 3
-    if (wound_stitches.x > 0.0) {
+    if (WOUNDS == 1 && wound_stitches.x > 0.0) {
         vec2 stitch = stitches_over(on_cornea, incision, incision_width, wound_stitches.x);
         picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
     }
-    if (wound_stitches.y > 0.0) {
+    if (WOUNDS == 1 && wound_stitches.y > 0.0) {
         vec2 stitch = stitches_over(on_cornea, side_port, side_port_width, wound_stitches.y);
         picture = mix(picture * (1.0 - 0.22 * stitch.y), vec3(0.010, 0.011, 0.016) * lamp, stitch.x);
     }
-    if (wound_fluid.x > 0.0) {
+    if (WOUNDS == 1 && wound_fluid.x > 0.0) {
         vec2 film = film_on_lip(on_cornea, incision, wound_fluid.x, grain.g);
         picture = picture * (1.0 - film.y) + film.x * lamp;
     }
-    if (wound_fluid.y > 0.0) {
+    if (WOUNDS == 1 && wound_fluid.y > 0.0) {
         vec2 film = film_on_lip(on_cornea, side_port, wound_fluid.y, grain.g);
         picture = picture * (1.0 - film.y) + film.x * lamp;
     }

@@ -7,6 +7,7 @@ flat in vec3 along;  // of the shaft
 uniform vec3 camera;
 uniform vec3 lamp_way;  // towards the lamps
 uniform int encoded;    // 1: light as screens expect it, 0: linear
+// What a part is made of is a feature (SLEEVE, CLEAR, PLASTIC, SKIN; none: metal; tool_layer.cpp), and within it:
 uniform int finish;    // titanium, bore, sleeve, steel, skin, lash, drape, clear, hub, sponge, nylon
 uniform int medium;    // 0: all of it, 1: only inside the eye, 2: only outside
 uniform vec4 cornea;   // centre and radius of the ball of the cornea
@@ -41,7 +42,7 @@ void main() {
     vec3 mirror = surroundings(reflect(-toward, bumped));
     float facing = clamp(dot(n, toward), 0.0, 1.0);
     float graze = pow(1.0 - facing, 4.0);
-    if (finish == 2) {
+    if (SLEEVE == 1) {
         float wall = mix(0.40, 0.92, pow(1.0 - facing, 1.3));
         vec3 silicone = (encoded == 1 ? 1.0 : 0.3) * vec3(0.24, 0.47, 0.78) * (0.25 + 0.75 * facing) + 0.03 * rings;
         float ribs = 0.93 + 0.07 * sin(9.0 * body.z);
@@ -49,14 +50,14 @@ void main() {
         colour = vec4(shown(silicone * ribs + shine / wall) * wall, wall);
         return;
     }
-    if (finish == 7) {
+    if (CLEAR == 1) {
         // Moulded, clear: seen by its edges and by the lamps in it.
         float wall = mix(0.13, 0.62, pow(1.0 - facing, 1.6));
         vec3 body = (encoded == 1 ? 1.0 : 0.35) * vec3(0.62, 0.70, 0.76) * (0.3 + 0.7 * (1.0 - facing));
         colour = vec4(shown(body + (0.09 + 0.5 * graze) * mirror / wall) * wall, wall);
         return;
     }
-    if (finish >= 8) {
+    if (PLASTIC == 1) {
         // Plastic, cellulose, nylon.
         float lit = 0.30 + 0.70 * clamp(dot(n, lamp_way), 0.0, 1.0);
         float grain = texture(detail_map, 0.23 * body.xz + 0.31 * body.yy).a - 0.5;
@@ -66,7 +67,7 @@ void main() {
         colour = vec4(shown((encoded == 1 ? 1.0 : 0.9) * matte * lit + (gloss + 0.3 * gloss * graze) * mirror), 1.0);
         return;
     }
-    if (finish >= 4) {
+    if (SKIN == 1) {
         // Skin that the eye's lamps light, hair, and wet blue foil.
         float grain = texture(detail_map, 0.11 * world.xy).a - 0.5;
         float pores = texture(detail_map, 0.47 * world.xy).a - 0.5;

@@ -56,12 +56,13 @@ double back_of(const Frame& frame) {
 }  // namespace
 
 Result<Eyepiece> Eyepiece::create(int width, int height) {
-    Result<Program> program = Program::build({"fullscreen.vert"}, {"film.glsl", "eyepiece.frag"});
-    return program ? Result<Eyepiece>(Eyepiece(std::move(program).value(), width, height)) : program.error();
+    Result<ProgramVariants> programs =
+        ProgramVariants::create({"fullscreen.vert"}, {"film.glsl", "eyepiece.frag"}, {"SPREADS", "TOOLS", "EYE"});
+    return programs ? Result<Eyepiece>(Eyepiece(std::move(programs).value(), width, height)) : programs.error();
 }
 
 void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
-                    const View& inner, EyeColours colours) const {
+                    const View& inner, EyeColours colours) {
     glBindTexture(GL_TEXTURE_2D, *layers.picture.name);
     const bool spreads = camera.aperture > 0.0;
     // without its smaller copies the texture is not whole, and shows black
@@ -70,27 +71,29 @@ void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Came
         glGenerateMipmap(GL_TEXTURE_2D);
     }
     const EyeAnatomy& eye = *frame.eye;
-    program_.use();
-    program_.set("sharp", layers.picture, 0);
-    program_.set("inner_tools", layers.inner_tools, 1);
-    program_.set("outer_tools", layers.outer_tools, 2);
-    program_.set("front", layers.front, 3);
-    program_.set("reference", layers.reference);
-    program_.set("size", Vec2(layers.picture.width, layers.picture.height));
-    program_.set("middle", Vec2(camera.target.head<2>()));
-    program_.set("field_mm", camera.field_mm);
-    program_.set("stop_mm", camera.stop_mm);
-    program_.set("aperture", camera.aperture);
-    program_.set("focus_z", camera.target.z() + camera.focus_mm);
-    program_.set("iris_z", eye.iris_z);
-    program_.set("back_z", back_of(frame));
+    const unsigned features = (spreads ? 1U : 0U) | 2U | (colours != EyeColours::all ? 4U : 0U);
+    const Program& program = programs_.with(features);
+    program.use();
+    program.set("sharp", layers.picture, 0);
+    program.set("inner_tools", layers.inner_tools, 1);
+    program.set("outer_tools", layers.outer_tools, 2);
+    program.set("front", layers.front, 3);
+    program.set("reference", layers.reference);
+    program.set("size", Vec2(layers.picture.width, layers.picture.height));
+    program.set("middle", Vec2(camera.target.head<2>()));
+    program.set("field_mm", camera.field_mm);
+    program.set("stop_mm", camera.stop_mm);
+    program.set("aperture", camera.aperture);
+    program.set("focus_z", camera.target.z() + camera.focus_mm);
+    program.set("iris_z", eye.iris_z);
+    program.set("back_z", back_of(frame));
     const double pupil = eye.has_iris ? eye.pupil_radius : eye.limbus_radius;
-    program_.set("pupil_radius", pupil * corneal_magnification(eye, eye.iris_z));
-    program_.set("limbus_radius", eye.limbus_radius);
-    program_.set("globe", globe_ball(eye));
-    program_.set("light", camera.light);
-    program_.set("only", static_cast<int>(colours));
-    set_tools(program_, frame, outer, inner);
+    program.set("pupil_radius", pupil * corneal_magnification(eye, eye.iris_z));
+    program.set("limbus_radius", eye.limbus_radius);
+    program.set("globe", globe_ball(eye));
+    program.set("light", camera.light);
+    program.set("only", static_cast<int>(colours));
+    set_tools(program, frame, outer, inner);
     cover_target();
 }
 

@@ -26,16 +26,16 @@ public:
 
     /// Into the framebuffer and viewport that are set. camera, views: in the eye's frame.
     void look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
-              const View& inner, EyeColours colours = EyeColours::all) const;
+              const View& inner, EyeColours colours = EyeColours::all);
 
     /// To look into, for a picture that is read back.
     [[nodiscard]] const Target& target() const { return target_; }
 
 private:
-    Eyepiece(Program program, int width, int height)
-        : program_(std::move(program)), target_(make_single_target(width, height, GL_RGBA8, GL_NEAREST)) {}
+    Eyepiece(ProgramVariants programs, int width, int height)
+        : programs_(std::move(programs)), target_(make_single_target(width, height, GL_RGBA8, GL_NEAREST)) {}
 
-    Program program_;
+    ProgramVariants programs_;
     Target target_;
 };
 

@@ -10,17 +10,18 @@ namespace rhexis {
 
 namespace {
 
-std::string joined(std::initializer_list<const char*> files) {
-    std::string text = "#version 330 core\n";
+std::string joined(const std::vector<const char*>& files, const std::string& defines) {
+    std::string text = "#version 330 core\n" + defines;
     for (const char* file : files) {
         text += shader_text(file);
     }
     return text;
 }
 
-Result<GlName<release_shader>> compile(GLenum kind, std::initializer_list<const char*> files) {
+Result<GlName<release_shader>> compile(GLenum kind, const std::vector<const char*>& files,
+                                       const std::string& defines) {
     GlName<release_shader> shader(glCreateShader(kind));
-    const std::string text = joined(files);
+    const std::string text = joined(files, defines);
     const char* start = text.c_str();
     glShaderSource(*shader, 1, &start, nullptr);
     glCompileShader(*shader);
@@ -33,7 +34,7 @@ Result<GlName<release_shader>> compile(GLenum kind, std::initializer_list<const 
     GLsizei length = 0;
     glGetShaderInfoLog(*shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    return Error{"the driver does not take this shader: " + log, *(files.end() - 1), "OpenGL 3.3"};
+    return Error{"the driver does not take this shader: " + log, files.back(), "OpenGL 3.3"};
 }
 
 GLuint new_name(void (*make)(GLsizei, GLuint*)) {
@@ -136,12 +137,13 @@ void resolve(const Target& from, const Target& to) {
     glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-Result<Program> Program::build(std::initializer_list<const char*> vertex, std::initializer_list<const char*> fragment) {
-    const Result<GlName<release_shader>> first = compile(GL_VERTEX_SHADER, vertex);
+Result<Program> Program::build(const std::vector<const char*>& vertex, const std::vector<const char*>& fragment,
+                               const std::string& defines) {
+    const Result<GlName<release_shader>> first = compile(GL_VERTEX_SHADER, vertex, defines);
     if (!first.ok()) {
         return first.error();
     }
-    const Result<GlName<release_shader>> second = compile(GL_FRAGMENT_SHADER, fragment);
+    const Result<GlName<release_shader>> second = compile(GL_FRAGMENT_SHADER, fragment, defines);
     if (!second.ok()) {
         return second.error();
     }
@@ -156,10 +158,45 @@ Result<Program> Program::build(std::initializer_list<const char*> vertex, std::i
         std::string log(1024, '\0');
         GLsizei length = 0;
         glGetProgramInfoLog(*program.name_, static_cast<GLsizei>(log.size()), &length, log.data());
-        return Error{"shaders do not link: " + log.substr(0, static_cast<std::size_t>(length)), *(fragment.end() - 1),
+        return Error{"shaders do not link: " + log.substr(0, static_cast<std::size_t>(length)), fragment.back(),
                      "OpenGL 3.3"};
     }
     return program;
+}
+
+Result<ProgramVariants> ProgramVariants::create(std::vector<const char*> vertex, std::vector<const char*> fragment,
+                                                std::vector<const char*> features, std::string defines) {
+    ProgramVariants variants;
+    variants.vertex_ = std::move(vertex);
+    variants.fragment_ = std::move(fragment);
+    variants.features_ = std::move(features);
+    variants.defines_ = std::move(defines);
+    for (const unsigned some : {0U, (1U << variants.features_.size()) - 1U}) {
+        Result<Program> program = variants.build(some);
+        if (!program.ok()) {
+            return program.error();
+        }
+        variants.built_.emplace(some, std::move(program).value());
+    }
+    return variants;
+}
+
+Result<Program> ProgramVariants::build(unsigned features) const {
+    std::string defines = defines_;
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+        defines += std::string("#define ") + features_[i] + ((features >> i & 1U) != 0 ? " 1\n" : " 0\n");
+    }
+    return Program::build(vertex_, fragment_, defines);
+}
+
+Program& ProgramVariants::with(unsigned features) {
+    const auto there = built_.find(features);
+    if (there != built_.end()) {
+        return there->second;
+    }
+    Result<Program> program = build(features);
+    RHEXIS_ASSERT(program.ok());  // as its neighbours were
+    return built_.emplace(features, std::move(program).value()).first->second;
 }
 
 GLint Program::place(const char* parameter, const void* bytes, std::size_t size) const {

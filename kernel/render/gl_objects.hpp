@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 
 #include <initializer_list>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -81,9 +82,9 @@ void resolve(const Target& from, const Target& to);
 /// A vertex and a fragment shader with their parameters.
 class Program {
 public:
-    /// Names of files in assets/shaders, joined in order.
-    static Result<Program> build(std::initializer_list<const char*> vertex,
-                                 std::initializer_list<const char*> fragment);
+    /// Names of files in assets/shaders, joined in order, after lines that define what they read.
+    static Result<Program> build(const std::vector<const char*>& vertex, const std::vector<const char*>& fragment,
+                                 const std::string& defines = "");
 
     void use() const { glUseProgram(*name_); }
     /// Each sets the parameter of this name of the program in use; names that the shader does not use are ignored.
@@ -106,6 +107,26 @@ private:
     [[nodiscard]] GLint place(const char* parameter, const void* bytes, std::size_t size) const;
     GlName<release_program> name_;
     std::vector<unsigned char>* log_ = nullptr;
+};
+
+/// Programs of the same files, one for each set of features: in the files the name of a feature is 1 or 0. A driver
+/// without a GPU runs every branch of a shader for every pixel, taken or not.
+class ProgramVariants {
+public:
+    /// The least and the most of them are built at once, so that what a driver refuses is told here.
+    static Result<ProgramVariants> create(std::vector<const char*> vertex, std::vector<const char*> fragment,
+                                          std::vector<const char*> features, std::string defines = "");
+    /// Bit i: with the i-th feature. Built when it is first asked for.
+    Program& with(unsigned features);
+
+private:
+    [[nodiscard]] Result<Program> build(unsigned features) const;
+
+    std::vector<const char*> vertex_;
+    std::vector<const char*> fragment_;
+    std::vector<const char*> features_;
+    std::string defines_;
+    std::map<unsigned, Program> built_;
 };
 
 /// Vertices that are sent anew for each picture: `layout` counts the floats of each attribute.

@@ -10,6 +10,8 @@ namespace rhexis {
 
 namespace {
 
+constexpr std::array part_names{"beyond the limbus", "iris", "edge of the pupil", "middle of the pupil"};
+
 constexpr double softening_mm = 0.055;  ///< standard deviation: tissue scatters, and facets should not show
 constexpr int area_margin = 10;         ///< [pixels] that smoothing reaches beyond the pupil
 
@@ -230,7 +232,6 @@ void set_ring(const Program& program, const Frame& frame) {
 /// What shows of a bag whose zonules can break: its edge, a ring, and hooks.
 void set_zonules(const Program& program, const Frame& frame) {
     const bool breakable = !frame.bags.empty() && frame.bags[0].zonules.has_value();
-    program.set("bag_edge_shows", breakable ? 1 : 0);
     program.set("ring_in", breakable && frame.bags[0].zonules->ring >= 1.0 ? 1.0 : 0.0);
     set_ring(program, frame);
     const std::size_t hooks = breakable ? std::min(frame.bags[0].zonules->hooks.size(), most_hooks) : 0;
@@ -295,12 +296,69 @@ std::vector<float> triangles_of(const std::vector<PixelRect>& rects, const View&
     return corners;
 }
 
-Result<Program> build_part(const char* define) {
-    return Program::build({"part.vert"},
-                          {define, "view.glsl", "lamp.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"});
+bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }
+
+bool has_crumbs(const Frame& frame) { return !frame.debris.empty(); }
+
+/// Cortex or a wave: values in the bag's cells.
+bool has_cells(const Frame& frame) {
+    return (frame.cortex && frame.model->cortex) || (frame.hydrodissection && frame.model->hydrodissection);
 }
 
-bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }
+/// A posterior capsule that is held or open, and vitreous.
+bool has_harm(const Frame& frame) {
+    const bool vitreous = frame.vitreous && (vitreous_in_front(*frame.vitreous) > 0.0 || frame.vitreous->wound > 0.0);
+    return vitreous || (frame.capsule && (frame.capsule->captured || frame.capsule->hole_radius > 0.0));
+}
+
+bool has_optic(const Frame& frame) { return frame.retained && frame.model->retained; }
+
+bool has_zonules(const Frame& frame) { return !frame.bags.empty() && frame.bags[0].zonules; }
+
+/// More than cuts that are shut.
+bool has_wounds(const Frame& frame) {
+    const auto shows = [](const Wound& wound) {
+        return wound.swelling > 0.0 || wound.fluid > 0.0 || wound.peel > 0.0 || wound.sutures > 0;
+    };
+    return frame.eye->wound_burn > 0.0 ||
+           (frame.wounds && std::any_of(frame.wounds->wounds.begin(), frame.wounds->wounds.end(), shows));
+}
+
+bool is_caught(const Frame& frame) {
+    return caught_edge(frame).z() != 0.0 || (frame.prolapse && frame.prolapse->length > 0.0);
+}
+
+/// What a scene may show beyond a healthy eye.
+struct Feature {
+    const char* name;  ///< in the shaders
+    bool (*shows)(const Frame& frame);
+    bool beyond_pupil;  ///< it reaches beyond the edge of the pupil
+};
+constexpr std::array features{Feature{"SHEETS", has_sheets, false},  Feature{"CRUMBS", has_crumbs, false},
+                              Feature{"CELLS", has_cells, false},    Feature{"HARM", has_harm, false},
+                              Feature{"OPTIC", has_optic, false},    Feature{"ZONULES", has_zonules, true},
+                              Feature{"WOUNDS", has_wounds, true},   Feature{"CAUGHT", is_caught, true}};
+
+/// Bit i: the i-th shows.
+unsigned features_of(const Frame& frame, bool in_pupil) {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        if ((in_pupil || features[i].beyond_pupil) && features[i].shows(frame)) {
+            bits |= 1U << i;
+        }
+    }
+    return bits;
+}
+
+Result<ProgramVariants> build_part(int part) {
+    std::vector<const char*> names;
+    for (const Feature& feature : features) {
+        names.push_back(feature.name);
+    }
+    return ProgramVariants::create(
+        {"part.vert"}, {"view.glsl", "lamp.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"},
+        std::move(names), "#define PART " + std::to_string(part) + "\n");
+}
 
 }  // namespace
 
@@ -315,11 +373,11 @@ EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner) 
 }
 
 Result<MicroscopeView::KeptLight> MicroscopeView::make_kept_light(int width, int height) {
-    Result<Program> write_white = build_part("part_still_white.glsl");
-    Result<Program> write_iris = build_part("part_still_iris.glsl");
-    Result<Program> draw_white = build_part("part_kept_white.glsl");
-    Result<Program> draw_iris = build_part("part_kept_iris.glsl");
-    for (const Result<Program>* program : {&write_white, &write_iris, &draw_white, &draw_iris}) {
+    Result<ProgramVariants> write_white = build_part(4);
+    Result<ProgramVariants> write_iris = build_part(5);
+    Result<ProgramVariants> draw_white = build_part(6);
+    Result<ProgramVariants> draw_iris = build_part(7);
+    for (const Result<ProgramVariants>* program : {&write_white, &write_iris, &draw_white, &draw_iris}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -338,11 +396,16 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_
     Result<Program> soften = Program::build({"fullscreen.vert"}, {"soften.frag"});
     Result<Program> shadows = Program::build({"fullscreen.vert"}, {"shadows.frag"});
     Result<Program> card = Program::build({"fullscreen.vert"}, {"view.glsl", "lamp.glsl", "card.frag"});
-    Result<Program> white = build_part("part_white.glsl");
-    Result<Program> iris = build_part("part_iris.glsl");
-    Result<Program> pupil = build_part("part_pupil.glsl");
-    Result<Program> core = build_part("part_core.glsl");
-    for (const Result<Program>* program : {&light, &soften, &shadows, &card, &white, &iris, &pupil, &core}) {
+    for (const Result<Program>* program : {&light, &soften, &shadows, &card}) {
+        if (!program->ok()) {
+            return program->error();
+        }
+    }
+    Result<ProgramVariants> white = build_part(0);
+    Result<ProgramVariants> iris = build_part(1);
+    Result<ProgramVariants> edge = build_part(2);
+    Result<ProgramVariants> middle = build_part(3);
+    for (const Result<ProgramVariants>* program : {&white, &iris, &edge, &middle}) {
         if (!program->ok()) {
             return program->error();
         }
@@ -369,13 +432,13 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_
     }
     return MicroscopeView(
         Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value(), std::move(card).value()},
-        std::array<Program, 4>{std::move(white).value(), std::move(iris).value(), std::move(pupil).value(),
-                               std::move(core).value()},
+        std::array<ProgramVariants, 4>{std::move(white).value(), std::move(iris).value(), std::move(edge).value(),
+                                       std::move(middle).value()},
         std::move(kept), std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width,
         height);
 }
 
-MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, std::optional<KeptLight> kept,
+MicroscopeView::MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts, std::optional<KeptLight> kept,
                                EyePainter painter, LensFront front, SheetLayer sheets, int width, int height)
     : steps_(std::move(steps)),
       parts_(std::move(parts)),
@@ -398,7 +461,7 @@ MicroscopeView::MicroscopeView(Steps steps, std::array<Program, 4> parts, std::o
 
 void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools,
                           const View& outer, const View& inner, const DepthPass& depth, const Texture& detail,
-                          double stop_pixels) {
+                          double stop_pixels, PassClock& clock) {
     const EyeAnatomy& eye = *frame.eye;
     const PaintedFor wanted{eye.limbus_radius, eye.has_iris, eye.has_cornea};
     if (!textures_ || painted_for_ != wanted) {
@@ -407,38 +470,49 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     }
     const EyeAreas areas = eye_areas(eye, outer, inner);
     front_.draw(frame, inner, depth.reference(), areas.pupil);
+    clock.end("first surface of the lens");
     if (has_sheets(frame)) {
         sheets_.draw(frame, inner, depth.stop(), depth.reference(), contour_of(still_lens(frame)), detail, areas.pupil,
                      opening_of(eye) + sheet_margin);
+        clock.end("sheets");
     }
     inside_.draw(painter, frame, tools, inner, Medium::inside, areas.cornea, eye, detail);
+    clock.end("instruments inside");
     outside_.draw(painter, frame, tools, outer, Medium::outside, whole(outer), eye, detail);
+    clock.end("instruments outside");
     gather_light(frame, inner, depth);
+    clock.end("light of the pupil");
     soften(inner, depth, areas.pupil);
+    clock.end("softened depth");
     cast_shadows(inner);
+    clock.end("shadows");
     const std::vector<PixelRect> cornea = bands_around_circle(outer, eye.limbus_radius + 0.4, eye.limbus_z, 2);
     const std::vector<PixelRect> pupil = bands_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, 2);
     const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(frame), eye.iris_z);
     const std::array<std::vector<PixelRect>, 4> where{without(without(bands_of(inner), cornea), pupil),
                                                       without(cornea, pupil), without(pupil, core), core};
+    const unsigned front = features_of(frame, false);
     const bool still = kept_ && is_still(frame, inner, depth, detail, outer, stop_pixels);
     if (still && !kept_->is_written) {
         kept_->light.bind();
-        compose(kept_->write_white, frame, inner, depth, detail, outer);
+        compose(kept_->write_white.with(front), frame, inner, depth, detail, outer);
         draw_part(where[0], inner, stop_pixels);
-        compose(kept_->write_iris, frame, inner, depth, detail, outer);
+        compose(kept_->write_iris.with(front), frame, inner, depth, detail, outer);
         draw_part(where[1], inner, stop_pixels);
+        clock.end("light that is kept");
     }
     picture_.bind();
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         const bool from_kept = still && part < 2;
-        const Program& program = !from_kept ? parts_[part] : part == 0 ? kept_->draw_white : kept_->draw_iris;
+        ProgramVariants& variants = !from_kept ? parts_[part] : part == 0 ? kept_->draw_white : kept_->draw_iris;
+        const Program& program = variants.with(features_of(frame, part >= 2));
         compose(program, frame, inner, depth, detail, outer);
         if (from_kept) {
             program.set("kept", kept_->light.colours[0], 14);
             program.set("kept_added", kept_->light.colours[1], 15);
         }
         draw_part(where[part], inner, stop_pixels);
+        clock.end(part_names[part]);
     }
     if (kept_) {
         kept_->is_written = still;
@@ -450,10 +524,12 @@ bool MicroscopeView::is_still(const Frame& frame, const View& inner, const Depth
                               const View& outer, double stop_pixels) {
     const auto* stop = reinterpret_cast<const unsigned char*>(&stop_pixels);
     kept_->now.assign(stop, stop + sizeof stop_pixels);
-    for (Program* program : {&kept_->write_white, &kept_->write_iris}) {
-        program->log_to(&kept_->now);
-        compose(*program, frame, inner, depth, detail, outer);
-        program->log_to(nullptr);
+    kept_->now.push_back(static_cast<unsigned char>(features_of(frame, false)));
+    for (ProgramVariants* variants : {&kept_->write_white, &kept_->write_iris}) {
+        Program& program = variants->with(features_of(frame, false));
+        program.log_to(&kept_->now);
+        compose(program, frame, inner, depth, detail, outer);
+        program.log_to(nullptr);
     }
     const bool same = kept_->now == kept_->parameters;
     kept_->parameters.swap(kept_->now);
@@ -538,7 +614,6 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("soft_depth", soft_.colours[0], 11);
     program.set("shadows", shadows_.colours[0], 12);
     program.set("sheets", sheets_.picture(), 13);
-    program.set("has_sheets", has_sheets(frame) ? 1 : 0);
     program.set("trypan_blue", frame.eye->trypan_blue);
     program.set("extinction_tint", depth.tint());
     program.set("lamp_share", lamp_share(outer));

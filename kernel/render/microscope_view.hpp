@@ -9,6 +9,7 @@
 #include "render/eye_textures.hpp"
 #include "render/eyepiece.hpp"
 #include "render/lens_front.hpp"
+#include "render/pass_clock.hpp"
 #include "render/sheet_layer.hpp"
 #include "render/tool_layer.hpp"
 
@@ -30,7 +31,7 @@ public:
     /// frame.eye is not null; depth has drawn this frame through the same `inner` view. The result lies in picture().
     /// detail: repeating noise. stop_pixels: radius about the middle beyond which nothing is drawn; 0: all is.
     void draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& outer,
-              const View& inner, const DepthPass& depth, const Texture& detail, double stop_pixels);
+              const View& inner, const DepthPass& depth, const Texture& detail, double stop_pixels, PassClock& clock);
 
     /// A matte card as high as the limbus of this eye, in its place.
     void draw_card(double reflectance, const EyeAnatomy& eye, const View& outer);
@@ -59,17 +60,17 @@ private:
     /// What lies beyond the limbus, and the iris with what lies over it, as light before instruments and lamp: kept as
     /// long as neither the microscope nor the front of the eye changes.
     struct KeptLight {
-        Program write_white;
-        Program write_iris;
-        Program draw_white;
-        Program draw_iris;
+        ProgramVariants write_white;
+        ProgramVariants write_iris;
+        ProgramVariants draw_white;
+        ProgramVariants draw_iris;
         Target light;                           ///< iris and its share; what lies over it
         std::vector<unsigned char> parameters;  ///< of what is written, or would be
         std::vector<unsigned char> now;         ///< of this picture
         bool is_written = false;
     };
     static Result<KeptLight> make_kept_light(int width, int height);
-    MicroscopeView(Steps steps, std::array<Program, 4> parts, std::optional<KeptLight> kept, EyePainter painter,
+    MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts, std::optional<KeptLight> kept, EyePainter painter,
                    LensFront front, SheetLayer sheets, int width, int height);
     bool is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
                   const View& outer, double stop_pixels);
@@ -81,8 +82,8 @@ private:
                  const Texture& detail, const View& outer) const;
 
     Steps steps_;
-    std::array<Program, 4> parts_;   ///< see microscope.frag
-    std::optional<KeptLight> kept_;  ///< none: each picture is drawn anew
+    std::array<ProgramVariants, 4> parts_;  ///< see microscope.frag
+    std::optional<KeptLight> kept_;         ///< none: each picture is drawn anew
     EyePainter eye_painter_;
     LensFront front_;
     SheetLayer sheets_;

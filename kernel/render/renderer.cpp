@@ -103,6 +103,7 @@ struct Renderer::Parts {
     std::optional<Passes> passes;
     std::shared_ptr<const WorldModel> model;  ///< that `tools` was made of
     std::vector<ToolMesh> tools;
+    PassClock clock;
 
     explicit Parts(GlContext made) : context(std::move(made)) {}
     ~Parts() {
@@ -196,8 +197,9 @@ const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera) {
     const View inner = view_into(frame, camera, width, height);
     const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
     passes->depth.draw(frame, tools, inner, areas.cornea, areas.pupil);
+    clock.end("optical depth");
     passes->microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail,
-                            0.5 * camera.stop_mm / camera.field_mm * height);
+                            0.5 * camera.stop_mm / camera.field_mm * height, clock);
     return passes->microscope.picture();
 }
 
@@ -227,12 +229,21 @@ const Target& Renderer::Parts::finish(const Frame& frame, const Camera& camera, 
                 all || colours == EyeColours::cyan, GL_TRUE);
     look(frame, camera, colours);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    clock.end("film");
     return seen;
 }
 
 Image Renderer::draw(const Frame& frame, const Camera& room) {
     const GlContext::Use use(parts_->context);
     return picture_of(parts_->finish(frame, in_eye(frame, room), EyeColours::all));
+}
+
+std::vector<PassCost> Renderer::costs(const Frame& frame, const Camera& camera) {
+    const GlContext::Use use(parts_->context);
+    parts_->clock.start();
+    static_cast<void>(picture_of(parts_->finish(frame, in_eye(frame, camera), EyeColours::all)));
+    parts_->clock.end("read back");
+    return parts_->clock.stop();
 }
 
 Image Renderer::photograph_card(double reflectance, const Frame& frame, const Camera& room) {

@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "flow/frame.hpp"
+#include "render/pass_clock.hpp"
 
 namespace rhexis {
 
@@ -54,6 +55,8 @@ public:
 
     /// The microscope view: eye, instruments, semi-opaque lens over the red reflex; bare bodies when frame.eye is null.
     Image draw(const Frame& frame, const Camera& camera);
+    /// What each pass of this picture costs; the picture itself is dropped.
+    std::vector<PassCost> costs(const Frame& frame, const Camera& camera);
     /// The same onto the window, scaled to a rectangle of it.
     void show(const Frame& frame, const Camera& camera, const ScreenArea& area, Stereo stereo = Stereo::off);
     /// A matte card of this reflectance (0 to 1) in the place of the frame's eye: what lamp and film make of it. By

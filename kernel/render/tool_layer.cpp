@@ -24,6 +24,22 @@ bool reaches(Medium medium, const EyeAnatomy& eye, const Vec3& point, double rad
     return inside == (medium == Medium::inside);
 }
 
+/// Of the features of tool.frag, the one that a finish has.
+unsigned kind_of(ToolFinish finish) {
+    enum Kind : unsigned { metal = 0, sleeve = 1, clear = 2, plastic = 4, skin = 8 };
+    switch (finish) {
+        case ToolFinish::sleeve: return sleeve;
+        case ToolFinish::clear: return clear;
+        case ToolFinish::hub:
+        case ToolFinish::sponge:
+        case ToolFinish::nylon: return plastic;
+        case ToolFinish::skin:
+        case ToolFinish::lash:
+        case ToolFinish::drape: return skin;
+        default: return metal;
+    }
+}
+
 /// Boxes around what of the instruments lies in this medium.
 PixelRect rect_around_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view, Medium medium,
                             const EyeAnatomy& eye) {
@@ -72,12 +88,21 @@ void clear_bound_target() {
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
+/// What does not depend on the part that is painted.
+struct ToolPainter::Scene {
+    const View& view;
+    Medium medium;
+    const EyeAnatomy* eye;
+    const Texture& detail;
+};
+
 Result<ToolPainter> ToolPainter::create() {
-    Result<Program> program = Program::build({"tool.vert"}, {"tool.frag"});
-    if (!program.ok()) {
-        return program.error();
+    Result<ProgramVariants> programs =
+        ProgramVariants::create({"tool.vert"}, {"tool.frag"}, {"SLEEVE", "CLEAR", "PLASTIC", "SKIN"});
+    if (!programs.ok()) {
+        return programs.error();
     }
-    return ToolPainter(std::move(program).value());
+    return ToolPainter(std::move(programs).value());
 }
 
 void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view, Medium medium,
@@ -86,24 +111,13 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
     glEnable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    program_.use();
-    program_.set("clip_from_world", view.clip_from_world);
-    program_.set("camera", view.eye);
-    const bool bare = medium == Medium::all;
-    const Vec3 lamps = bare ? Vec3(-view.forward + 0.7 * view.up.normalized() - 0.3 * view.right.normalized())
-                            : Vec3(-0.06, 0.10, 1.0);
-    program_.set("lamp_way", Vec3(lamps.normalized()));
-    program_.set("encoded", bare ? 1 : 0);
-    program_.set("medium", static_cast<int>(medium));
-    program_.set("cornea", eye == nullptr ? Vec4(Vec4::Zero()) : cornea_ball(*eye));
-    program_.set("globe", eye == nullptr ? Vec4(Vec4::Zero()) : globe_ball(*eye));
-    program_.set("detail_map", detail, 0);
+    const Scene scene{view, medium, eye, detail};
     if (frame.lids && medium == Medium::outside) {
-        paint_tool(lids_mesh(*frame.model->lids, *frame.lids), ToolState{});
+        paint_tool(lids_mesh(*frame.model->lids, *frame.lids), ToolState{}, scene);
     }
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (frame.tools[i].present) {
-            paint_tool(tools[i], frame.tools[i]);
+            paint_tool(tools[i], frame.tools[i], scene);
         }
     }
     glDisable(GL_BLEND);
@@ -111,12 +125,26 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
     glDisable(GL_DEPTH_TEST);
 }
 
-void ToolPainter::paint_tool(const ToolMesh& mesh, const ToolState& tool) {
+void ToolPainter::paint_tool(const ToolMesh& mesh, const ToolState& tool, const Scene& scene) {
+    const bool bare = scene.medium == Medium::all;
+    const View& view = scene.view;
+    const Vec3 lamps = bare ? Vec3(-view.forward + 0.7 * view.up.normalized() - 0.3 * view.right.normalized())
+                            : Vec3(-0.06, 0.10, 1.0);
     for (const ToolMesh::Part& part : mesh.parts) {
-        program_.set("world_from_body", matrix_of(pose_of(part, tool)));
+        const Program& program = programs_.with(kind_of(part.finish));
+        program.use();
+        program.set("clip_from_world", view.clip_from_world);
+        program.set("camera", view.eye);
+        program.set("lamp_way", Vec3(lamps.normalized()));
+        program.set("encoded", bare ? 1 : 0);
+        program.set("medium", static_cast<int>(scene.medium));
+        program.set("cornea", scene.eye == nullptr ? Vec4(Vec4::Zero()) : cornea_ball(*scene.eye));
+        program.set("globe", scene.eye == nullptr ? Vec4(Vec4::Zero()) : globe_ball(*scene.eye));
+        program.set("detail_map", scene.detail, 0);
+        program.set("world_from_body", matrix_of(pose_of(part, tool)));
+        program.set("finish", static_cast<int>(part.finish));
         stream_.clear();
         append_triangles(part, stream_);
-        program_.set("finish", static_cast<int>(part.finish));
         vertices_.send(stream_);
         vertices_.draw();
     }

@@ -23,10 +23,11 @@ public:
                const EyeAnatomy* eye, const Texture& detail);
 
 private:
-    explicit ToolPainter(Program program) : program_(std::move(program)), vertices_({3, 3}) {}
-    void paint_tool(const ToolMesh& mesh, const ToolState& tool);
+    explicit ToolPainter(ProgramVariants programs) : programs_(std::move(programs)), vertices_({3, 3}) {}
+    struct Scene;
+    void paint_tool(const ToolMesh& mesh, const ToolState& tool, const Scene& scene);
 
-    Program program_;
+    ProgramVariants programs_;  ///< one for each kind of finish
     VertexStream vertices_;
     std::vector<float> stream_;
 };

@@ -36,6 +36,14 @@ Cost cost_of(int repeats, const std::function<void()>& work) {
     return {times.front(), times[times.size() / 2] / times.front() - 1.0};
 }
 
+/// What of a scene changes from picture to picture under a still microscope.
+void move_on(Frame& frame) {
+    frame.time_s += 1.0 / 30.0;
+    for (ToolState& tool : frame.tools) {
+        tool.pose.position.x() += 0.002;
+    }
+}
+
 /// The lens part alone: instruments' depth and signed faces, until the last pixel is there.
 Cost lens_cost(const Frame& frame, const Camera& camera, int repeats) {
     Result<GlContext> context = GlContext::create();
@@ -52,6 +60,30 @@ Cost lens_cost(const Frame& frame, const Camera& camera, int repeats) {
     });
 }
 
+/// Median CPU time of each pass while instruments move, the first few pictures left out: light is kept from then on.
+nlohmann::json pass_costs(Renderer& renderer, Frame frame, const Camera& camera, int repeats) {
+    std::vector<std::pair<std::string, std::vector<double>>> passes;
+    for (int picture = -3; picture < 5 * repeats; ++picture) {
+        move_on(frame);
+        for (const PassCost& cost : renderer.costs(frame, camera)) {
+            if (picture < 0) {
+                continue;
+            }
+            auto pass = std::find_if(passes.begin(), passes.end(), [&](const auto& one) { return one.first == cost.pass; });
+            if (pass == passes.end()) {
+                pass = passes.insert(passes.end(), {cost.pass, {}});
+            }
+            pass->second.push_back(cost.cpu_ms);
+        }
+    }
+    nlohmann::json costs = nlohmann::json::object();
+    for (auto& [pass, times] : passes) {
+        std::sort(times.begin(), times.end());
+        costs[pass] = times[times.size() / 2];
+    }
+    return costs;
+}
+
 nlohmann::json picture_row(const std::string& name, const Frame& frame, const BenchOptions& options) {
     const Camera camera = microscope_camera(frame);
     const Cost lens = lens_cost(frame, camera, options.repeats);
@@ -60,9 +92,7 @@ nlohmann::json picture_row(const std::string& name, const Frame& frame, const Be
     Renderer keeping = std::move(Renderer::create(width, height, Light::kept)).value();
     Frame moving = frame;
     const Cost kept = cost_of(options.repeats, [&] {
-        for (ToolState& tool : moving.tools) {
-            tool.pose.position.x() += 0.002;
-        }
+        move_on(moving);
         static_cast<void>(keeping.draw(moving, camera));
     });
     nlohmann::json row{{"name", "render/" + name},
@@ -71,6 +101,7 @@ nlohmann::json picture_row(const std::string& name, const Frame& frame, const Be
                        {"lens_cpu_ms", lens.least_ms},
                        {"picture_cpu_ms", picture.least_ms},
                        {"kept_light_cpu_ms", kept.least_ms},
+                       {"passes_ms", pass_costs(keeping, frame, camera, options.repeats)},
                        {"spread", std::max(lens.spread, picture.spread)}};
     if (!options.quick) {
         const View view = view_through_cornea(camera, width, height, *frame.eye);
