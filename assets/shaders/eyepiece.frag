@@ -18,7 +18,8 @@ uniform float back_z;           // what shows in the pupil where there is no len
 uniform float pupil_radius;     // as it shows [mm]
 uniform float limbus_radius;
 uniform vec4 globe;             // ball of the sclera
-uniform vec4 tool_ends[16];     // pairs: place in the picture from its lower left, height [mm]; alpha 0: none
+uniform vec4 tool_ends[16];     // pairs: place in the picture from its lower left, height [mm]
+uniform int tool_end_count;
 uniform float light;
 uniform int only;               // 1: red, 2: green and blue
 out vec4 colour;
@@ -31,10 +32,7 @@ const float edge_pixels = 2.0;
 float tool_height(vec2 pixel) {
     float nearest = 1e9;
     float height = focus_z;
-    for (int i = 0; i < 16; i += 2) {
-        if (tool_ends[i].a == 0.0) {
-            continue;
-        }
+    for (int i = 0; i < tool_end_count; i += 2) {
         vec2 way = tool_ends[i + 1].xy - tool_ends[i].xy;
         float share = clamp(dot(pixel - tool_ends[i].xy, way) / max(dot(way, way), 1e-6), 0.0, 1.0);
         float away = distance(pixel, tool_ends[i].xy + share * way);
@@ -82,9 +80,7 @@ void main() {
         if (spread > 1.3) {
             float level = log2(0.75 * spread);
             vec2 off = 0.2 * spread / size;
-            seen = 0.25 * (textureLod(sharp, place + off, level).rgb + textureLod(sharp, place - off, level).rgb +
-                           textureLod(sharp, place + vec2(off.x, -off.y), level).rgb +
-                           textureLod(sharp, place + vec2(-off.x, off.y), level).rgb);
+            seen = 0.5 * (textureLod(sharp, place + off, level).rgb + textureLod(sharp, place - off, level).rgb);
         }
     }
     if (stop_mm > 0.0) {

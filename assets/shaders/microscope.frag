@@ -6,9 +6,9 @@
 // 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the middle of the pupil,
 // where neither iris nor wound nor limbus can show. What eye_front.glsl and bag_support.glsl have comes before it.
 // Under a microscope that stands still, parts 0 and 1 are kept as light, before instruments and lamp: 4 and 5 write what
-// is kept of them, 6 and 7 draw with it. What lies over the iris is linear in what lies under it: light = share * iris
+// is kept of them, 6 and 7 draw with it, and 8 the pupil. What lies over the iris is linear in what lies under it: light = share * iris
 // + added.
-#if PART == 2 || PART == 3
+#if PART == 2 || PART == 3 || PART == 8
 uniform sampler2D optical_depth;
 uniform sampler2D soft_depth;
 uniform sampler2D front;
@@ -57,20 +57,13 @@ struct LensLook {
 LensLook lens_look(ivec2 pixel) {
     LensLook look = LensLook(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
     vec4 first = texelFetch(front, pixel, 0);
-    vec2 step_size = vec2(1.0) / vec2(textureSize(relief, 0));
-    vec2 left = texture(relief, place - vec2(step_size.x, 0.0)).rg;
-    vec2 right = texture(relief, place + vec2(step_size.x, 0.0)).rg;
-    vec2 below = texture(relief, place - vec2(0.0, step_size.y)).rg;
-    vec2 above = texture(relief, place + vec2(0.0, step_size.y)).rg;
-    if (first.r > 1000.0 || max(max(left.r, right.r), max(below.r, above.r)) > 1000.0) {
+    vec4 slopes = texture(relief, place);
+    if (first.r > 1000.0 || slopes.a < 0.99) {
         return look;
     }
-    float span = 2.0 * step_size.x * view_size.x * pixel_mm;
-    vec3 n = normalize(vec3((right.r - left.r) / span, (above.r - below.r) / span, 1.0));
-    vec3 light = normalize(vec3(-0.34, 0.42, 1.0));
-    look.shade = clamp(0.10 + 0.98 * dot(n, light), 0.08, 1.4);
-    // Deeper than its wider surroundings: a hollow.
-    look.hollow = clamp(0.25 * (left.r + right.r + below.r + above.r - left.g - right.g - below.g - above.g), -0.5, 1.0);
+    vec3 n = vec3(slopes.xy, sqrt(max(0.0, 1.0 - dot(slopes.xy, slopes.xy))));
+    look.shade = clamp(0.10 + 0.98 * dot(n, normalize(vec3(-0.34, 0.42, 1.0))), 0.08, 1.4);
+    look.hollow = slopes.z;
     look.steep = smoothstep(0.35, 0.90, 1.0 - n.z);
     look.shine = pow(clamp(dot(n, normalize(vec3(-0.08, 0.13, 1.0))), 0.0, 1.0), 60.0);
     vec3 rest = first.gba;
@@ -352,10 +345,10 @@ vec3 under_sheets(vec3 deep) {
 #if PART == 5
 layout(location = 1) out vec4 added;  // light over the iris; in the last component how clear the cornea is
 #endif
-#if PART == 6 || PART == 7
+#if PART == 6 || PART == 7 || PART == 8
 uniform sampler2D kept;
 #endif
-#if PART == 7
+#if PART == 7 || PART == 8
 uniform sampler2D kept_added;
 #endif
 
@@ -401,7 +394,7 @@ Inside inside_of_eye() {
 }
 #endif
 
-#if PART == 1 || PART == 2 || PART == 7
+#if PART == 1 || PART == 2 || PART == 7 || PART == 8
 // How much of the iris an instrument before it hides.
 float hidden_iris(Inside line, vec4 tool) {
     if (tool.a == 0.0) {
@@ -500,7 +493,7 @@ vec3 over_inside(vec3 inner, Inside line, vec3 outside, vec3 white_light, out fl
 }
 #endif
 
-#if PART == 1 || PART == 2 || PART == 3 || PART == 7
+#if PART == 1 || PART == 2 || PART == 3 || PART == 7 || PART == 8
 // The tear film is a veil that thickens and thins as it runs.
 vec3 tear_film(vec3 outside, float clear) {
     vec2 at = (view_eye + (limbus_z - view_eye.z) / outside.z * outside).xy;
@@ -509,7 +502,7 @@ vec3 tear_film(vec3 outside, float clear) {
 }
 #endif
 
-#if PART == 2 || PART == 3
+#if PART == 2 || PART == 3 || PART == 8
 vec3 pupil_at(Inside line, vec4 tool, float shade) {
     float rho = length(line.on_iris.xy);
     vec3 lens = past_bag(pupil_colour(line.entry, line.way, tool, rho), line.entry, line.way, tool.a);
@@ -517,6 +510,16 @@ vec3 pupil_at(Inside line, vec4 tool, float shade) {
     deep = with_ring_fed(deep, line.on_iris.xy, tool.a);
     float edge = edge_at(line.on_iris, rho);
     return deep * (1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, rho));
+}
+#endif
+
+#if PART == 2 || PART == 8
+// The pupil, and the iris beyond its edge.
+vec3 within_pupil(vec3 iris, Inside line, vec4 tool, float shade) {
+    float rho = length(line.on_iris.xy);
+    float edge = edge_at(line.on_iris, rho);
+    float soft = max(0.015, 0.8 * pixel_mm);
+    return mix(pupil_at(line, tool, shade), iris, smoothstep(edge - soft, edge + soft, rho));
 }
 #endif
 
@@ -543,10 +546,13 @@ void main() {
     Inside line = inside_of_eye();
     vec4 tool = texelFetch(inner_tools, pixel, 0);
     float clear = 0.0;
-#if PART == 7
+#if PART == 7 || PART == 8
     vec4 under = texelFetch(kept, pixel, 0);
     vec4 over_it = texelFetch(kept_added, pixel, 0);
     vec3 inner = with_tool(under.rgb * (1.0 - 0.55 * shade.r), tool, hidden_iris(line, tool));
+#if PART == 8
+    inner = within_pupil(inner, line, tool, shade.r);
+#endif
     vec3 picture = under.a * inner + over_it.rgb + tear_film(outside, over_it.a);
 #else
 #if PART == 3
@@ -557,10 +563,7 @@ void main() {
     vec3 white = beyond_limbus(outside);
 #endif
 #if PART == 2
-    float rho = length(line.on_iris.xy);
-    float edge = edge_at(line.on_iris, rho);
-    float soft = max(0.015, 0.8 * pixel_mm);
-    inner = mix(pupil_at(line, tool, shade.r), inner, smoothstep(edge - soft, edge + soft, rho));
+    inner = within_pupil(inner, line, tool, shade.r);
 #endif
     vec3 picture = over_inside(inner, line, outside, white, clear);
 #if PART != 3

@@ -136,7 +136,7 @@ void BareView::draw(ToolPainter& painter, const Frame& frame, const std::vector<
     vertices_.draw();
     glDisable(GL_DEPTH_TEST);
     painter.paint(frame, tools, view, Medium::all, nullptr, detail);
-    resolve(samples_, flat_);
+    resolve(samples_, flat_, whole(view));
 }
 
 void BareView::draw_planes(const Frame& frame, const View& view) {

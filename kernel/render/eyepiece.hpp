@@ -4,17 +4,22 @@
 
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
+#include "render/smaller_copies.hpp"
+#include "render/tile_mask.hpp"
 #include "render/view.hpp"
 
 namespace rhexis {
 
 /// What of a picture the eyepiece needs to know. All of one size.
 struct EyepieceLayers {
-    const Texture& picture;      ///< with room for smaller copies (mipmaps)
+    const Texture& picture;      ///< filtered with its smaller copies (mipmaps)
     const Texture& inner_tools;  ///< alpha: covered
     const Texture& outer_tools;
     const Texture& front;  ///< see LensFront::surface
     Vec3 reference = Vec3::Zero();
+    const TileMask& tools;      ///< where instruments are
+    const TileMask& painted;    ///< what has changed since the picture before
+    const TileMask& disturbed;  ///< of that, by instruments and their shadows
 };
 
 /// Of a picture for red and cyan glasses, the colours of one eye.
@@ -24,19 +29,26 @@ class Eyepiece {
 public:
     static Result<Eyepiece> create(int width, int height);
 
-    /// Into the framebuffer and viewport that are set. camera, views: in the eye's frame.
+    /// Into target(), what has changed since it was looked into last. camera, views: in the eye's frame.
     void look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
               const View& inner, EyeColours colours = EyeColours::all);
 
-    /// To look into, for a picture that is read back.
     [[nodiscard]] const Target& target() const { return target_; }
 
 private:
-    Eyepiece(ProgramVariants programs, int width, int height)
-        : programs_(std::move(programs)), target_(make_single_target(width, height, GL_RGBA8, GL_NEAREST)) {}
+    Eyepiece(ProgramVariants programs, SmallerCopies smaller, int width, int height);
+    void set_all(const Program& program, const EyepieceLayers& layers, const Frame& frame, const Camera& camera,
+                 EyeColours colours) const;
+    bool is_same(Program& program, const EyepieceLayers& layers, const Frame& frame, const Camera& camera,
+                 EyeColours colours);
 
     ProgramVariants programs_;
+    SmallerCopies smaller_;
     Target target_;
+    TileMask changed_;
+    VertexStream rectangles_;
+    std::vector<unsigned char> parameters_;  ///< of the last look
+    std::vector<unsigned char> now_;
 };
 
 }  // namespace rhexis

@@ -18,8 +18,7 @@ std::string joined(const std::vector<const char*>& files, const std::string& def
     return text;
 }
 
-Result<GlName<release_shader>> compile(GLenum kind, const std::vector<const char*>& files,
-                                       const std::string& defines) {
+Result<GlName<release_shader>> compile(GLenum kind, const std::vector<const char*>& files, const std::string& defines) {
     GlName<release_shader> shader(glCreateShader(kind));
     const std::string text = joined(files, defines);
     const char* start = text.c_str();
@@ -131,10 +130,12 @@ Target make_multisampled_target(int width, int height, GLenum format) {
     return target;
 }
 
-void resolve(const Target& from, const Target& to) {
+void resolve(const Target& from, const Target& to, const PixelRect& rect) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, *from.name);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, *to.name);
-    glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const int right = rect.x + rect.width;
+    const int top = rect.y + rect.height;
+    glBlitFramebuffer(rect.x, rect.y, right, top, rect.x, rect.y, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 Result<Program> Program::build(const std::vector<const char*>& vertex, const std::vector<const char*>& fragment,

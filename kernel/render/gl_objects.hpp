@@ -13,6 +13,7 @@
 
 #include "base/result.hpp"
 #include "math/types.hpp"
+#include "render/pixel_rect.hpp"
 
 namespace rhexis {
 
@@ -76,8 +77,8 @@ Target make_single_target(int width, int height, GLenum format, GLenum filter, G
                           bool with_depth = false);
 /// Runs the program in use once for every pixel of the bound target (fullscreen.vert).
 void cover_target();
-/// All samples of a pixel into one.
-void resolve(const Target& from, const Target& to);
+/// All samples of a pixel into one, within a part of both.
+void resolve(const Target& from, const Target& to, const PixelRect& rect);
 
 /// A vertex and a fragment shader with their parameters.
 class Program {

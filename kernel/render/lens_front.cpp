@@ -53,15 +53,21 @@ Result<LensFront> LensFront::create(int width, int height) {
     if (!blur.ok()) {
         return blur.error();
     }
-    return LensFront(std::move(front).value(), std::move(blur).value(), width, height);
+    Result<Program> slopes = Program::build({"fullscreen.vert"}, {"slopes.frag"});
+    if (!slopes.ok()) {
+        return slopes.error();
+    }
+    return LensFront(std::move(front).value(), std::move(blur).value(), std::move(slopes).value(), width, height);
 }
 
-LensFront::LensFront(Program front, Program blur, int width, int height)
+LensFront::LensFront(Program front, Program blur, Program slopes, int width, int height)
     : front_program_(std::move(front)),
       blur_program_(std::move(blur)),
+      slopes_program_(std::move(slopes)),
       front_(make_single_target(width, height, GL_RGBA32F, GL_NEAREST, GL_CLAMP_TO_EDGE, true)),
       half_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RG32F, GL_NEAREST)),
       smooth_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RG32F, GL_LINEAR)),
+      slopes_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA16F, GL_LINEAR)),
       vertices_({3, 3}) {}
 
 void LensFront::collect(const Frame& frame) {
@@ -107,10 +113,11 @@ void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     const Scissor half_scissor(halved(area));
-    smooth(smoothing_mm / pixel_mm(view, reference));
+    smooth(pixel_mm(view, reference));
 }
 
-void LensFront::smooth(double deviation_pixels) {
+void LensFront::smooth(double pixel_mm) {
+    const double deviation_pixels = smoothing_mm / pixel_mm;
     blur_program_.use();
     half_.bind();
     blur_program_.set("first", 1);
@@ -121,6 +128,11 @@ void LensFront::smooth(double deviation_pixels) {
     blur_program_.set("first", 0);
     blur_program_.set("source", half_.colours[0], 0);
     blur_program_.set("direction", Vec2(0.0, deviation_pixels / front_.height));
+    cover_target();
+    slopes_program_.use();
+    slopes_.bind();
+    slopes_program_.set("relief", smooth_.colours[0], 0);
+    slopes_program_.set("spacing_mm", 2.0 * pixel_mm);
     cover_target();
 }
 

@@ -19,19 +19,22 @@ public:
 
     /// RGBA32F: depth (beyond 1000: nothing there), and where that tissue lay at rest.
     [[nodiscard]] const Texture& surface() const { return front_.colours[0]; }
-    /// RG32F, half size: depth, smoothed over a short and a long way.
-    [[nodiscard]] const Texture& relief() const { return smooth_.colours[0]; }
+    /// RGBA16F, half size: of what is smoothed, the unit normal's part sideways and upwards, how hollow it is, and 1
+    /// where there is a surface here and around.
+    [[nodiscard]] const Texture& relief() const { return slopes_.colours[0]; }
 
 private:
-    LensFront(Program front, Program blur, int width, int height);
+    LensFront(Program front, Program blur, Program slopes, int width, int height);
     void collect(const Frame& frame);
-    void smooth(double deviation_pixels);
+    void smooth(double pixel_mm);
 
     Program front_program_;
     Program blur_program_;
+    Program slopes_program_;
     Target front_;
     Target half_;
-    Target smooth_;
+    Target smooth_;  ///< depth over a short and a long way
+    Target slopes_;
     VertexStream vertices_;
     std::vector<float> stream_;
     std::vector<Vec3> fine_;

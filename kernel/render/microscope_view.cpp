@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "math/roots.hpp"
+#include "render/eye_balls.hpp"
 #include "render/still_lens.hpp"
 
 namespace rhexis {
@@ -16,6 +17,28 @@ constexpr double softening_mm = 0.055;  ///< standard deviation: tissue scatters
 constexpr int area_margin = 10;         ///< [pixels] that smoothing reaches beyond the pupil
 
 constexpr double sheet_margin = 0.6;  ///< beyond the pupil's edge that sheets are drawn [mm]
+
+/// How far from an instrument its shadow falls. [mm]
+constexpr int shadow_scale = 8;  ///< they are drawn at an eighth of the size
+const Vec2 inner_shadow(0.28, -0.25);
+const Vec2 outer_shadow(0.45, -0.45);
+
+/// Where the shadow of what lies in a rectangle can show: see shadows.frag.
+PixelRect shadow_of(const PixelRect& rect, const Vec2& shift_mm, const View& view) {
+    constexpr double farthest = 1.5;  // of the shift
+    constexpr double coarse = 1.5 * shadow_scale;
+    const double mm = 1.0 / pixel_mm(view, Vec3::Zero());
+    const Vec2 shift = mm * shift_mm;
+    const double soft = std::abs(shift.y()) * std::max(1.0, double(view.width) / view.height) + coarse;
+    const int left = static_cast<int>(std::floor(rect.x + shift.x() - soft));
+    const int right = static_cast<int>(std::ceil(rect.x + rect.width + farthest * shift.x() + soft));
+    const int low = static_cast<int>(std::floor(rect.y + farthest * shift.y() - soft));
+    const int high = static_cast<int>(std::ceil(rect.y + rect.height + shift.y() + soft));
+    return {left, low, right - left, high - low};
+}
+
+constexpr double film_jump_s = 0.25;   ///< of time, beyond which the tear film is drawn anew at once
+constexpr std::size_t film_turns = 8;  ///< pictures, until all of it is
 
 /// Centre of the pupil and its reach sideways and upwards, in pixels from the bottom left.
 struct PupilOnScreen {
@@ -283,19 +306,6 @@ void set_bag(const Program& program, const Frame& frame) {
     set_zonules(program, frame);
 }
 
-/// Two triangles for each rectangle, as shares of the picture.
-std::vector<float> triangles_of(const std::vector<PixelRect>& rects, const View& view) {
-    std::vector<float> corners;
-    for (const PixelRect& rect : rects) {
-        const float left = static_cast<float>(rect.x) / static_cast<float>(view.width);
-        const float right = static_cast<float>(rect.x + rect.width) / static_cast<float>(view.width);
-        const float low = static_cast<float>(rect.y) / static_cast<float>(view.height);
-        const float high = static_cast<float>(rect.y + rect.height) / static_cast<float>(view.height);
-        corners.insert(corners.end(), {left, low, right, low, right, high, left, low, right, high, left, high});
-    }
-    return corners;
-}
-
 bool has_sheets(const Frame& frame) { return !frame.membranes.empty() || !frame.shells.empty(); }
 
 bool has_crumbs(const Frame& frame) { return !frame.debris.empty(); }
@@ -334,10 +344,10 @@ struct Feature {
     bool (*shows)(const Frame& frame);
     bool beyond_pupil;  ///< it reaches beyond the edge of the pupil
 };
-constexpr std::array features{Feature{"SHEETS", has_sheets, false},  Feature{"CRUMBS", has_crumbs, false},
-                              Feature{"CELLS", has_cells, false},    Feature{"HARM", has_harm, false},
-                              Feature{"OPTIC", has_optic, false},    Feature{"ZONULES", has_zonules, true},
-                              Feature{"WOUNDS", has_wounds, true},   Feature{"CAUGHT", is_caught, true}};
+constexpr std::array features{Feature{"SHEETS", has_sheets, false}, Feature{"CRUMBS", has_crumbs, false},
+                              Feature{"CELLS", has_cells, false},   Feature{"HARM", has_harm, false},
+                              Feature{"OPTIC", has_optic, false},   Feature{"ZONULES", has_zonules, true},
+                              Feature{"WOUNDS", has_wounds, true},  Feature{"CAUGHT", is_caught, true}};
 
 /// Bit i: the i-th shows.
 unsigned features_of(const Frame& frame, bool in_pupil) {
@@ -355,9 +365,9 @@ Result<ProgramVariants> build_part(int part) {
     for (const Feature& feature : features) {
         names.push_back(feature.name);
     }
-    return ProgramVariants::create(
-        {"part.vert"}, {"view.glsl", "lamp.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"},
-        std::move(names), "#define PART " + std::to_string(part) + "\n");
+    return ProgramVariants::create({"part.vert"},
+                                   {"view.glsl", "lamp.glsl", "eye_front.glsl", "bag_support.glsl", "microscope.frag"},
+                                   std::move(names), "#define PART " + std::to_string(part) + "\n");
 }
 
 }  // namespace
@@ -377,15 +387,15 @@ Result<MicroscopeView::KeptLight> MicroscopeView::make_kept_light(int width, int
     Result<ProgramVariants> write_iris = build_part(5);
     Result<ProgramVariants> draw_white = build_part(6);
     Result<ProgramVariants> draw_iris = build_part(7);
-    for (const Result<ProgramVariants>* program : {&write_white, &write_iris, &draw_white, &draw_iris}) {
+    Result<ProgramVariants> draw_pupil = build_part(8);
+    for (const Result<ProgramVariants>* program : {&write_white, &write_iris, &draw_white, &draw_iris, &draw_pupil}) {
         if (!program->ok()) {
             return program->error();
         }
     }
     return KeptLight{std::move(write_white).value(),
                      std::move(write_iris).value(),
-                     std::move(draw_white).value(),
-                     std::move(draw_iris).value(),
+                     {std::move(draw_white).value(), std::move(draw_iris).value(), std::move(draw_pupil).value()},
                      make_double_target(width, height, GL_RGBA16F, GL_NEAREST),
                      {},
                      {}};
@@ -394,7 +404,7 @@ Result<MicroscopeView::KeptLight> MicroscopeView::make_kept_light(int width, int
 Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_light) {
     Result<Program> light = Program::build({"fullscreen.vert"}, {"view.glsl", "pupil_light.frag"});
     Result<Program> soften = Program::build({"fullscreen.vert"}, {"soften.frag"});
-    Result<Program> shadows = Program::build({"fullscreen.vert"}, {"shadows.frag"});
+    Result<Program> shadows = Program::build({"part.vert"}, {"shadows.frag"});
     Result<Program> card = Program::build({"fullscreen.vert"}, {"view.glsl", "lamp.glsl", "card.frag"});
     for (const Result<Program>* program : {&light, &soften, &shadows, &card}) {
         if (!program->ok()) {
@@ -449,14 +459,21 @@ MicroscopeView::MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts
       inside_(width, height),
       outside_(width, height),
       light_(make_single_target(1, 1, GL_RGBA32F, GL_NEAREST)),
-      across_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_NEAREST)),
-      soft_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA32F, GL_LINEAR)),
-      shadows_(make_single_target((width + 7) / 8, (height + 7) / 8, GL_RGBA8, GL_LINEAR)),
+      across_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA16F, GL_NEAREST)),
+      soft_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA16F, GL_LINEAR)),
+      shadows_(make_single_target((width + shadow_scale - 1) / shadow_scale, (height + shadow_scale - 1) / shadow_scale,
+                                  GL_RGBA8, GL_LINEAR)),
       picture_(make_single_target(width, height, GL_RGBA16F, GL_LINEAR_MIPMAP_LINEAR)),
+      tools_(width, height),
+      disturbed_(width, height),
+      painted_(width, height),
       rectangles_({2}) {
-    picture_.bind();  // beyond the field's stop nothing is painted, and it must be some light, not any bits
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
+    // Beyond the field's stop and where no instrument is nothing is painted, and it must be some light, not any bits.
+    for (const Target* target : {&picture_, &shadows_}) {
+        target->bind();
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
 }
 
 void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools,
@@ -484,38 +501,103 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     clock.end("light of the pupil");
     soften(inner, depth, areas.pupil);
     clock.end("softened depth");
+    find_instruments(inner);
     cast_shadows(inner);
     clock.end("shadows");
-    const std::vector<PixelRect> cornea = bands_around_circle(outer, eye.limbus_radius + 0.4, eye.limbus_z, 2);
-    const std::vector<PixelRect> pupil = bands_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, 2);
-    const std::vector<PixelRect> core = bands_within_circle(inner, core_radius(frame), eye.iris_z);
-    const std::array<std::vector<PixelRect>, 4> where{without(without(bands_of(inner), cornea), pupil),
-                                                      without(cornea, pupil), without(pupil, core), core};
-    const unsigned front = features_of(frame, false);
+    const Regions where = regions_of(frame, outer, inner, stop_pixels);
     const bool still = kept_ && is_still(frame, inner, depth, detail, outer, stop_pixels);
     if (still && !kept_->is_written) {
-        kept_->light.bind();
-        compose(kept_->write_white.with(front), frame, inner, depth, detail, outer);
-        draw_part(where[0], inner, stop_pixels);
-        compose(kept_->write_iris.with(front), frame, inner, depth, detail, outer);
-        draw_part(where[1], inner, stop_pixels);
+        write_kept_light(where, frame, inner, depth, detail, outer);
         clock.end("light that is kept");
     }
     picture_.bind();
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-        const bool from_kept = still && part < 2;
-        ProgramVariants& variants = !from_kept ? parts_[part] : part == 0 ? kept_->draw_white : kept_->draw_iris;
-        const Program& program = variants.with(features_of(frame, part >= 2));
-        compose(program, frame, inner, depth, detail, outer);
-        if (from_kept) {
-            program.set("kept", kept_->light.colours[0], 14);
-            program.set("kept_added", kept_->light.colours[1], 15);
-        }
-        draw_part(where[part], inner, stop_pixels);
-        clock.end(part_names[part]);
+    if (still) {
+        draw_kept(where, frame, inner, depth, detail, outer, clock);
+    } else {
+        draw_anew(where, frame, inner, depth, detail, outer, clock);
     }
     if (kept_) {
         kept_->is_written = still;
+        kept_->time_s = frame.time_s;
+    }
+}
+
+MicroscopeView::Regions MicroscopeView::regions_of(const Frame& frame, const View& outer, const View& inner,
+                                                   double stop_pixels) {
+    const EyeAnatomy& eye = *frame.eye;
+    const std::vector<PixelRect> cornea = bands_around_circle(outer, eye.limbus_radius + 0.4, eye.limbus_z, 2);
+    const std::vector<PixelRect> pupil = bands_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, 2);
+    const std::vector<PixelRect> middle = bands_within_circle(inner, core_radius(frame), eye.iris_z);
+    Regions where{without(without(bands_of(inner), cornea), pupil), without(cornea, pupil), without(pupil, middle),
+                  middle, pupil};
+    for (std::vector<PixelRect>* part : {&where.white, &where.iris, &where.edge, &where.middle, &where.pupil}) {
+        *part = within_stop(std::move(*part), inner, stop_pixels);
+    }
+    return where;
+}
+
+/// Tiles of instruments and of their shadows.
+void MicroscopeView::find_instruments(const View& inner) {
+    tools_.clear();
+    tools_.mark(inside_.covered().rects());
+    tools_.mark(outside_.covered().rects());
+    disturbed_.clear();
+    for (const auto& [layer, shift] : {std::pair(&inside_, inner_shadow), std::pair(&outside_, outer_shadow)}) {
+        const std::vector<PixelRect> stale = layer->stale().rects();
+        disturbed_.mark(stale);
+        for (const PixelRect& rect : stale) {
+            disturbed_.mark(shadow_of(rect, shift, inner));
+        }
+    }
+}
+
+void MicroscopeView::draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
+                               const Texture& detail, const View& outer, PassClock& clock) {
+    const std::array<const std::vector<PixelRect>*, 4> bands{&where.white, &where.iris, &where.edge, &where.middle};
+    for (std::size_t part = 0; part < bands.size(); ++part) {
+        compose(parts_[part].with(features_of(frame, part >= 2)), frame, inner, depth, detail, outer);
+        draw_part(*bands[part]);
+        clock.end(part_names[part]);
+    }
+    painted_.mark_all();
+}
+
+void MicroscopeView::write_kept_light(const Regions& where, const Frame& frame, const View& inner,
+                                      const DepthPass& depth, const Texture& detail, const View& outer) {
+    const unsigned front = features_of(frame, false);
+    kept_->light.bind();
+    compose(kept_->write_white.with(front), frame, inner, depth, detail, outer);
+    draw_part(where.white);
+    compose(kept_->write_iris.with(front), frame, inner, depth, detail, outer);
+    draw_part(where.iris);
+    draw_part(where.pupil);
+}
+
+/// Beyond the pupil only what instruments have changed, and a few bands of the iris at a time, over which the tear film
+/// runs.
+void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
+                               const Texture& detail, const View& outer, PassClock& clock) {
+    TileMask stale = disturbed_;
+    const bool film_jumps = std::abs(frame.time_s - kept_->time_s) > film_jump_s;
+    for (const PixelRect& band : where.iris) {
+        if (film_jumps || !kept_->is_written || (band.y / band_rows + kept_->turn) % film_turns == 0) {
+            stale.mark(band);
+        }
+    }
+    ++kept_->turn;
+    const std::array<std::vector<PixelRect>, 3> parts{stale.within(where.white), stale.within(where.iris), where.pupil};
+    constexpr std::array names{"beyond the limbus", "iris", "pupil"};
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        const Program& program = kept_->draw[part].with(features_of(frame, part == 2));
+        compose(program, frame, inner, depth, detail, outer);
+        program.set("kept", kept_->light.colours[0], 14);
+        program.set("kept_added", kept_->light.colours[1], 15);
+        draw_part(parts[part]);
+        clock.end(names[part]);
+    }
+    painted_.clear();
+    for (const std::vector<PixelRect>& part : parts) {
+        painted_.mark(part);
     }
 }
 
@@ -537,12 +619,18 @@ bool MicroscopeView::is_still(const Frame& frame, const View& inner, const Depth
 }
 
 /// With the program in use.
-void MicroscopeView::draw_part(const std::vector<PixelRect>& where, const View& inner, double stop_pixels) {
-    rectangles_.send(triangles_of(within_stop(where, inner, stop_pixels), inner));
-    rectangles_.draw();
+void MicroscopeView::draw_part(const std::vector<PixelRect>& where) {
+    if (!where.empty()) {
+        rectangles_.send(triangles_of(where, picture_.width, picture_.height));
+        rectangles_.draw();
+    }
 }
 
 void MicroscopeView::draw_card(double reflectance, const EyeAnatomy& eye, const View& outer) {
+    if (kept_) {
+        kept_->parameters.clear();  // of a picture that is no more
+    }
+    painted_.mark_all();
     picture_.bind();
     steps_.card.use();
     set_view(steps_.card, outer);
@@ -584,6 +672,15 @@ void MicroscopeView::soften(const View& inner, const DepthPass& depth, const Pix
 
 /// The lamp stands a little to the left and above: shadows fall to the right and below, further on what lies deeper.
 void MicroscopeView::cast_shadows(const View& inner) {
+    // They reach as far as what is disturbed: beyond that the picture before had none either.
+    std::vector<PixelRect> where;
+    for (const PixelRect& rect : disturbed_.rects()) {
+        where.push_back({rect.x / shadow_scale, rect.y / shadow_scale, (rect.width + shadow_scale - 1) / shadow_scale,
+                         (rect.height + shadow_scale - 1) / shadow_scale});
+    }
+    if (where.empty()) {
+        return;
+    }
     const double mm = 1.0 / pixel_mm(inner, Vec3::Zero());
     const Vec2 one_mm(mm / inner.width, mm / inner.height);
     const Program& program = steps_.shadows;
@@ -591,9 +688,10 @@ void MicroscopeView::cast_shadows(const View& inner) {
     program.use();
     program.set("inner_tools", inside_.picture(), 0);
     program.set("outer_tools", outside_.picture(), 1);
-    program.set("inner_shift", Vec2(one_mm.cwiseProduct(Vec2(0.28, -0.25))));
-    program.set("outer_shift", Vec2(one_mm.cwiseProduct(Vec2(0.45, -0.45))));
-    cover_target();
+    program.set("inner_shift", Vec2(one_mm.cwiseProduct(inner_shadow)));
+    program.set("outer_shift", Vec2(one_mm.cwiseProduct(outer_shadow)));
+    rectangles_.send(triangles_of(where, shadows_.width, shadows_.height));
+    rectangles_.draw();
 }
 
 void MicroscopeView::compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,

@@ -39,7 +39,14 @@ public:
     [[nodiscard]] const Target& picture() const { return picture_; }  ///< light, linear, before the film
     /// Of the picture that was drawn, for the eyepiece.
     [[nodiscard]] EyepieceLayers layers(const DepthPass& depth) const {
-        return {picture_.colours[0], inside_.picture(), outside_.picture(), front_.surface(), depth.reference()};
+        return {picture_.colours[0],
+                inside_.picture(),
+                outside_.picture(),
+                front_.surface(),
+                depth.reference(),
+                tools_,
+                painted_,
+                disturbed_};
     }
 
 private:
@@ -57,24 +64,41 @@ private:
         bool cornea = false;
         bool operator==(const PaintedFor&) const = default;
     };
+    /// Bands of the picture.
+    struct Regions {
+        std::vector<PixelRect> white;  ///< beyond the limbus
+        std::vector<PixelRect> iris;
+        std::vector<PixelRect> edge;    ///< of the pupil
+        std::vector<PixelRect> middle;  ///< of the pupil
+        std::vector<PixelRect> pupil;   ///< edge and middle
+    };
     /// What lies beyond the limbus, and the iris with what lies over it, as light before instruments and lamp: kept as
     /// long as neither the microscope nor the front of the eye changes.
     struct KeptLight {
         ProgramVariants write_white;
         ProgramVariants write_iris;
-        ProgramVariants draw_white;
-        ProgramVariants draw_iris;
+        std::array<ProgramVariants, 3> draw;    ///< beyond the limbus, iris, pupil
         Target light;                           ///< iris and its share; what lies over it
         std::vector<unsigned char> parameters;  ///< of what is written, or would be
         std::vector<unsigned char> now;         ///< of this picture
         bool is_written = false;
+        double time_s = 0.0;   ///< of the picture before
+        std::size_t turn = 0;  ///< counts pictures: which of the iris's bands are painted anew for the tear film
     };
     static Result<KeptLight> make_kept_light(int width, int height);
     MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts, std::optional<KeptLight> kept, EyePainter painter,
                    LensFront front, SheetLayer sheets, int width, int height);
     bool is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
                   const View& outer, double stop_pixels);
-    void draw_part(const std::vector<PixelRect>& where, const View& inner, double stop_pixels);
+    static Regions regions_of(const Frame& frame, const View& outer, const View& inner, double stop_pixels);
+    void write_kept_light(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
+                          const Texture& detail, const View& outer);
+    void draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
+                   const Texture& detail, const View& outer, PassClock& clock);
+    void draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
+                   const Texture& detail, const View& outer, PassClock& clock);
+    void find_instruments(const View& inner);
+    void draw_part(const std::vector<PixelRect>& where);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
     void cast_shadows(const View& inner);
@@ -94,6 +118,9 @@ private:
     Target soft_;     ///< and upwards
     Target shadows_;  ///< an eighth of the size
     Target picture_;
+    TileMask tools_;      ///< where instruments are
+    TileMask disturbed_;  ///< where instruments or their shadows are, or were in the picture before
+    TileMask painted_;    ///< what of the picture is new
     VertexStream rectangles_;
     std::optional<EyeTextures> textures_;
     PaintedFor painted_for_;

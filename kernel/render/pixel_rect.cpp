@@ -13,8 +13,6 @@ namespace rhexis {
 
 namespace {
 
-constexpr int band_rows = 16;
-
 PixelRect between(double left, double bottom, double right, double top, const View& view) {
     const auto clipped = [](double value, int most) {
         return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
@@ -194,6 +192,18 @@ std::vector<PixelRect> without(const std::vector<PixelRect>& outer, const std::v
         }
     }
     return pieces;
+}
+
+std::vector<float> triangles_of(const std::vector<PixelRect>& rects, int width, int height) {
+    std::vector<float> corners;
+    for (const PixelRect& rect : rects) {
+        const float left = static_cast<float>(rect.x) / static_cast<float>(width);
+        const float right = static_cast<float>(rect.x + rect.width) / static_cast<float>(width);
+        const float low = static_cast<float>(rect.y) / static_cast<float>(height);
+        const float high = static_cast<float>(rect.y + rect.height) / static_cast<float>(height);
+        corners.insert(corners.end(), {left, low, right, low, right, high, left, low, right, high, left, high});
+    }
+    return corners;
 }
 
 PixelRect halved(const PixelRect& rect) {

@@ -28,8 +28,10 @@ PixelRect rect_around(const View& view, std::span<const Vec3> points, int margin
 /// A horizontal circle about the eye's axis.
 PixelRect rect_around_circle(const View& view, double radius, double z, int margin);
 
-/// Rows of the picture, a band of them each: as much of each as a horizontal circle about the eye's axis can cover, and
-/// `margin` pixels more. Bands of two circles in one picture lie on the same rows.
+constexpr int band_rows = 16;
+
+/// Rows of the picture, a band of band_rows each: as much of each as a horizontal circle about the eye's axis can
+/// cover, and `margin` pixels more. Bands of two circles in one picture lie on the same rows.
 std::vector<PixelRect> bands_around_circle(const View& view, double radius, double z, int margin);
 
 /// The same, of what the circle covers for certain.
@@ -50,6 +52,9 @@ PixelRect united(const PixelRect& a, const PixelRect& b);
 
 /// Bands without bands that lie on the same rows.
 std::vector<PixelRect> without(const std::vector<PixelRect>& outer, const std::vector<PixelRect>& inner);
+
+/// Two triangles for each rectangle, as shares of a picture of this size.
+std::vector<float> triangles_of(const std::vector<PixelRect>& rects, int width, int height);
 
 /// Half the size, rounded outward; for targets of half the size.
 PixelRect halved(const PixelRect& rect);

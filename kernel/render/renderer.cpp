@@ -116,7 +116,7 @@ struct Renderer::Parts {
     void look_at(const Frame& frame);
     /// camera: in the eye's frame.
     const Target& paint(const Frame& frame, const Camera& camera);
-    /// Through the eyepiece, into what is bound.
+    /// Through the eyepiece.
     void look(const Frame& frame, const Camera& camera, EyeColours colours);
     /// Scaled to a rectangle of the window.
     void copy(const Target& picture, const ScreenArea& area) const;
@@ -223,7 +223,6 @@ const Target& Renderer::Parts::finish(const Frame& frame, const Camera& camera, 
         return painted;
     }
     const Target& seen = passes->eyepiece.target();
-    seen.bind();
     const bool all = colours == EyeColours::all;
     glColorMask(all || colours == EyeColours::red, all || colours == EyeColours::cyan,
                 all || colours == EyeColours::cyan, GL_TRUE);
@@ -253,7 +252,6 @@ Image Renderer::photograph_card(double reflectance, const Frame& frame, const Ca
     parts_->look_at(frame);
     Passes& passes = *parts_->passes;
     passes.microscope.draw_card(reflectance, *frame.eye, view_in_air(camera, parts_->width, parts_->height));
-    passes.eyepiece.target().bind();
     parts_->look(frame, camera, EyeColours::all);
     return picture_of(passes.eyepiece.target());
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/tool_layer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "render/depth_pass.hpp"
+#include "render/eye_balls.hpp"
 #include "render/lids_mesh.hpp"
 
 namespace rhexis {
@@ -28,57 +30,68 @@ bool reaches(Medium medium, const EyeAnatomy& eye, const Vec3& point, double rad
 unsigned kind_of(ToolFinish finish) {
     enum Kind : unsigned { metal = 0, sleeve = 1, clear = 2, plastic = 4, skin = 8 };
     switch (finish) {
-        case ToolFinish::sleeve: return sleeve;
-        case ToolFinish::clear: return clear;
+        case ToolFinish::sleeve:
+            return sleeve;
+        case ToolFinish::clear:
+            return clear;
         case ToolFinish::hub:
         case ToolFinish::sponge:
-        case ToolFinish::nylon: return plastic;
+        case ToolFinish::nylon:
+            return plastic;
         case ToolFinish::skin:
         case ToolFinish::lash:
-        case ToolFinish::drape: return skin;
-        default: return metal;
+        case ToolFinish::drape:
+            return skin;
+        default:
+            return metal;
     }
 }
 
-/// Boxes around what of the instruments lies in this medium.
-PixelRect rect_around_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view, Medium medium,
-                            const EyeAnatomy& eye) {
+double reach_of_jaws(const ToolMesh& mesh) {
+    const bool opens = std::any_of(mesh.parts.begin(), mesh.parts.end(),
+                                   [](const ToolMesh::Part& part) { return part.hinge.has_value(); });
+    return opens ? opening_mm : 0.0;
+}
+
+/// Box around a piece of a cone, from one share of its length to another.
+PixelRect rect_around_piece(const RoundedCone& part, const Pose& pose, double from, double to, double radius,
+                            const View& view) {
+    std::array<Vec3, 16> corners;
+    for (int corner = 0; corner < 16; ++corner) {
+        const Vec3 off((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, ((corner >> 2) & 1) - 0.5);
+        const Vec3 end = part.a + ((corner >> 3) != 0 ? to : from) * (part.b - part.a);
+        corners[corner] = pose.to_world(end + 2.0 * radius * off);
+    }
+    return rect_around(view, corners, 2);
+}
+
+/// Boxes around pieces of what of the instruments lies in this medium.
+std::vector<PixelRect> rects_around_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
+                                          Medium medium, const EyeAnatomy& eye) {
     constexpr int pieces = 16;
-    PixelRect rect;
+    std::vector<PixelRect> rects;
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (!frame.tools[i].present) {
             continue;
         }
+        const Pose& pose = frame.tools[i].pose;
         for (const RoundedCone& part : tools[i].bounds) {
-            const double radius = std::max(part.radius_a, part.radius_b) + opening_mm;
-            const Vec3 step = (part.b - part.a) / pieces;
-            const double reach = radius + 0.5 * step.norm();
+            const double radius = std::max(part.radius_a, part.radius_b) + reach_of_jaws(tools[i]);
+            const double reach = radius + 0.5 * (part.b - part.a).norm() / pieces;
             for (int piece = 0; piece < pieces; ++piece) {
-                const Vec3 middle = frame.tools[i].pose.to_world(part.a + (piece + 0.5) * step);
-                if (!reaches(medium, eye, middle, reach)) {
-                    continue;
+                const double from = static_cast<double>(piece) / pieces;
+                const double to = static_cast<double>(piece + 1) / pieces;
+                const Vec3 middle = pose.to_world(part.a + 0.5 * (from + to) * (part.b - part.a));
+                if (reaches(medium, eye, middle, reach)) {
+                    rects.push_back(rect_around_piece(part, pose, from, to, radius, view));
                 }
-                std::array<Vec3, 16> corners;
-                for (int corner = 0; corner < 16; ++corner) {
-                    const Vec3 off((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, ((corner >> 2) & 1) - 0.5);
-                    const Vec3 end = part.a + (piece + (corner >> 3)) * step;
-                    corners[corner] = frame.tools[i].pose.to_world(end + 2.0 * radius * off);
-                }
-                rect = united(rect, rect_around(view, corners, 2));
             }
         }
     }
-    return rect;
+    return rects;
 }
 
 }  // namespace
-
-Vec4 cornea_ball(const EyeAnatomy& eye) { return {0.0, 0.0, eye.cornea_apex_z - eye.cornea_radius, eye.cornea_radius}; }
-
-Vec4 globe_ball(const EyeAnatomy& eye) {
-    const double rise = std::sqrt(eye.globe_radius * eye.globe_radius - eye.limbus_radius * eye.limbus_radius);
-    return {0.0, 0.0, eye.limbus_z - rise, eye.globe_radius};
-}
 
 void clear_bound_target() {
     const std::array<GLfloat, 4> none{};
@@ -109,7 +122,6 @@ void ToolPainter::paint(const Frame& frame, const std::vector<ToolMesh>& tools, 
                         const EyeAnatomy* eye, const Texture& detail) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     const Scene scene{view, medium, eye, detail};
     if (frame.lids && medium == Medium::outside) {
@@ -131,6 +143,7 @@ void ToolPainter::paint_tool(const ToolMesh& mesh, const ToolState& tool, const 
     const Vec3 lamps = bare ? Vec3(-view.forward + 0.7 * view.up.normalized() - 0.3 * view.right.normalized())
                             : Vec3(-0.06, 0.10, 1.0);
     for (const ToolMesh::Part& part : mesh.parts) {
+        const Pose pose = pose_of(part, tool);
         const Program& program = programs_.with(kind_of(part.finish));
         program.use();
         program.set("clip_from_world", view.clip_from_world);
@@ -141,30 +154,56 @@ void ToolPainter::paint_tool(const ToolMesh& mesh, const ToolState& tool, const 
         program.set("cornea", scene.eye == nullptr ? Vec4(Vec4::Zero()) : cornea_ball(*scene.eye));
         program.set("globe", scene.eye == nullptr ? Vec4(Vec4::Zero()) : globe_ball(*scene.eye));
         program.set("detail_map", scene.detail, 0);
-        program.set("world_from_body", matrix_of(pose_of(part, tool)));
+        program.set("world_from_body", matrix_of(pose));
         program.set("finish", static_cast<int>(part.finish));
         stream_.clear();
-        append_triangles(part, stream_);
+        if (bare || scene.eye == nullptr) {
+            append_triangles(part, stream_);
+        } else {
+            append_triangles_in(scene.medium, *scene.eye, pose, part, stream_);
+        }
+        (is_clear(part.finish) ? glEnable : glDisable)(GL_BLEND);
         vertices_.send(stream_);
         vertices_.draw();
     }
 }
 
 ToolLayer::ToolLayer(int width, int height)
-    : drawn_{0, 0, width, height},
+    : covered_(width, height),
+      stale_(width, height),
       samples_(make_multisampled_target(width, height, GL_RGBA8)),
-      flat_(make_single_target(width, height, GL_RGBA8, GL_LINEAR)) {}
+      flat_(make_single_target(width, height, GL_RGBA8, GL_LINEAR)) {
+    covered_.mark_all();  // with whatever lies there
+}
 
 void ToolLayer::draw(ToolPainter& painter, const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
                      Medium medium, const PixelRect& area, const EyeAnatomy& eye, const Texture& detail) {
-    const bool lids = frame.lids && medium == Medium::outside;  // they reach over all of the picture
-    const PixelRect now = lids ? area : intersected(rect_around_tools(frame, tools, view, medium, eye), area);
-    const Scissor scissor(united(drawn_, now));
-    drawn_ = now;
+    stale_ = covered_;
+    covered_.clear();
+    if (frame.lids && medium == Medium::outside) {  // they reach over all of the picture
+        covered_.mark(area);
+    } else {
+        for (const PixelRect& rect : rects_around_tools(frame, tools, view, medium, eye)) {
+            covered_.mark(intersected(rect, area));
+        }
+    }
+    stale_.mark(covered_.rects());
+    const std::vector<PixelRect> where = stale_.rects();
+    if (where.empty()) {
+        return;
+    }
     samples_.bind();
-    clear_bound_target();
-    painter.paint(frame, tools, view, medium, &eye, detail);
-    resolve(samples_, flat_);
+    for (const PixelRect& rect : where) {
+        const Scissor scissor(rect);
+        clear_bound_target();
+    }
+    {
+        const Scissor scissor(area);
+        painter.paint(frame, tools, view, medium, &eye, detail);
+    }
+    for (const PixelRect& rect : where) {
+        resolve(samples_, flat_, rect);
+    }
 }
 
 }  // namespace rhexis

@@ -4,14 +4,12 @@
 
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
-#include "render/pixel_rect.hpp"
+#include "render/medium_clip.hpp"
+#include "render/tile_mask.hpp"
 #include "render/tool_mesh.hpp"
 #include "render/view.hpp"
 
 namespace rhexis {
-
-/// Which side of the eye's wall to draw.
-enum class Medium { all = 0, inside = 1, outside = 2 };
 
 /// Draws instruments into the bound target, over what its depth lets through: colour times coverage, and coverage.
 class ToolPainter {
@@ -42,16 +40,17 @@ public:
               Medium medium, const PixelRect& area, const EyeAnatomy& eye, const Texture& detail);
 
     [[nodiscard]] const Texture& picture() const { return flat_.colours[0]; }
+    /// Outside of this it is empty.
+    [[nodiscard]] const TileMask& covered() const { return covered_; }
+    /// And outside of this it was so in the picture before, too.
+    [[nodiscard]] const TileMask& stale() const { return stale_; }
 
 private:
-    PixelRect drawn_;  ///< what is not empty
+    TileMask covered_;
+    TileMask stale_;
     Target samples_;
     Target flat_;
 };
-
-/// Balls of cornea and sclera: centre and radius.
-Vec4 cornea_ball(const EyeAnatomy& eye);
-Vec4 globe_ball(const EyeAnatomy& eye);
 
 /// Nothing drawn yet, nothing near.
 void clear_bound_target();

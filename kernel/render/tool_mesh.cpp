@@ -9,7 +9,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr int sides = 40;
+constexpr int sides = 24;
 constexpr int cap_rings = 6;
 constexpr double beyond_mm = 60.0;  ///< how far a shaft goes on behind its last part
 
