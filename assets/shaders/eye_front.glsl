@@ -91,16 +91,17 @@ vec4 prolapsed(vec3 at) {
     vec2 off = vec2(along / half_width, (out_to - half_length + 0.15) / half_length);
     float round = dot(off, off) + 0.30 * (grain.r - 0.5);
     float hides = 1.0 - smoothstep(0.86, 1.02, round);
-    vec3 fold = iris_colour(vec3(prolapse.xy * (limbus_radius - 1.6) + vec2(-prolapse.y, prolapse.x) * along, 0.0),
-                            limbus_radius - 1.6 + 0.25 * off.y);
     vec2 slope = prolapse.xy * off.y + vec2(-prolapse.y, prolapse.x) * off.x;
-    vec3 n = normalize(vec3(0.9 * slope + 0.22 * (grain.gb - 0.5), sqrt(max(0.1, 1.0 - 0.8 * dot(off, off)))));
+    vec3 n = normalize(vec3(0.8 * slope + 0.45 * (grain.gb - 0.5), sqrt(max(0.1, 1.0 - 0.8 * dot(off, off)))));
     float lit = clamp(dot(n, normalize(vec3(-0.34, 0.42, 1.0))), 0.0, 1.0);
-    float pigment = smoothstep(0.45, 0.95, round + 0.25 * (grain.g - 0.5));
-    vec3 body = mix(fold * (0.55 + 0.9 * lit), vec3(0.10, 0.065, 0.045) * (0.4 + 0.9 * lit), 0.75 * pigment);
-    float wet = pow(clamp(dot(n, normalize(vec3(-0.16, 0.24, 1.0))), 0.0, 1.0), 90.0);
+    // The stroma is of one colour with the rest of the iris; its folds run towards the wound.
+    vec4 folds = texture(detail_map, vec2(0.35 * along, 0.07 * out_to) + 0.05 * grain.rg);
+    vec3 stroma = textureLod(iris_map, vec2(0.25, 0.7), 7.0).rgb * lamp * (0.8 + 0.7 * smoothstep(0.3, 0.8, folds.r));
+    float pigment = smoothstep(0.55, 1.0, round + 0.35 * (grain.g - 0.5));
+    vec3 body = mix(stroma * (0.6 + 2.2 * lit), vec3(0.050, 0.032, 0.022) * (0.4 + 0.9 * lit), 0.75 * pigment);
+    float wet = pow(clamp(dot(n, normalize(vec3(-0.16, 0.24, 1.0))), 0.0, 1.0), 60.0) * smoothstep(0.35, 0.75, grain.a + 0.3 * folds.g);
     float shadow = 0.34 * (1.0 - smoothstep(1.0, 1.9, round));
-    vec3 picture = mix(vec3(0.05, 0.03, 0.03), body + 0.55 * wet * lamp, step(0.001, hides));
+    vec3 picture = mix(vec3(0.05, 0.03, 0.03), body + 0.22 * wet * lamp, step(0.001, hides));
     return vec4(mix(vec3(0.05, 0.03, 0.03), picture, hides), max(hides, shadow));
 }
 

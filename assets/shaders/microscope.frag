@@ -21,8 +21,10 @@ uniform mat4 bag_from_world;
 uniform vec3 bag_shape;  // radius, anterior, posterior
 uniform float opening_radius;
 uniform float ring_in;          // 1: a tension ring lies in it
+uniform vec4 loose;             // where zonules hold it no more: direction, half the width of the gap [rad], 1; or 0
 uniform float cortical_opacity;
 uniform sampler2D sheets;  // see SheetLayer
+uniform sampler2D cracks;  // see CrackLayer
 uniform float trypan_blue;
 uniform vec4 folds;  // place where a tip holds the posterior capsule; 1 if it does
 uniform vec4 hole;   // of the posterior capsule: place, radius
@@ -35,7 +37,9 @@ uniform int crumbs_are_beads;  // 1: glass beads to practise with; 0: crumbs of 
 uniform vec4 bag_cells[24];    // per sector of the bag, a value 0 to 1 for each ring from the axis out
 uniform int bag_sectors;
 uniform int bag_rings;
-uniform vec4 optic;            // of an implant that is a disc only: middle, radius; 0: there is none
+uniform vec4 optic;            // of an implant that is a disc only: middle, radius
+uniform vec2 optic_mirrors;    // radii of its front and back [mm]
+uniform vec2 viscoelastic;     // before and behind it: share of the most that is looked for
 uniform float optic_rocked;    // 0 to 1
 uniform int cells_are_cortex;  // 1: cortex on the wall; 0: what the wave of hydrodissection has parted
 
@@ -103,7 +107,9 @@ vec4 crumbs_at(vec3 entry, vec3 way) {
         vec3 off = cross(crumbs[i].xyz - entry, way);
         float share = length(off) / crumbs[i].w;
         if (crumbs_are_beads == 0) {  // a crumb is broken off: no two have the same outline
-            share *= 0.80 + 0.75 * texture(detail_map, 0.19 * entry.xy + vec2(0.37, 0.21) * float(i)).r;
+            vec2 own = vec2(0.37, 0.21) * float(i);
+            share *= 0.55 + 0.70 * texture(detail_map, 0.11 * entry.xy + own).r +
+                     0.60 * texture(detail_map, 0.23 * entry.xy + own).g;
         }
         if (share < 1.0) {
             // the line passes the middle here, across it
@@ -199,17 +205,38 @@ float fluff(vec3 entry) {
 }
 
 // The edge of an optic in the reflex: a bright line where the lamps stand in it, and a dark one beside it.
-vec2 optic_edge(vec3 entry, vec3 way) {
-    if (OPTIC == 0) {
-        return vec2(0.0);
-    }
-    vec2 off = (entry + (optic.z - entry.z) / way.z * way).xy - optic.xy;
-    off.y *= 1.0 + 0.12 * optic_rocked;
+vec2 optic_edge(vec2 off) {
     float beyond = length(off) - optic.w;
     float thin = max(0.035, 0.9 * pixel_mm);
     float facing = 0.5 + 0.5 * dot(off / max(length(off), 0.1), vec2(-0.6, 0.8));
     return vec2(exp(-pow(beyond / thin, 2.0)) * (0.25 + 0.75 * facing * facing),
                 exp(-pow((beyond + 0.10) / (2.0 * thin), 2.0)));
+}
+
+// Mirror images of the lamps in its front and, upside down, in its back (Purkinje III and IV of an implant).
+float lamps_in_optic(vec2 off) {
+    float light = 0.0;
+    for (int face = 0; face < 2; ++face) {
+        vec2 at = off / (face == 0 ? optic_mirrors.x : -optic_mirrors.y);
+        vec2 first = (at - vec2(0.22, 0.12)) / vec2(0.050, 0.030);
+        vec2 second = (at - vec2(-0.17, 0.18)) / vec2(0.022, 0.016);
+        light += (face == 0 ? 1.0 : 0.7) * (smoothstep(2.0, 0.3, length(first)) + smoothstep(2.0, 0.3, length(second)));
+    }
+    return light * step(length(off), optic.w);
+}
+
+// Viscoelastic is clear. Before an optic light gleams on its uneven surface, in streaks; behind it is a bubble whose
+// rim bends the light away, as wide as there is much of it. Brightness to add, and the share of the reflex it takes.
+vec2 viscoelastic_at(vec2 off) {
+    vec4 broad = texture(detail_map, off * 0.035 + 0.4);
+    vec4 fine = texture(detail_map, off * vec2(0.10, 0.16) + 0.08 * broad.rg);
+    float streak = smoothstep(0.45, 1.0, fine.r) + 0.5 * smoothstep(0.65, 1.0, fine.b);
+    float before = viscoelastic.x * smoothstep(0.25, 0.65, broad.g + 0.35 * viscoelastic.x);
+    float rim = optic.w * sqrt(viscoelastic.y) * 0.94 * (1.0 + 0.10 * (broad.r - 0.5)) - length(off);
+    float shows = smoothstep(0.02, 0.12, viscoelastic.y);
+    float edge = shows * exp(-pow(rim / 0.10, 2.0));
+    float inner = shows * exp(-pow((rim - 0.16) / 0.07, 2.0));
+    return vec2(before * (0.008 + 0.085 * streak * streak) + 0.05 * inner, 0.10 * before + 0.50 * edge);
 }
 
 vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
@@ -218,6 +245,12 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     vec3 sharp = texelFetch(optical_depth, pixel, 0).rgb;
     vec3 soft = texture(soft_depth, place).rgb;
     vec3 depth = max(mix(soft, sharp, blocked), 0.0) * extinction_tint / dot(way, view_axis);
+    vec2 crack = vec2(0.0);
+    if (CRACKS == 1) {
+        // It lets light through, and its walls lie in each other's shade.
+        crack = smoothstep(vec2(0.02), vec2(0.60), texture(cracks, place).rg);
+        depth *= 1.0 - 0.85 * crack.r;
+    }
     vec3 through = exp(-depth);
     vec3 reaches = texelFetch(pupil_light, ivec2(0), 0).rgb;
     LensLook look = lens_look(pixel);
@@ -239,7 +272,8 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     float cortex = cells_are_cortex == 1 ? cells * mix(0.35, 1.0, smoothstep(0.3, 2.6, length(entry.xy))) : 0.0;
     float wave = cells_are_cortex == 1 ? 0.0 : cells;
     reflex *= (1.0 - 2.6 * wave * (1.0 - wave)) * (1.0 - 0.10 * wave) * (1.0 - 0.45 * cortex);
-    float lit = look.shade * (1.0 - 0.68 * max(look.hollow, 0.0)) * look.haze;
+    float lit = look.shade * (1.0 - 0.68 * max(look.hollow, 0.0)) * look.haze * (1.0 - 0.65 * max(crack.g - crack.r, 0.0));
+    reflex *= 1.0 - 0.45 * max(crack.g - crack.r, 0.0) + 0.5 * crack.r;
     vec3 scattered = mix(scattered_share, scattered_white, cortical_opacity);
     vec3 haze = 0.5 * scattered * (1.0 - exp(-2.0 * depth)) * lamp * lit;
     vec3 behind = reflex * (1.0 - tool.a) * (1.0 - 0.36 * look.steep) + tool.rgb;
@@ -247,8 +281,14 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     float strands = vitreous_at(entry, way) * (1.0 - tool.a);
     lens = mix(lens * (1.0 - 0.05 * strands), vec3(0.74, 0.74, 0.72) * lamp, 0.85 * vitreous_white * strands);
     lens = mix(lens, vec3(0.13, 0.125, 0.115) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
-    vec2 edge = optic_edge(entry, way) * (1.0 - tool.a);
-    lens = lens * (1.0 - 0.30 * edge.y) + 0.22 * edge.x * lamp;
+    if (OPTIC == 1) {
+        vec2 off = (entry + (optic.z - entry.z) / way.z * way).xy - optic.xy;
+        vec2 visco = viscoelastic_at(off);
+        lens = lens * (1.0 - visco.y * (1.0 - tool.a)) + visco.x * lamp * (1.0 - tool.a);
+        off.y *= 1.0 + 0.12 * optic_rocked;
+        vec2 edge = optic_edge(off) * (1.0 - tool.a);
+        lens = lens * (1.0 - 0.30 * edge.y) + (0.22 * edge.x + 0.085 * lamps_in_optic(off) * (1.0 - tool.a)) * lamp;
+    }
     if (CRUMBS == 0) {
         return lens;
     }
@@ -256,7 +296,9 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     if (crumbs_are_beads == 1) {
         return mix(lens, bead_colour(crumb), crumb.x * (1.0 - tool.a));
     }
-    return mix(lens, (0.03 + 0.13 * crumb.y) * vec3(0.95, 0.80, 0.58) * lamp, 0.70 * crumb.x * (1.0 - tool.a));
+    // It lets light through where it is thin, and is as brown as what it broke from.
+    vec3 flake = mix(lens, lens + (0.010 + 0.035 * crumb.y) * vec3(0.95, 0.74, 0.50) * lamp, 0.9);
+    return mix(lens, flake * (0.70 + 0.45 * crumb.y), crumb.x * (1.0 - tool.a));
 }
 
 // The rim of the capsulorhexis and the sheen of the capsule around it.
@@ -287,7 +329,15 @@ vec3 capsule(vec3 entry, vec3 way) {
     float lit = 0.30 + 0.70 * pow(max(0.0, 0.5 + 0.5 * dot(around, vec2(-0.64, 0.77))), 1.5) + 0.35 * (rough.b - 0.5);
     float veil = smoothstep(-0.01, 0.05, off);
     float sheen = texture(detail_map, at.xy * vec2(0.05, 0.08)).b;
-    return lamp * (0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
+    float slack = 0.0;
+    if (ZONULES == 1 && loose.w > 0.0) {
+        // Nothing draws the capsule outward there: it lies in folds along its edge.
+        float aside = acos(clamp(dot(around, loose.xy), -1.0, 1.0)) / loose.z;
+        float where = smoothstep(1.25, 0.75, aside) * smoothstep(0.05, 0.5, off);
+        float wave = sin(15.0 * radius + 9.0 * texture(detail_map, around * 0.5 + 0.05 * radius).r + 2.0 * aside);
+        slack = where * wave;
+    }
+    return lamp * (0.045 * max(slack, 0.0) * max(slack, 0.0) - 0.010 * max(-slack, 0.0) + 0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
 }
 
 // Beyond the edge of a bag that has come out behind the iris: the reflex without a lens, and the edge itself.
@@ -338,7 +388,9 @@ vec3 under_sheets(vec3 deep) {
     vec3 light = deep * (1.0 - min(here.a, 0.7)) * (1.0 - shadow) * pow(stain_passes, vec3(dye));
     light += covered * stain_returns;
     vec3 white = mix(vec3(0.36, 0.36, 0.36) * lamp, vec3(0.06, 0.13, 0.34), min(1.0, 1.5 * covered));
-    return mix(light, white, veiled) + here.g * mix(lamp, vec3(0.50, 0.72, 1.0), min(1.0, covered));
+    // Many layers in a heap mirror no more than a few do.
+    float mirrored = 0.20 * (1.0 - exp(-here.g / 0.20));
+    return mix(light, white, veiled) + mirrored * mix(lamp, vec3(0.50, 0.72, 1.0), min(1.0, covered));
 }
 #endif
 

@@ -18,7 +18,7 @@ return exercise {
     patient = { age = 68, cataract = "NO3", pupil_mm = 6 },
     tissues = { "iris", "cornea", "chamber", "wounds" },
     instruments = { "hydration_cannula", "sponge", "needle_holder", "cannula" },
-    settings = { ["wounds.main_tunnel_mm"] = 1.8, ["wounds.main_width_mm"] = 2.5 },
+    settings = { ["implant.in_place"] = 1, ["wounds.main_tunnel_mm"] = 1.8, ["wounds.main_width_mm"] = 2.5 },
 
     levels = {
         short = { meaning = "a short tunnel, which leaks",

@@ -46,6 +46,7 @@ struct EyeAnatomy {
     double pupil_radius = 3.75;
     double cortical_opacity = 0.0;        ///< as of the patient
     std::array<LensZone, 3> lens_zones;   ///< outermost first; drawn where a membrane lies on a lens that is no solid
+    bool has_implant = false;             ///< drawn only: an implant lies in a bag that takes no part
     double trypan_blue = 0.0;             ///< stain of the anterior capsule: 0 none, 1 full
     double anterior_chamber_depth = 3.0;  ///< front of the cornea to front of the lens [mm]
     Vec3 incision = Vec3::Zero();         ///< centre of the main wound at its inner lip [mm]

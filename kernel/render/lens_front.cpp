@@ -12,7 +12,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr double smoothing_mm = 0.09;  ///< about half of an edge of the fine mesh
+constexpr double smoothing_mm = 0.12;  ///< about half of an edge of the fine mesh
 
 struct Level {
     const std::vector<std::array<int, 4>>& tets;

@@ -2,6 +2,7 @@
 #include "render/microscope_view.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "math/roots.hpp"
 #include "render/eye_balls.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr std::array part_names{"beyond the limbus", "iris", "edge of the pupil", "middle of the pupil"};
 
-constexpr double softening_mm = 0.055;  ///< standard deviation: tissue scatters, and facets should not show
-constexpr int area_margin = 10;         ///< [pixels] that smoothing reaches beyond the pupil
+constexpr double softening_mm = 0.10;  ///< standard deviation: tissue scatters, and facets should not show
+constexpr int area_margin = 10;        ///< [pixels] that smoothing reaches beyond the pupil
 
 constexpr double sheet_margin = 0.6;  ///< beyond the pupil's edge that sheets are drawn [mm]
 
@@ -257,6 +258,15 @@ void set_zonules(const Program& program, const Frame& frame) {
     const bool breakable = !frame.bags.empty() && frame.bags[0].zonules.has_value();
     program.set("ring_in", breakable && frame.bags[0].zonules->ring >= 1.0 ? 1.0 : 0.0);
     set_ring(program, frame);
+    Eigen::Vector4d loose = Eigen::Vector4d::Zero();
+    if (breakable) {
+        constexpr double least_deg = 20.0;  // narrower gaps leave no slack that shows. Proposal
+        const ZonuleGap gap = widest_gap(frame.model->bags[0], *frame.bags[0].zonules);
+        if (gap.width_deg > least_deg) {
+            loose << gap.middle.head<2>().normalized(), std::numbers::pi / 360.0 * gap.width_deg, 1.0;
+        }
+    }
+    program.set("loose", loose);
     const std::size_t hooks = breakable ? std::min(frame.bags[0].zonules->hooks.size(), most_hooks) : 0;
     program.set("capsule_hook_count", static_cast<int>(hooks));
     for (std::size_t i = 0; i < hooks; ++i) {
@@ -273,13 +283,6 @@ void set_bag_cells(const Program& program, const Frame& frame) {
     const bool wave = frame.hydrodissection.has_value() && frame.model->hydrodissection.has_value();
     const BagCells cells =
         cortex ? frame.model->cortex->cells : (wave ? frame.model->hydrodissection->cells : BagCells{0, 0, 1.0});
-    Eigen::Vector4d optic = Eigen::Vector4d::Zero();
-    if (frame.retained && frame.model->retained && !frame.bags.empty()) {
-        const RetainedViscoelasticModel& disc = *frame.model->retained;
-        optic << frame.bags[0].pose.to_world(Vec3(0.0, 0.0, disc.optic_z)), disc.optic_radius;
-    }
-    program.set("optic", optic);
-    program.set("optic_rocked", frame.retained ? frame.retained->rocked : 0.0);
     program.set("bag_sectors", cells.sectors);
     program.set("bag_rings", cells.rings);
     program.set("cells_are_cortex", cortex ? 1 : 0);
@@ -294,9 +297,32 @@ void set_bag_cells(const Program& program, const Frame& frame) {
     }
 }
 
+/// An implant that is a disc only, and viscoelastic about it.
+void set_optic(const Program& program, const Frame& frame) {
+    Eigen::Vector4d optic = Eigen::Vector4d::Zero();
+    Vec2 viscoelastic = Vec2::Zero();
+    if (frame.retained && frame.model->retained && !frame.bags.empty()) {
+        constexpr double much = 100.0;  // about the volume before the optic of a chamber that is full [mm^3]
+        const RetainedViscoelasticModel& disc = *frame.model->retained;
+        optic << frame.bags[0].pose.to_world(Vec3(0.0, 0.0, disc.optic_z)), disc.optic_radius;
+        viscoelastic = Vec2(std::min(1.0, frame.retained->front / much),
+                            std::min(1.0, frame.retained->behind / std::max(1e-9, disc.start_behind)));
+    } else if (frame.eye->has_implant) {
+        const Vec2 aside(0.14, -0.10);  // from the pupil's middle, as many lie. Proposal [mm]
+        constexpr double behind = 1.1;  // the pupil [mm]
+        constexpr double radius = 3.0;
+        optic << aside, frame.eye->iris_z - behind, radius;
+    }
+    program.set("optic", optic);
+    program.set("optic_mirrors", Vec2(11.0, 8.0));  // proposals: of an implant of 21 dioptres, steeper behind
+    program.set("viscoelastic", viscoelastic);
+    program.set("optic_rocked", frame.retained ? frame.retained->rocked : 0.0);
+}
+
 void set_bag(const Program& program, const Frame& frame) {
     program.set("has_bag", frame.bags.empty() ? 0 : 1);
     set_bag_cells(program, frame);
+    set_optic(program, frame);
     if (!frame.bags.empty()) {
         const BagModel& bag = frame.model->bags[0];
         program.set("bag_from_world", Mat4(matrix_of(frame.bags[0].pose).inverse()));
@@ -321,7 +347,7 @@ bool has_harm(const Frame& frame) {
     return vitreous || (frame.capsule && (frame.capsule->captured || frame.capsule->hole_radius > 0.0));
 }
 
-bool has_optic(const Frame& frame) { return frame.retained && frame.model->retained; }
+bool has_optic(const Frame& frame) { return (frame.retained && frame.model->retained) || frame.eye->has_implant; }
 
 bool has_zonules(const Frame& frame) { return !frame.bags.empty() && frame.bags[0].zonules; }
 
@@ -344,10 +370,10 @@ struct Feature {
     bool (*shows)(const Frame& frame);
     bool beyond_pupil;  ///< it reaches beyond the edge of the pupil
 };
-constexpr std::array features{Feature{"SHEETS", has_sheets, false}, Feature{"CRUMBS", has_crumbs, false},
-                              Feature{"CELLS", has_cells, false},   Feature{"HARM", has_harm, false},
-                              Feature{"OPTIC", has_optic, false},   Feature{"ZONULES", has_zonules, true},
-                              Feature{"WOUNDS", has_wounds, true},  Feature{"CAUGHT", is_caught, true}};
+constexpr std::array features{
+    Feature{"SHEETS", has_sheets, false},  Feature{"CRACKS", has_cracks, false}, Feature{"CRUMBS", has_crumbs, false},
+    Feature{"CELLS", has_cells, false},    Feature{"HARM", has_harm, false},     Feature{"OPTIC", has_optic, false},
+    Feature{"ZONULES", has_zonules, true}, Feature{"WOUNDS", has_wounds, true},  Feature{"CAUGHT", is_caught, true}};
 
 /// Bit i: the i-th shows.
 unsigned features_of(const Frame& frame, bool in_pupil) {
@@ -432,6 +458,10 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_
     if (!sheets.ok()) {
         return sheets.error();
     }
+    Result<CrackLayer> cracks = CrackLayer::create(width, height);
+    if (!cracks.ok()) {
+        return cracks.error();
+    }
     std::optional<KeptLight> kept;
     if (keeps_light) {
         Result<KeptLight> made = make_kept_light(width, height);
@@ -444,18 +474,20 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_
         Steps{std::move(light).value(), std::move(soften).value(), std::move(shadows).value(), std::move(card).value()},
         std::array<ProgramVariants, 4>{std::move(white).value(), std::move(iris).value(), std::move(edge).value(),
                                        std::move(middle).value()},
-        std::move(kept), std::move(painter).value(), std::move(front).value(), std::move(sheets).value(), width,
-        height);
+        std::move(kept), std::move(painter).value(), std::move(front).value(), std::move(sheets).value(),
+        std::move(cracks).value(), width, height);
 }
 
 MicroscopeView::MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts, std::optional<KeptLight> kept,
-                               EyePainter painter, LensFront front, SheetLayer sheets, int width, int height)
+                               EyePainter painter, LensFront front, SheetLayer sheets, CrackLayer cracks, int width,
+                               int height)
     : steps_(std::move(steps)),
       parts_(std::move(parts)),
       kept_(std::move(kept)),
       eye_painter_(std::move(painter)),
       front_(std::move(front)),
       sheets_(std::move(sheets)),
+      cracks_(std::move(cracks)),
       inside_(width, height),
       outside_(width, height),
       light_(make_single_target(1, 1, GL_RGBA32F, GL_NEAREST)),
@@ -492,6 +524,10 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
         sheets_.draw(frame, inner, depth.stop(), depth.reference(), contour_of(still_lens(frame)), detail, areas.pupil,
                      opening_of(eye) + sheet_margin);
         clock.end("sheets");
+    }
+    if (has_cracks(frame)) {
+        cracks_.draw(frame, inner, depth.stop(), depth.reference(), areas.pupil);
+        clock.end("cracks");
     }
     inside_.draw(painter, frame, tools, inner, Medium::inside, areas.cornea, eye, detail);
     clock.end("instruments inside");
@@ -590,8 +626,8 @@ void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const V
     for (std::size_t part = 0; part < parts.size(); ++part) {
         const Program& program = kept_->draw[part].with(features_of(frame, part == 2));
         compose(program, frame, inner, depth, detail, outer);
-        program.set("kept", kept_->light.colours[0], 14);
-        program.set("kept_added", kept_->light.colours[1], 15);
+        program.set("kept", kept_->light.colours[0], 7);  // units of what these parts do not look up
+        program.set("kept_added", kept_->light.colours[1], 8);
         draw_part(parts[part]);
         clock.end(names[part]);
     }
@@ -712,6 +748,7 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("soft_depth", soft_.colours[0], 11);
     program.set("shadows", shadows_.colours[0], 12);
     program.set("sheets", sheets_.picture(), 13);
+    program.set("cracks", cracks_.picture(), 14);
     program.set("trypan_blue", frame.eye->trypan_blue);
     program.set("extinction_tint", depth.tint());
     program.set("lamp_share", lamp_share(outer));

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "render/crack_layer.hpp"
 #include "render/depth_pass.hpp"
 #include "render/eye_textures.hpp"
 #include "render/eyepiece.hpp"
@@ -87,7 +88,7 @@ private:
     };
     static Result<KeptLight> make_kept_light(int width, int height);
     MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts, std::optional<KeptLight> kept, EyePainter painter,
-                   LensFront front, SheetLayer sheets, int width, int height);
+                   LensFront front, SheetLayer sheets, CrackLayer cracks, int width, int height);
     bool is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
                   const View& outer, double stop_pixels);
     static Regions regions_of(const Frame& frame, const View& outer, const View& inner, double stop_pixels);
@@ -111,6 +112,7 @@ private:
     EyePainter eye_painter_;
     LensFront front_;
     SheetLayer sheets_;
+    CrackLayer cracks_;
     ToolLayer inside_;
     ToolLayer outside_;
     Target light_;    ///< one pixel

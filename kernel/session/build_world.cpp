@@ -342,6 +342,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
     eye.value().anatomy.has_iris = has_tissue(scene, "iris");
     eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
     eye.value().anatomy.trypan_blue = all_settings(scene).at("capsule.trypan_blue");
+    eye.value().anatomy.has_implant = all_settings(scene).at("implant.in_place") > 0.5;
     eye.value().anatomy.side_port_width = needs_side_port(scene) ? side_port_width : 0.0;
     std::shared_ptr<WorldModel> world = std::make_shared<WorldModel>();
     if (has_tissue(scene, "lens")) {

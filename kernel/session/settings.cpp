@@ -54,6 +54,8 @@ constexpr auto known_settings = std::to_array<SettingInfo>({
     {"implant.centre_mm", "mm", 0.1, 2.0, 0.7, false, "Thickness of the implant's optic in its middle."},
     {"implant.edge_mm", "mm", 0.05, 2.0, 0.25, false, "Thickness of the implant's optic at its edge."},
     {"implant.haptic_mm", "mm", 0.05, 1.0, 0.4, false, "Thickness of the implant's haptics."},
+    {"implant.in_place", "1", 0.0, 1.0, 0.0, false,
+     "1: an implant lies in the eye of a scene that has neither lens nor implant, in the picture only."},
     {"implant.modulus_mpa", "MPa", 0.1, 10.0, 1.0, false, "Young's modulus of the implant in the long run."},
     {"implant.tackiness_kpa", "kPa", 0.0, 100.0, 0.0, false,
      "Pull per area that parts layers of the implant which were pressed together."},

@@ -93,6 +93,7 @@ names.own = {
     ["ia.flow_ml_min"] = "flow of the pump, irrigation and aspiration",
     ["ia.vacuum_mmhg"] = "limit of the vacuum, irrigation and aspiration",
     ["ia_tip.port_down"] = "the mouth of the tip looks back",
+    ["implant.in_place"] = "whether an implant lies in the eye",
     ["implant.cornea_mm"] = "implant from the back of the cornea",
     ["implant.decentration_mm"] = "optic off the axis of the bag",
     ["implant.delivered"] = "implant out of the injector",
