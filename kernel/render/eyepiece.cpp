@@ -154,7 +154,7 @@ bool Eyepiece::is_same(Program& program, const EyepieceLayers& layers, const Fra
 }
 
 void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
-                    const View& inner, EyeColours colours) {
+                    const View& inner, const Target& into, EyeColours colours) {
     enum Feature : unsigned { spreading = 1, instruments = 2, one_eye = 4 };
     const unsigned features = (camera.aperture > 0.0 ? spreading : 0U) | (colours != EyeColours::all ? one_eye : 0U);
     const auto reach = [&](double z) { return reach_of(spread_at(z, camera, layers.picture.height)); };
@@ -167,7 +167,7 @@ void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Came
     TileMask disturbed = layers.disturbed;
     disturbed.grow(std::max(reach(sclera_height(*frame.eye)), reach(frame.eye->iris_z)));
     changed_.mark(disturbed.rects());
-    target_.bind();
+    into.bind();
     for (const bool with_tools : {false, true}) {
         const Program& program = programs_.with(features | (with_tools ? instruments : 0U));
         set_all(program, layers, frame, camera, colours);
@@ -178,7 +178,7 @@ void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Came
         }
         const std::vector<PixelRect> where =
             with_tools ? layers.tools.within(changed_.rects()) : changed_.without(layers.tools).rects();
-        rectangles_.send(triangles_of(where, target_.width, target_.height));
+        rectangles_.send(triangles_of(where, into.width, into.height));
         rectangles_.draw();
     }
 }

@@ -29,9 +29,10 @@ class Eyepiece {
 public:
     static Result<Eyepiece> create(int width, int height);
 
-    /// Into target(), what has changed since it was looked into last. camera, views: in the eye's frame.
+    /// What has changed since the last look, which went into the same target; for two eyes that share one, each in its
+    /// colours. camera, views: in the eye's frame.
     void look(const EyepieceLayers& layers, const Frame& frame, const Camera& camera, const View& outer,
-              const View& inner, EyeColours colours = EyeColours::all);
+              const View& inner, const Target& into, EyeColours colours);
 
     [[nodiscard]] const Target& target() const { return target_; }
 

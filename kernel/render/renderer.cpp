@@ -59,13 +59,31 @@ void look_with(const MicroscopeModel& model, const MicroscopeState& microscope, 
     camera.focus_mm = microscope.position.z() - camera.target.z();
 }
 
+/// What one of two eyes sees, and keeps from picture to picture.
+struct EyeView {
+    MicroscopeView microscope;
+    Eyepiece eyepiece;
+};
+
+Result<EyeView> make_eye_view(int width, int height, Light light) {
+    Result<MicroscopeView> microscope = MicroscopeView::create(width, height, light == Light::kept);
+    if (!microscope.ok()) {
+        return microscope.error();
+    }
+    Result<Eyepiece> eyepiece = Eyepiece::create(width, height);
+    if (!eyepiece.ok()) {
+        return eyepiece.error();
+    }
+    return EyeView{std::move(microscope).value(), std::move(eyepiece).value()};
+}
+
 /// Everything that lives in the context.
 struct Passes {
     DepthPass depth;
     ToolPainter painter;
-    MicroscopeView microscope;
+    EyeView left;                  ///< or the only one
+    std::optional<EyeView> right;  ///< made when it is first needed
     BareView bare;
-    Eyepiece eyepiece;
     Texture detail;
 };
 
@@ -74,24 +92,20 @@ Result<Passes> make_passes(int width, int height, Light light) {
     if (!painter.ok()) {
         return painter.error();
     }
-    Result<MicroscopeView> microscope = MicroscopeView::create(width, height, light == Light::kept);
-    if (!microscope.ok()) {
-        return microscope.error();
+    Result<EyeView> left = make_eye_view(width, height, light);
+    if (!left.ok()) {
+        return left.error();
     }
     Result<BareView> bare = BareView::create(width, height);
     if (!bare.ok()) {
         return bare.error();
     }
-    Result<Eyepiece> eyepiece = Eyepiece::create(width, height);
-    if (!eyepiece.ok()) {
-        return eyepiece.error();
-    }
     Result<Texture> detail = paint_detail();
     if (!detail.ok()) {
         return detail.error();
     }
-    return Passes{DepthPass(width, height), std::move(painter).value(),  std::move(microscope).value(),
-                  std::move(bare).value(),  std::move(eyepiece).value(), std::move(detail).value()};
+    return Passes{DepthPass(width, height), std::move(painter).value(), std::move(left).value(), std::nullopt,
+                  std::move(bare).value(),  std::move(detail).value()};
 }
 
 }  // namespace
@@ -115,13 +129,18 @@ struct Renderer::Parts {
 
     void look_at(const Frame& frame);
     /// camera: in the eye's frame.
-    const Target& paint(const Frame& frame, const Camera& camera);
+    const Target& paint(const Frame& frame, const Camera& camera, EyeView& eye);
     /// Through the eyepiece.
-    void look(const Frame& frame, const Camera& camera, EyeColours colours);
+    void look(const Frame& frame, const Camera& camera, EyeView& eye, const Target& into, EyeColours colours);
+    EyeView& right_eye();
     /// Scaled to a rectangle of the window.
     void copy(const Target& picture, const ScreenArea& area) const;
     /// The finished picture; of one eye for red and cyan glasses only its colours change.
-    const Target& finish(const Frame& frame, const Camera& camera, EyeColours colours);
+    const Target& finish(const Frame& frame, const Camera& camera) {
+        return finish(frame, camera, passes->left, passes->left.eyepiece.target(), EyeColours::all);
+    }
+    const Target& finish(const Frame& frame, const Camera& camera, EyeView& eye, const Target& into,
+                         EyeColours colours);
 };
 
 void Renderer::Parts::look_at(const Frame& frame) {
@@ -187,7 +206,7 @@ Camera in_eye(const Frame& frame, const Camera& camera) {
 
 }  // namespace
 
-const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera) {
+const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera, EyeView& eye) {
     look_at(frame);
     const View outer = view_in_air(camera, width, height);
     if (!frame.eye) {
@@ -198,15 +217,28 @@ const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera) {
     const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
     passes->depth.draw(frame, tools, inner, areas.cornea, areas.pupil);
     clock.end("optical depth");
-    passes->microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail,
-                            0.5 * camera.stop_mm / camera.field_mm * height, clock);
-    return passes->microscope.picture();
+    eye.microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail,
+                        0.5 * camera.stop_mm / camera.field_mm * height, clock);
+    return eye.microscope.picture();
 }
 
-void Renderer::Parts::look(const Frame& frame, const Camera& camera, EyeColours colours) {
+void Renderer::Parts::look(const Frame& frame, const Camera& camera, EyeView& eye, const Target& into,
+                           EyeColours colours) {
     const View outer = view_in_air(camera, width, height);
     const View inner = view_into(frame, camera, width, height);
-    passes->eyepiece.look(passes->microscope.layers(passes->depth), frame, camera, outer, inner, colours);
+    eye.eyepiece.look(eye.microscope.layers(passes->depth), frame, camera, outer, inner, into, colours);
+}
+
+/// Where it cannot be made, the left one serves for both, and keeps nothing.
+EyeView& Renderer::Parts::right_eye() {
+    if (!passes->right) {
+        Result<EyeView> made = make_eye_view(width, height, Light::kept);
+        if (!made.ok()) {
+            return passes->left;
+        }
+        passes->right.emplace(std::move(made).value());
+    }
+    return *passes->right;
 }
 
 void Renderer::Parts::copy(const Target& picture, const ScreenArea& area) const {
@@ -217,30 +249,30 @@ void Renderer::Parts::copy(const Target& picture, const ScreenArea& area) const 
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-const Target& Renderer::Parts::finish(const Frame& frame, const Camera& camera, EyeColours colours) {
-    const Target& painted = paint(frame, camera);
+const Target& Renderer::Parts::finish(const Frame& frame, const Camera& camera, EyeView& eye, const Target& into,
+                                      EyeColours colours) {
+    const Target& painted = paint(frame, camera, eye);
     if (!frame.eye) {
         return painted;
     }
-    const Target& seen = passes->eyepiece.target();
     const bool all = colours == EyeColours::all;
     glColorMask(all || colours == EyeColours::red, all || colours == EyeColours::cyan,
                 all || colours == EyeColours::cyan, GL_TRUE);
-    look(frame, camera, colours);
+    look(frame, camera, eye, into, colours);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     clock.end("film");
-    return seen;
+    return into;
 }
 
 Image Renderer::draw(const Frame& frame, const Camera& room) {
     const GlContext::Use use(parts_->context);
-    return picture_of(parts_->finish(frame, in_eye(frame, room), EyeColours::all));
+    return picture_of(parts_->finish(frame, in_eye(frame, room)));
 }
 
 std::vector<PassCost> Renderer::costs(const Frame& frame, const Camera& camera) {
     const GlContext::Use use(parts_->context);
     parts_->clock.start();
-    static_cast<void>(picture_of(parts_->finish(frame, in_eye(frame, camera), EyeColours::all)));
+    static_cast<void>(picture_of(parts_->finish(frame, in_eye(frame, camera))));
     parts_->clock.end("read back");
     return parts_->clock.stop();
 }
@@ -250,29 +282,32 @@ Image Renderer::photograph_card(double reflectance, const Frame& frame, const Ca
     const Camera camera = in_eye(frame, room);
     const GlContext::Use use(parts_->context);
     parts_->look_at(frame);
-    Passes& passes = *parts_->passes;
-    passes.microscope.draw_card(reflectance, *frame.eye, view_in_air(camera, parts_->width, parts_->height));
-    parts_->look(frame, camera, EyeColours::all);
-    return picture_of(passes.eyepiece.target());
+    EyeView& eye = parts_->passes->left;
+    eye.microscope.draw_card(reflectance, *frame.eye, view_in_air(camera, parts_->width, parts_->height));
+    parts_->look(frame, camera, eye, eye.eyepiece.target(), EyeColours::all);
+    return picture_of(eye.eyepiece.target());
 }
 
 void Renderer::show(const Frame& frame, const Camera& room, const ScreenArea& area, Stereo stereo) {
     const Camera camera = in_eye(frame, room);
     if (stereo == Stereo::off) {
-        parts_->copy(parts_->finish(frame, camera, EyeColours::all), area);
+        parts_->copy(parts_->finish(frame, camera), area);
         return;
     }
-    for (const double side : {-1.0, 1.0}) {  // left, then right
-        Camera eye = camera;
-        eye.aside_mm = 0.5 * side * stereo_base_mm;
+    EyeView& left = parts_->passes->left;
+    for (const bool is_left : {true, false}) {
+        Camera aside = camera;
+        aside.aside_mm = (is_left ? -0.5 : 0.5) * stereo_base_mm;
+        EyeView& eye = is_left ? left : parts_->right_eye();
         if (stereo == Stereo::side_by_side) {
             ScreenArea part = area;
             part.width = area.width / 2;
-            part.left = side < 0.0 ? area.left : area.left + area.width - part.width;
-            parts_->copy(parts_->finish(frame, eye, EyeColours::all), part);
+            part.left = is_left ? area.left : area.left + area.width - part.width;
+            parts_->copy(parts_->finish(frame, aside, eye, eye.eyepiece.target(), EyeColours::all), part);
         } else {
-            const Target& seen = parts_->finish(frame, eye, side < 0.0 ? EyeColours::red : EyeColours::cyan);
-            if (side > 0.0) {
+            const EyeColours colours = is_left ? EyeColours::red : EyeColours::cyan;
+            const Target& seen = parts_->finish(frame, aside, eye, left.eyepiece.target(), colours);
+            if (!is_left) {
                 parts_->copy(seen, area);
             }
         }

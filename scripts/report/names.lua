@@ -93,7 +93,7 @@ names.own = {
     ["ia.flow_ml_min"] = "flow of the pump, irrigation and aspiration",
     ["ia.vacuum_mmhg"] = "limit of the vacuum, irrigation and aspiration",
     ["ia_tip.port_down"] = "the mouth of the tip looks back",
-    ["implant.in_place"] = "whether an implant lies in the eye",
+    ["implant.in_place"] = "an implant lies in the eye",
     ["implant.cornea_mm"] = "implant from the back of the cornea",
     ["implant.decentration_mm"] = "optic off the axis of the bag",
     ["implant.delivered"] = "implant out of the injector",
@@ -257,8 +257,8 @@ names.yes_no = set [[
     aspirating capsule_touch holding in_contact present ultrasound
     bag.rim_split beads.dropped capsule.captured capsule.open cartridge.inverted cartridge.tucked cortex.held
     cutter.cut_first hydro.burst ia_tip.port_down implant.haptic_leading_in_bag implant.haptic_trailing_in_bag
-    implant.released implant.upside_down injector.jammed iris.captured iris.touch lids.pedal_tested machine.infusion
-    rhexis.closed rhexis.opened rhexis.run_out viscoelastic.under_optic vitreous.held vitreous.hyaloid_broken
+    implant.in_place implant.released implant.upside_down injector.jammed iris.captured iris.touch lids.pedal_tested
+    machine.infusion rhexis.closed rhexis.opened rhexis.run_out viscoelastic.under_optic vitreous.held vitreous.hyaloid_broken
     wounds.checked wounds.main_cut wounds.side_cut zonules.ring ]]
 
 --- Names, or their last words, of shares from 0 to 1 that do not end with _share.

@@ -17,9 +17,12 @@ namespace {
 
 /// Shares of the window's size that a picture may have, so that there are enough of them.
 constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35};
-constexpr double least_rate = 15.0;  ///< pictures per second: below, they are drawn smaller
-constexpr int looked_at = 12;        ///< pictures, before that is decided,
-constexpr double looked_at_s = 1.5;  ///< or as many as there are in so long
+constexpr double least_rate = 15.0;   ///< pictures per second: below, they are drawn smaller
+constexpr int looked_at = 12;         ///< pictures, before that is decided,
+constexpr double looked_at_s = 1.5;   ///< or as many as there are in so long
+constexpr double coarse_share = 0.5;  ///< of the size of a picture while the eye moves under the microscope
+constexpr double still_mm = 0.02;     ///< from picture to picture: half a pixel,
+constexpr double turned_mm = 0.4;     ///< and of the camera about the eye, 200 mm away: as much at the eye's wall
 
 }  // namespace
 
@@ -36,8 +39,9 @@ std::vector<UserEvent> LivePicture::draw(Shown& shown, const std::vector<UserEve
     const double before = wall_seconds();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_.width(), window_.height());
-    renderer_->show(shown.frame, adjusted(microscope_camera(shown.frame), shown.hands),
-                    {0, 0, window_.width(), window_.height()}, wishes_.stereo);
+    const Camera camera = adjusted(microscope_camera(shown.frame), shown.hands);
+    renderer_for(shown.frame, camera)
+        .show(shown.frame, camera, {0, 0, window_.width(), window_.height()}, wishes_.stereo);
     std::vector<UserEvent> clicked =
         panels_.draw(shown, wishes_.ghost, {rate_, picture_sizes[static_cast<std::size_t>(size_)]});
     if (taken != nullptr) {
@@ -46,6 +50,38 @@ std::vector<UserEvent> LivePicture::draw(Shown& shown, const std::vector<UserEve
     window_.present();
     count(wall_seconds() - before);
     return clicked;
+}
+
+bool LivePicture::moves(const Frame& frame, const Camera& camera) {
+    if (!frame.eye) {
+        return false;
+    }
+    const Camera seen =
+        frame.globe && frame.model->globe ? camera_in_eye(camera, *frame.model->globe, *frame.globe) : camera;
+    const Sight before = std::exchange(sight_, {seen.eye, seen.target, seen.focus_mm, frame.eye->pupil_radius});
+    return ((sight_.camera - sight_.target) - (before.camera - before.target)).norm() > turned_mm ||
+           (sight_.target - before.target).norm() > still_mm ||
+           std::abs(sight_.focus_mm - before.focus_mm) > still_mm ||
+           std::abs(sight_.pupil_radius - before.pupil_radius) > still_mm;
+}
+
+/// While the eye moves under the microscope every place of a picture is new: it is drawn in a fourth of the pixels, and
+/// sharp again when it stands.
+Renderer& LivePicture::renderer_for(const Frame& frame, const Camera& camera) {
+    if (!moves(frame, camera) || !wishes_.keep_rate) {
+        return *renderer_;
+    }
+    if (coarse_ == nullptr) {
+        const double share = coarse_share * picture_sizes[static_cast<std::size_t>(size_)];
+        Result<Renderer> coarse = Renderer::create_in_window(static_cast<int>(share * window_.width()),
+                                                             static_cast<int>(share * window_.height()));
+        if (!coarse) {
+            return *renderer_;
+        }
+        coarse_ = std::make_unique<Renderer>(std::move(coarse).value());
+        first_look_ = true;
+    }
+    return *coarse_;
 }
 
 void LivePicture::count(double took_s) {
@@ -82,6 +118,7 @@ void LivePicture::draw_smaller(double mean_s) {
                                                           static_cast<int>(share * window_.height()));
     if (smaller) {
         renderer_ = std::make_unique<Renderer>(std::move(smaller).value());
+        coarse_ = nullptr;
     }
     first_look_ = true;
 }

@@ -30,6 +30,15 @@ public:
     std::vector<UserEvent> draw(Shown& shown, const std::vector<UserEvent>& after, Image* taken = nullptr);
 
 private:
+    /// What a picture of an eye is seen of.
+    struct Sight {
+        Vec3 camera = Vec3::Zero();  ///< in the eye's frame [mm]
+        Vec3 target = Vec3::Zero();
+        double focus_mm = 0.0;
+        double pupil_radius = 0.0;
+    };
+    bool moves(const Frame& frame, const Camera& camera);
+    Renderer& renderer_for(const Frame& frame, const Camera& camera);
     void count(double took_s);
     void draw_smaller(double mean_s);
     void run_ahead(Shown& shown, const std::vector<UserEvent>& after);
@@ -38,6 +47,8 @@ private:
     Panels& panels_;
     Wishes wishes_;
     std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Renderer> coarse_;  ///< made when it is first needed
+    Sight sight_;                       ///< of the picture before
     HoldScript holds_;
     double begun_s_;
     double rate_ = 0.0;

@@ -35,6 +35,7 @@ return {
     ["strength of the posterior capsule, of the usual"] =
         "résistance de la capsule postérieure, par rapport à la normale",
     ["toughness of the anterior capsule, of the usual"] = "ténacité de la capsule antérieure, par rapport à la normale",
+    ["an implant lies in the eye"] = "un implant est en place",
     ["stain of the anterior capsule with trypan blue"] = "coloration de la capsule antérieure au bleu trypan",
     ["diameter of the opening of the bag"] = "diamètre de l'ouverture du sac",
     ["injector turned over"] = "injecteur retourné",
