@@ -258,8 +258,8 @@ names.yes_no = set [[
     bag.rim_split beads.dropped capsule.captured capsule.open cartridge.inverted cartridge.tucked cortex.held
     cutter.cut_first hydro.burst ia_tip.port_down implant.haptic_leading_in_bag implant.haptic_trailing_in_bag
     implant.in_place implant.released implant.upside_down injector.jammed iris.captured iris.touch lids.pedal_tested
-    machine.infusion rhexis.closed rhexis.opened rhexis.run_out viscoelastic.under_optic vitreous.held vitreous.hyaloid_broken
-    wounds.checked wounds.main_cut wounds.side_cut zonules.ring ]]
+    machine.infusion rhexis.closed rhexis.opened rhexis.run_out viscoelastic.under_optic vitreous.held
+    vitreous.hyaloid_broken wounds.checked wounds.main_cut wounds.side_cut zonules.ring ]]
 
 --- Names, or their last words, of shares from 0 to 1 that do not end with _share.
 names.shares = set [[

@@ -17,8 +17,8 @@ namespace {
 
 /// Shares of the window's size that a picture may have, so that there are enough of them.
 constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35};
-constexpr double least_rate = 15.0;   ///< pictures per second: below, they are drawn smaller
-constexpr int looked_at = 12;         ///< pictures, before that is decided,
+constexpr double least_rate = 20.0;   ///< pictures per second: below, they are drawn smaller
+constexpr int looked_at = 24;         ///< pictures, before that is decided,
 constexpr double looked_at_s = 1.5;   ///< or as many as there are in so long
 constexpr double coarse_share = 0.5;  ///< of the size of a picture while the eye moves under the microscope
 constexpr double still_mm = 0.02;     ///< from picture to picture: half a pixel,
