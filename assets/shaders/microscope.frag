@@ -163,9 +163,9 @@ vec3 capsule(vec3 entry, vec3 way) {
         float aside = acos(clamp(dot(around, loose.xy), -1.0, 1.0)) / loose.z;
         float where = smoothstep(1.25, 0.75, aside) * smoothstep(0.05, 0.5, off);
         float wave = sin(15.0 * radius + 9.0 * texture(detail_map, around * 0.5 + 0.05 * radius).r + 2.0 * aside);
-        slack = where * wave;
+        slack = where * wave * smoothstep(0.30, 0.70, texture(detail_map, at.xy * 0.06 + 0.3).g);
     }
-    return lamp * (0.045 * max(slack, 0.0) * max(slack, 0.0) - 0.010 * max(-slack, 0.0) + 0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
+    return lamp * (0.032 * max(slack, 0.0) * max(slack, 0.0) - 0.006 * max(-slack, 0.0) + 0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
 }
 
 // Beyond the edge of a bag that has come out behind the iris: the reflex without a lens, and the edge itself.
