@@ -17,9 +17,10 @@ namespace {
 
 /// Shares of the window's size that a picture may have, so that there are enough of them.
 constexpr std::array picture_sizes = {1.0, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35};
-constexpr double least_rate = 20.0;   ///< pictures per second: below, they are drawn smaller
-constexpr int looked_at = 24;         ///< pictures, before that is decided,
-constexpr double looked_at_s = 1.5;   ///< or as many as there are in so long
+constexpr double least_rate = 15.0;    ///< pictures per second: below, they are drawn smaller
+constexpr std::size_t looked_at = 24;  ///< pictures, before that is decided,
+constexpr double looked_at_s = 1.5;    ///< or as many as there are in so long, but so many:
+constexpr std::size_t least_looked_at = 9;
 constexpr double coarse_share = 0.5;  ///< of the size of a picture while the eye moves under the microscope
 constexpr double still_mm = 0.02;     ///< from picture to picture: half a pixel,
 constexpr double turned_mm = 0.4;     ///< and of the camera about the eye, 200 mm away: as much at the eye's wall
@@ -93,22 +94,26 @@ void LivePicture::count(double took_s) {
         begun_s_ = now;
         count_ = 0;
     }
-    if (++looked_ < looked_at && slow_s_ < looked_at_s) {
+    took_s_.push_back(took_s);
+    if (took_s_.size() < least_looked_at || (took_s_.size() < looked_at && slow_s_ < looked_at_s)) {
         return;
     }
-    const double mean_s = slow_s_ / looked_;
-    looked_ = 0;
+    // The median: what a driver builds when something shows for the first time takes seconds once.
+    const auto middle = took_s_.begin() + static_cast<std::ptrdiff_t>(took_s_.size() / 2);
+    std::nth_element(took_s_.begin(), middle, took_s_.end());
+    const double usual_s = *middle;
+    took_s_.clear();
     slow_s_ = 0.0;
-    if (wishes_.keep_rate && !first_look_ && mean_s > 1.0 / least_rate &&
+    if (wishes_.keep_rate && !first_look_ && usual_s > 1.0 / least_rate &&
         size_ + 1 < static_cast<int>(picture_sizes.size())) {
-        draw_smaller(mean_s);
+        draw_smaller(usual_s);
     }
     first_look_ = false;  // textures were painted meanwhile
 }
 
 /// As much smaller as it takes: pixels cost the time.
-void LivePicture::draw_smaller(double mean_s) {
-    const double wanted = picture_sizes[static_cast<std::size_t>(size_)] * std::sqrt(1.0 / (least_rate * mean_s));
+void LivePicture::draw_smaller(double usual_s) {
+    const double wanted = picture_sizes[static_cast<std::size_t>(size_)] * std::sqrt(1.0 / (least_rate * usual_s));
     while (size_ + 1 < static_cast<int>(picture_sizes.size()) &&
            picture_sizes[static_cast<std::size_t>(size_)] > wanted) {
         ++size_;

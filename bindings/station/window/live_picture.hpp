@@ -40,7 +40,7 @@ private:
     bool moves(const Frame& frame, const Camera& camera);
     Renderer& renderer_for(const Frame& frame, const Camera& camera);
     void count(double took_s);
-    void draw_smaller(double mean_s);
+    void draw_smaller(double usual_s);
     void run_ahead(Shown& shown, const std::vector<UserEvent>& after);
 
     Window& window_;
@@ -53,8 +53,8 @@ private:
     double begun_s_;
     double rate_ = 0.0;
     int count_ = 0;
-    int size_ = 0;  ///< in picture_sizes
-    int looked_ = 0;
+    int size_ = 0;                ///< in picture_sizes
+    std::vector<double> took_s_;  ///< of the pictures that are looked at now
     double slow_s_ = 0.0;
     bool first_look_ = true;
 };
