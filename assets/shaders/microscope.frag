@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The eye under the operating microscope. Lamps lie close to the line of sight. Inside the eye the pixel's line is bent
 // once, at the cornea (see View in kernel/render/view.hpp).
-// What a scene shows beyond a healthy eye are features (names in capitals, 0 or 1; microscope_view.cpp): without them a
-// program is cheaper. The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1 where the cornea shows,
-// 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the middle of the pupil,
-// where neither iris nor wound nor limbus can show. What eye_front.glsl, bag_support.glsl and pupil_contents.glsl have comes before it.
-// Under a microscope that stands still, parts 0 and 1 are kept as light, before instruments and lamp: 4 and 5 write what
-// is kept of them, 6 and 7 draw with it, and 8 the pupil. What lies over the iris is linear in what lies under it: light = share * iris
-// + added.
+// What a scene shows beyond a healthy eye are features (names in capitals, 0 or 1; eye_parameters.cpp): without them a
+// program is cheaper. The picture is put together in parts, each with what it needs only: PART 0 beyond the limbus, 1
+// where the cornea shows, 2 where the edge of the pupil does: each draws what the ones before it do, and more. 3 is the
+// middle of the pupil, where neither iris nor wound nor limbus can show. What eye_front.glsl, bag_support.glsl and
+// pupil_contents.glsl have comes before it.
+// Under a microscope that stands still, parts 0 and 1, and what lies over the pupil, are kept as light, before instruments
+// and lamp: 4 and 5 write what is kept of them, 6 and 7 draw with it, and 8 the pupil. What lies over the iris is linear in
+// what lies under it: light = share * iris + added.
 #if PART == 2 || PART == 3 || PART == 8
 uniform sampler2D optical_depth;
 uniform sampler2D soft_depth;
@@ -125,7 +126,7 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
         return mix(lens, bead_colour(crumb), crumb.x * (1.0 - tool.a));
     }
     // It lets light through where it is thin, and is as brown as what it broke from.
-    vec3 flake = mix(lens, lens + (0.010 + 0.035 * crumb.y) * vec3(0.95, 0.74, 0.50) * lamp, 0.9);
+    vec3 flake = lens + (0.009 + 0.0315 * crumb.y) * vec3(0.95, 0.74, 0.50) * lamp;
     return mix(lens, flake * (0.70 + 0.45 * crumb.y), crumb.x * (1.0 - tool.a));
 }
 
@@ -165,7 +166,8 @@ vec3 capsule(vec3 entry, vec3 way) {
         float wave = sin(15.0 * radius + 9.0 * texture(detail_map, around * 0.5 + 0.05 * radius).r + 2.0 * aside);
         slack = where * wave * smoothstep(0.30, 0.70, texture(detail_map, at.xy * 0.06 + 0.3).g);
     }
-    return lamp * (0.032 * max(slack, 0.0) * max(slack, 0.0) - 0.006 * max(-slack, 0.0) + 0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
+    float ridges = 0.032 * max(slack, 0.0) * max(slack, 0.0) - 0.006 * max(-slack, 0.0);
+    return lamp * (ridges + 0.15 * edge * lit + 0.04 * fold * lit + veil * (0.003 + 0.012 * smoothstep(0.72, 1.0, sheen)));
 }
 
 // Beyond the edge of a bag that has come out behind the iris: the reflex without a lens, and the edge itself.

@@ -11,7 +11,7 @@
 
 namespace rhexis {
 
-/// Whether faces of a body have given way with tissue on both sides.
+/// Whether faces of a body have given way.
 bool has_cracks(const Frame& frame);
 
 class CrackLayer {

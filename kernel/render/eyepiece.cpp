@@ -65,25 +65,24 @@ double reach_of(double spread) {
     return spread > 1.3 ? 0.2 * spread + 1.5 * std::exp2(levels_for(spread)) : 0.0;  // what is painted has a margin
 }
 
-/// Sclera beside the limbus, where instruments pass.
-double sclera_height(const EyeAnatomy& eye) {
-    constexpr double beside = 3.0;
+/// Of the sclera, so far from the axis.
+double sclera_height(const EyeAnatomy& eye, double from_axis) {
     const Vec4 globe = globe_ball(eye);
-    const double far = eye.limbus_radius + beside;
-    return globe.z() + std::sqrt(std::max(0.0, globe.w() * globe.w() - far * far));
+    return globe.z() + std::sqrt(std::max(0.0, globe.w() * globe.w() - from_axis * from_axis));
 }
 
 /// Smaller copies that show, of an eye and of instruments.
 int levels_of(const Frame& frame, const Camera& camera, const Texture& picture) {
-    const Vec4 globe = globe_ball(*frame.eye);
     const double corner = 0.5 * camera.field_mm * std::hypot(1.0, double(picture.width) / picture.height) +
                           camera.target.head<2>().norm();
-    std::vector<double> heights{back_of(frame), frame.eye->cornea_apex_z,
-                                globe.z() + std::sqrt(std::max(0.0, globe.w() * globe.w() - corner * corner))};
+    std::vector<double> heights{back_of(frame), frame.eye->cornea_apex_z, sclera_height(*frame.eye, corner)};
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
+        if (!frame.tools[i].present) {
+            continue;
+        }
         for (const RoundedCone& part : drawn_parts(frame.model->tools[i])) {
             for (const Vec3& end : {part.a, part.b}) {
-                heights.push_back(frame.tools[i].present ? frame.tools[i].pose.to_world(end).z() : heights[0]);
+                heights.push_back(frame.tools[i].pose.to_world(end).z());
             }
         }
     }
@@ -143,8 +142,7 @@ void Eyepiece::set_all(const Program& program, const EyepieceLayers& layers, con
 /// Whether all is looked at as the last time.
 bool Eyepiece::is_same(Program& program, const EyepieceLayers& layers, const Frame& frame, const Camera& camera,
                        EyeColours colours) {
-    const bool spreads = camera.aperture > 0.0;
-    now_.assign(1, static_cast<unsigned char>(spreads));
+    now_.assign(1, camera.aperture > 0.0 ? 1 : 0);
     program.log_to(&now_);
     set_all(program, layers, frame, camera, colours);
     program.log_to(nullptr);
@@ -165,7 +163,9 @@ void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Came
     smaller_.make(layers.picture, changed_, levels_of(frame, camera, layers.picture));
     changed_.grow(reach(frame.eye->iris_z));
     TileMask disturbed = layers.disturbed;
-    disturbed.grow(std::max(reach(sclera_height(*frame.eye)), reach(frame.eye->iris_z)));
+    constexpr double beside_limbus = 3.0;  // where instruments pass [mm]
+    const double sclera_z = sclera_height(*frame.eye, frame.eye->limbus_radius + beside_limbus);
+    disturbed.grow(std::max(reach(sclera_z), reach(frame.eye->iris_z)));
     changed_.mark(disturbed.rects());
     into.bind();
     for (const bool with_tools : {false, true}) {

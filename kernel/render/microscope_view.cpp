@@ -317,7 +317,7 @@ void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const V
     TileMask stale = disturbed_;
     const bool film_jumps = std::abs(frame.time_s - kept_->time_s) > film_jump_s;
     for (const PixelRect& band : where.iris) {
-        if (film_jumps || !kept_->is_written || (band.y / band_rows + kept_->turn) % film_turns == 0) {
+        if (film_jumps || (band.y / band_rows + kept_->turn) % film_turns == 0) {
             stale.mark(band);
         }
     }
@@ -343,9 +343,11 @@ bool MicroscopeView::is_still(const Frame& frame, const View& inner, const Depth
                               const View& outer, double stop_pixels) {
     const auto* stop = reinterpret_cast<const unsigned char*>(&stop_pixels);
     kept_->now.assign(stop, stop + sizeof stop_pixels);
-    kept_->now.push_back(static_cast<unsigned char>(features_of(frame, false)));
+    const unsigned features = features_of(frame, false);
+    const auto* shown = reinterpret_cast<const unsigned char*>(&features);
+    kept_->now.insert(kept_->now.end(), shown, shown + sizeof features);
     for (ProgramVariants* variants : {&kept_->write_white, &kept_->write_iris}) {
-        Program& program = variants->with(features_of(frame, false));
+        Program& program = variants->with(features);
         program.log_to(&kept_->now);
         compose(program, frame, inner, depth, detail, outer);
         program.log_to(nullptr);

@@ -157,11 +157,7 @@ void ToolPainter::paint_tool(const ToolMesh& mesh, const ToolState& tool, const 
         program.set("world_from_body", matrix_of(pose));
         program.set("finish", static_cast<int>(part.finish));
         stream_.clear();
-        if (bare || scene.eye == nullptr) {
-            append_triangles(part, stream_);
-        } else {
-            append_triangles_in(scene.medium, *scene.eye, pose, part, stream_);
-        }
+        append_triangles(part, stream_);
         (is_clear(part.finish) ? glEnable : glDisable)(GL_BLEND);
         vertices_.send(stream_);
         vertices_.draw();

@@ -4,12 +4,14 @@
 
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
-#include "render/medium_clip.hpp"
 #include "render/tile_mask.hpp"
 #include "render/tool_mesh.hpp"
 #include "render/view.hpp"
 
 namespace rhexis {
+
+/// Which side of the eye's wall to draw.
+enum class Medium { all = 0, inside = 1, outside = 2 };
 
 /// Draws instruments into the bound target, over what its depth lets through: colour times coverage, and coverage.
 class ToolPainter {
