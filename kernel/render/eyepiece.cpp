@@ -168,6 +168,9 @@ void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Came
     disturbed.grow(std::max(reach(sclera_z), reach(frame.eye->iris_z)));
     changed_.mark(disturbed.rects());
     into.bind();
+    const bool red = colours != EyeColours::cyan;
+    const bool cyan = colours != EyeColours::red;
+    glColorMask(red, cyan, cyan, GL_TRUE);
     for (const bool with_tools : {false, true}) {
         const Program& program = programs_.with(features | (with_tools ? instruments : 0U));
         set_all(program, layers, frame, camera, colours);
@@ -181,6 +184,7 @@ void Eyepiece::look(const EyepieceLayers& layers, const Frame& frame, const Came
         rectangles_.send(triangles_of(where, into.width, into.height));
         rectangles_.draw();
     }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace rhexis

@@ -12,6 +12,8 @@ namespace rhexis {
 
 namespace {
 
+constexpr std::array<GLfloat, 4> nothing{no_stop, no_stop, 0.0F, 0.0F};  ///< depth, smoothed over a long way too
+
 constexpr double smoothing_mm = 0.12;  ///< about half of an edge of the fine mesh
 
 struct Level {
@@ -93,11 +95,26 @@ void LensFront::collect(const Frame& frame) {
     }
 }
 
+/// Smoothing reaches beyond what is drawn, and must not find there what an earlier picture left.
+void LensFront::clear_beyond(const PixelRect& area) {
+    if (drawn_ == area) {
+        return;
+    }
+    drawn_ = area;
+    for (const Target* target : {&front_, &half_, &smooth_}) {
+        target->bind();
+        glClearBufferfv(GL_COLOR, 0, nothing.data());
+    }
+    slopes_.bind();
+    const std::array<GLfloat, 4> no_surface{};
+    glClearBufferfv(GL_COLOR, 0, no_surface.data());
+}
+
 void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference, const PixelRect& area) {
     collect(frame);
+    clear_beyond(area);
     front_.bind();
     const Scissor scissor(area);
-    const std::array<GLfloat, 4> nothing{no_stop, 0.0F, 0.0F, 0.0F};
     const GLfloat farthest = 1.0F;
     glDepthMask(GL_TRUE);
     glClearBufferfv(GL_COLOR, 0, nothing.data());

@@ -2,6 +2,8 @@
 // The first surface of what is left of the bodies, for relief and texture.
 #pragma once
 
+#include <optional>
+
 #include "flow/frame.hpp"
 #include "render/gl_objects.hpp"
 #include "render/pixel_rect.hpp"
@@ -14,7 +16,7 @@ public:
     static Result<LensFront> create(int width, int height);
 
     /// Depths are measured as in DepthPass, from the plane through `reference`.
-    /// Within `area`, what lies outside is stale.
+    /// Within `area`; outside of it there is nothing.
     void draw(const Frame& frame, const View& view, const Vec3& reference, const PixelRect& area);
 
     /// RGBA32F: depth (beyond 1000: nothing there), and where that tissue lay at rest.
@@ -26,6 +28,7 @@ public:
 private:
     LensFront(Program front, Program blur, Program slopes, int width, int height);
     void collect(const Frame& frame);
+    void clear_beyond(const PixelRect& area);
     void smooth(double pixel_mm);
 
     Program front_program_;
@@ -35,6 +38,7 @@ private:
     Target half_;
     Target smooth_;  ///< depth over a short and a long way
     Target slopes_;
+    std::optional<PixelRect> drawn_;  ///< what may hold something
     VertexStream vertices_;
     std::vector<float> stream_;
     std::vector<Vec3> fine_;

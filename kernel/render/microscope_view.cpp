@@ -13,7 +13,8 @@ namespace {
 constexpr std::array part_names{"beyond the limbus", "iris", "edge of the pupil", "middle of the pupil"};
 
 constexpr double softening_mm = 0.10;  ///< standard deviation: tissue scatters, and facets should not show
-constexpr int area_margin = 10;        ///< [pixels] that smoothing reaches beyond the pupil
+constexpr double beyond_mm = 0.22;     ///< as far smoothing and the shadows of sheets reach beyond the pupil,
+constexpr int area_margin = 4;         ///< [pixels] and so much more
 
 constexpr double sheet_margin = 0.6;  ///< beyond the pupil's edge that sheets are drawn [mm]
 
@@ -103,7 +104,8 @@ EyeAreas eye_areas(const EyeAnatomy& eye, const View& outer, const View& inner) 
     EyeAreas areas;
     areas.cornea = united(rect_around_circle(outer, eye.limbus_radius + 0.5, eye.limbus_z, 2),
                           rect_around_circle(outer, 0.5 * eye.limbus_radius, eye.cornea_apex_z, 2));
-    areas.pupil = rect_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, area_margin);
+    const int margin = area_margin + static_cast<int>(beyond_mm / pixel_mm(inner, Vec3(0.0, 0.0, eye.iris_z)));
+    areas.pupil = rect_around_circle(inner, opening_of(eye) + 0.05, eye.iris_z, margin);
     // The pupil's part draws everything that the cornea's does, so it may reach beyond.
     areas.cornea = united(areas.cornea, areas.pupil);
     return areas;
@@ -198,6 +200,7 @@ MicroscopeView::MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts
                                   GL_RGBA8, GL_LINEAR)),
       picture_(make_single_target(width, height, GL_RGBA16F, GL_LINEAR_MIPMAP_LINEAR)),
       tools_(width, height),
+      shaded_(width, height),
       disturbed_(width, height),
       painted_(width, height),
       rectangles_({2}) {
@@ -248,6 +251,10 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
         clock.end("light that is kept");
     }
     picture_.bind();
+    if (stop_pixels_ != stop_pixels) {  // what spreads looks a little beyond the stop
+        glClear(GL_COLOR_BUFFER_BIT);
+        stop_pixels_ = stop_pixels;
+    }
     if (still) {
         draw_kept(where, frame, inner, depth, detail, outer, clock);
     } else {
@@ -273,19 +280,19 @@ MicroscopeView::Regions MicroscopeView::regions_of(const Frame& frame, const Vie
     return where;
 }
 
-/// Tiles of instruments and of their shadows.
+/// Tiles of instruments and of their shadows, now and in the picture before.
 void MicroscopeView::find_instruments(const View& inner) {
+    disturbed_ = shaded_;
     tools_.clear();
-    tools_.mark(inside_.covered().rects());
-    tools_.mark(outside_.covered().rects());
-    disturbed_.clear();
+    shaded_.clear();
     for (const auto& [layer, shift] : {std::pair(&inside_, inner_shadow), std::pair(&outside_, outer_shadow)}) {
-        const std::vector<PixelRect> stale = layer->stale().rects();
-        disturbed_.mark(stale);
-        for (const PixelRect& rect : stale) {
-            disturbed_.mark(shadow_of(rect, shift, inner));
+        disturbed_.mark(layer->stale().rects());
+        for (const PixelRect& rect : layer->covered().rects()) {
+            tools_.mark(rect);
+            shaded_.mark(shadow_of(rect, shift, inner));
         }
     }
+    disturbed_.mark(shaded_.rects());
 }
 
 void MicroscopeView::draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,

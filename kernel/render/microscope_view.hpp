@@ -120,9 +120,11 @@ private:
     Target soft_;     ///< and upwards
     Target shadows_;  ///< an eighth of the size
     Target picture_;
-    TileMask tools_;      ///< where instruments are
-    TileMask disturbed_;  ///< where instruments or their shadows are, or were in the picture before
-    TileMask painted_;    ///< what of the picture is new
+    TileMask tools_;            ///< where instruments are
+    TileMask shaded_;           ///< where their shadows may be
+    TileMask disturbed_;        ///< where instruments or their shadows are, or were in the picture before
+    TileMask painted_;          ///< what of the picture is new
+    double stop_pixels_ = 0.0;  ///< radius of the field in the picture before
     VertexStream rectangles_;
     std::optional<EyeTextures> textures_;
     PaintedFor painted_for_;

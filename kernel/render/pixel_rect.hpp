@@ -17,6 +17,7 @@ struct PixelRect {
     int height = 0;
 
     [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+    bool operator==(const PixelRect&) const = default;
 };
 
 PixelRect whole(const View& view);

@@ -255,11 +255,7 @@ const Target& Renderer::Parts::finish(const Frame& frame, const Camera& camera, 
     if (!frame.eye) {
         return painted;
     }
-    const bool all = colours == EyeColours::all;
-    glColorMask(all || colours == EyeColours::red, all || colours == EyeColours::cyan,
-                all || colours == EyeColours::cyan, GL_TRUE);
     look(frame, camera, eye, into, colours);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     clock.end("film");
     return into;
 }

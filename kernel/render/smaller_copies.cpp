@@ -33,10 +33,9 @@ Result<SmallerCopies> SmallerCopies::create() {
 
 /// The first time somewhere to draw them into.
 void SmallerCopies::reach_for(const Texture& picture, int levels) {
-    if (targets_of_ != *picture.name) {
-        targets_.clear();
-        targets_of_ = *picture.name;
-        show_levels(0, 1000);
+    if (targets_.empty() && levels > 0) {
+        constexpr int as_many_as_there_are = 1000;
+        show_levels(0, as_many_as_there_are);
         glGenerateMipmap(GL_TEXTURE_2D);
     }
     while (static_cast<int>(targets_.size()) < levels) {
@@ -53,7 +52,9 @@ void SmallerCopies::make(const Texture& picture, const TileMask& changed, int le
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, *picture.name);
     reach_for(picture, levels);
-    const std::vector<PixelRect> rects = changed.rects();
+    const PixelRect all{0, 0, picture.width, picture.height};
+    const std::vector<PixelRect> rects = levels > made_ ? std::vector{all} : changed.rects();
+    made_ = levels;
     for (int level = 1; level <= levels; ++level) {
         const int width = std::max(1, picture.width >> level);
         const int height = std::max(1, picture.height >> level);

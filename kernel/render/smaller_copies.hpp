@@ -11,8 +11,9 @@ class SmallerCopies {
 public:
     static Result<SmallerCopies> create();
 
-    /// Of a texture that is filtered with its copies: `levels` of them, each half the size of the one before, are made
-    /// anew where `changed` is marked. It then shows no smaller ones.
+    /// Of a texture that is filtered with its copies, always the same one: `levels` of them, each half the size of the
+    /// one before, are made anew where `changed` is marked, all of them where there are more than the last time. It
+    /// then shows no smaller ones.
     void make(const Texture& picture, const TileMask& changed, int levels);
 
 private:
@@ -22,7 +23,7 @@ private:
     Program halve_;
     VertexStream rectangles_;
     std::vector<GlName<release_framebuffer>> targets_;  ///< level 1, 2, ... of the picture
-    GLuint targets_of_ = 0;
+    int made_ = 0;                                      ///< the last time
 };
 
 }  // namespace rhexis

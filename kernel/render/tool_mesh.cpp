@@ -313,6 +313,37 @@ void clear_last(ToolMesh& mesh) {
                           [](const Part& part) { return !is_clear(part.finish); });
 }
 
+/// How far a place lies outside of a cone as thick as its thicker end. [mm]
+double outside_of(const RoundedCone& cone, const Vec3& place) {
+    const Vec3 along = cone.b - cone.a;
+    const double share =
+        along.squaredNorm() > 0.0 ? std::clamp((place - cone.a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0.0;
+    return (place - cone.a - share * along).norm() - std::max(cone.radius_a, cone.radius_b);
+}
+
+/// Bevels, edges and ends reach beyond the cones that parts were made along: the nearest grows until it holds them.
+void grow_bounds(ToolMesh& mesh) {
+    for (const Part& part : mesh.parts) {
+        for (const Vertex& corner : part.corners) {
+            const auto nearest = std::min_element(mesh.bounds.begin(), mesh.bounds.end(),
+                                                  [&](const RoundedCone& a, const RoundedCone& b) {
+                                                      return outside_of(a, corner.place) < outside_of(b, corner.place);
+                                                  });
+            const double outside = outside_of(*nearest, corner.place);
+            if (outside > 0.0) {
+                nearest->radius_a += outside;
+                nearest->radius_b += outside;
+            }
+        }
+    }
+}
+
+ToolMesh finished(ToolMesh mesh) {
+    clear_last(mesh);
+    grow_bounds(mesh);
+    return mesh;
+}
+
 }  // namespace
 
 void append_triangles(const ToolMesh::Part& part, std::vector<float>& stream) {
@@ -351,15 +382,13 @@ ToolMesh tool_mesh(const ToolModel& tool) {
     if (!shape || shape->with_own_parts) {
         add_own_parts(tool, mesh);
     }
-    clear_last(mesh);
-    return mesh;
+    return finished(std::move(mesh));
 }
 
 ToolMesh tool_mesh(const ToolShape& shape) {
     ToolMesh mesh;
     add_shape(shape, ToolModel{}, mesh);
-    clear_last(mesh);
-    return mesh;
+    return finished(std::move(mesh));
 }
 
 }  // namespace rhexis

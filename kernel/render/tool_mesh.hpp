@@ -21,7 +21,7 @@ struct ToolMesh {
         std::optional<Hinge> hinge{};  ///< it turns as the jaws open
     };
     std::vector<Part> parts;          ///< opaque ones first
-    std::vector<RoundedCone> bounds;  ///< all of it lies within these
+    std::vector<RoundedCone> bounds;  ///< closed, all of it lies within these, each as thick as its thicker end
 };
 
 /// Triangles of an instrument, of its shape (tool_shape.hpp) where it has one, else of what it touches with. The last

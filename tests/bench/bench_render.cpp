@@ -44,16 +44,6 @@ void move_on(Frame& frame) {
     }
 }
 
-/// The camera of a scene in which the microscope moves, where it stands still: with a round stop and depth of field.
-Camera through_microscope(const Frame& frame) {
-    MicroscopeModel model;
-    MicroscopeState microscope;
-    microscope.position = Vec3(0.0, 0.0, frame.eye->iris_z);
-    WorldModel world;
-    world.microscope = model;
-    return microscope_camera(*frame.eye, world, microscope);
-}
-
 /// The lens part alone: instruments' depth and signed faces, until the last pixel is there.
 Cost lens_cost(const Frame& frame, const Camera& camera, int repeats) {
     Result<GlContext> context = GlContext::create();
@@ -137,7 +127,7 @@ nlohmann::json run_render(const BenchOptions& options) {
     add("groove", sculpted_frame(3.0, 0.2, false));
     const Frame sculpting = sculpted_frame(3.0, 0.2, true);
     add("groove and instrument", sculpting);
-    rows.push_back(picture_row("through the microscope", sculpting, through_microscope(sculpting), options));
+    rows.push_back(picture_row("through the microscope", sculpting, microscope_camera_through(sculpting), options));
     return rows;
 }
 

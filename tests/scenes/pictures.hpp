@@ -9,6 +9,7 @@
 #include "eye/make_eye.hpp"
 #include "flow/frame.hpp"
 #include "mesh/shapes.hpp"
+#include "render/renderer.hpp"
 #include "tools/instruments.hpp"
 
 namespace rhexis::testing {
@@ -93,6 +94,15 @@ inline Frame sculpted_frame(double grade, double floor_z, bool with_tool) {
     frame.tools[0].present = with_tool;
     frame.tools[0].pose = hand_pose(Vec3(0.1, 0.9, floor_z + 0.25), 0.5);
     return frame;
+}
+
+/// The camera of a scene in which the microscope moves, over this eye's middle: with a round stop and depth of field.
+inline Camera microscope_camera_through(const Frame& frame) {
+    WorldModel world;
+    world.microscope.emplace();
+    MicroscopeState microscope;
+    microscope.position = Vec3(0.0, 0.0, frame.eye->iris_z);
+    return microscope_camera(*frame.eye, world, microscope);
 }
 
 }  // namespace rhexis::testing

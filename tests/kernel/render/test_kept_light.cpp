@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kept_width = 240;
 constexpr int kept_height = 180;
+constexpr int beside_edges = 3;  ///< of 255: in a few single pixels beside edges of instruments
+
 constexpr int of_a_pixel = 2;  ///< grey levels: light is kept in sixteen bits
 
 int most_apart(const Image& a, const Image& b) {
@@ -80,5 +82,38 @@ TEST_CASE("every golden picture looks the same from kept light") {
         keeping.draw(one.frame, camera);
         CHECK_MESSAGE(most_apart(keeping.draw(one.frame, camera), reference.draw(one.frame, camera)) <= of_a_pixel,
                       one.name);
+    }
+}
+
+TEST_CASE(
+    "kept light looks as light that is drawn anew through a microscope, however far instruments are out of focus") {
+    Renderer keeping = make_renderer(kept_width, kept_height, Light::kept);
+    Renderer reference = make_renderer(kept_width, kept_height);
+    Frame frame = sculpted_frame(3.0, 0.2, true);
+    const Camera camera = microscope_camera_through(frame);
+    const Vec3 low = frame.tools[0].pose.position;
+    for (const double height : {0.0, 0.0, 0.0, 9.0, 9.0, 4.0, 0.0, 12.0, 12.0, 0.5}) {
+        frame.time_s += 0.04;
+        frame.tools[0].pose.position = low + Vec3(0.1 * height, 0.0, height);
+        INFO(height << " mm up");
+        CHECK(most_apart(keeping.draw(frame, camera), reference.draw(frame, camera)) <= of_a_pixel);
+    }
+}
+
+TEST_CASE("a picture that is drawn anew does not depend on what was drawn before it") {
+    Renderer used = make_renderer(kept_width, kept_height);
+    Frame frame = sculpted_frame(3.0, 0.2, true);
+    for (const bool through : {false, true}) {
+        Camera camera = through ? microscope_camera_through(frame) : microscope_camera(frame);
+        for (const double zoom : {0.3, 1.6, 0.6, 1.0}) {
+            Camera zoomed = camera;
+            zoomed.field_mm *= zoom;
+            frame.tools[0].pose.position.z() += zoom < 0.5 ? 6.0 : -1.0;
+            CHECK(most_apart(used.draw(frame, zoomed), make_renderer(kept_width, kept_height).draw(frame, zoomed)) <=
+                  beside_edges);
+        }
+        frame.tools[0].present = false;
+        used.draw(frame, camera);
+        frame.tools[0].present = true;
     }
 }

@@ -97,7 +97,7 @@ TEST_CASE("what is drawn is where the instrument touches, within what is looked 
                 for (const RoundedCone& cone : mesh.bounds) {
                     outside = std::min(outside, distance_to(cone, corner.place));
                 }
-                CHECK_MESSAGE(outside < 0.5, name);
+                CHECK_MESSAGE(outside < 1e-9, name);
             }
         }
     }
