@@ -7,6 +7,7 @@ uniform sampler2D detail_map;
 uniform sampler2D outer_tools;
 uniform sampler2D shadows;  // of the instruments: red inside the eye, green outside
 uniform vec4 cornea;        // centre, radius
+uniform vec4 cornea_back;   // likewise
 uniform vec4 globe;
 uniform float limbus_radius;
 uniform float sclera_extent;
@@ -71,13 +72,16 @@ uniform float pupil_radius;
 uniform float incision_width;
 uniform vec4 prolapse;     // of the iris into the main wound: direction, from the axis, length; 0: there is none
 
+// A wide pupil has pushed the stroma into folds that lie in each other's shade; a narrow one has drawn it flat.
+float drawn_out() { return 1.0 + 2.4 * smoothstep(3.75, 1.9, pupil_radius); }
+
 vec3 iris_colour(vec3 at, float radius) {
     float outward = (radius - pupil_radius) / (limbus_radius + 0.25 - pupil_radius);
     float around = atan(at.y, at.x) / 6.2831853;
     // The level of detail by hand: the angle jumps where it wraps.
     float texel_mm = 6.2831853 * radius / float(textureSize(iris_map, 0).x);
     float level = max(0.0, log2(pixel_mm / texel_mm) - 0.5);
-    return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * lamp;
+    return textureLod(iris_map, vec2(around, clamp(outward, 0.002, 0.998)), level).rgb * drawn_out() * lamp;
 }
 
 // Iris that lies in the wound and before it: a moist fold, dark where its pigment shows at the rim, and its shadow on what
@@ -96,7 +100,7 @@ vec4 prolapsed(vec3 at) {
     float lit = clamp(dot(n, normalize(vec3(-0.34, 0.42, 1.0))), 0.0, 1.0);
     // The stroma is of one colour with the rest of the iris; its folds run towards the wound.
     vec4 folds = texture(detail_map, vec2(0.35 * along, 0.07 * out_to) + 0.05 * grain.rg);
-    vec3 stroma = textureLod(iris_map, vec2(0.25, 0.7), 7.0).rgb * lamp * (0.8 + 0.7 * smoothstep(0.3, 0.8, folds.r));
+    vec3 stroma = textureLod(iris_map, vec2(0.25, 0.7), 7.0).rgb * drawn_out() * lamp * (0.55 + 0.5 * smoothstep(0.3, 0.8, folds.r));
     float pigment = smoothstep(0.55, 1.0, round + 0.35 * (grain.g - 0.5));
     vec3 body = mix(stroma * (0.6 + 2.2 * lit), vec3(0.050, 0.032, 0.022) * (0.4 + 0.9 * lit), 0.75 * pigment);
     float wet = pow(clamp(dot(n, normalize(vec3(-0.16, 0.24, 1.0))), 0.0, 1.0), 60.0) * smoothstep(0.35, 0.75, grain.a + 0.3 * folds.g);
@@ -118,6 +122,7 @@ uniform vec2 wound_swelling;  // of the stroma beside the main wound and the sid
 uniform vec2 wound_fluid;     // radius of what lies on the lip of each [mm]
 uniform vec2 wound_peel;      // Descemet's membrane that hangs off at the inner lip of each [mm]
 uniform vec2 wound_stitches;  // that hold each
+uniform vec4 striae[2];       // of a cornea that a shaft bends beside its wound: inner lip, 0 none to 1
 uniform float time_s;
 uniform vec3 caught_edge;  // of the pupil: direction, how far it is drawn in
 
@@ -209,6 +214,32 @@ vec2 descemet_flap(vec3 at, vec3 inner_lip, float width, float peel) {
     float border = exp(-pow(aside / thin, 2.0)) * step(0.0, into) * step(into, free_end);
     return vec2(0.006 * on + 0.08 * max(scroll, 0.0) * on + 0.015 * border,
                 clamp(0.10 * on + 0.35 * max(-scroll, 0.0) * on, 0.0, 1.0));
+}
+
+// Folds of the cornea's back that run like a fan from a wound whose shaft is levered: each with light on one side and dark
+// on the other, the longer the more it is bent. Returns a brightness to add and the share it hides.
+vec2 striae_from(vec3 at, vec4 lip) {
+    const float fan = 0.125;     // from fold to fold [rad]
+    const float outside = 0.42;  // where they would meet, beyond the lip: share of its distance from the axis
+    float from_axis = length(lip.xy);
+    vec2 outward = lip.xy / from_axis;
+    vec2 from = at.xy - (1.0 + outside) * lip.xy;
+    vec2 line = vec2(dot(from, vec2(-outward.y, outward.x)), -dot(from, outward));
+    float far = length(line);
+    float into = far - outside * from_axis;
+    vec4 grain = texture(detail_map, at.xy * 0.05);
+    vec4 waves = texture(detail_map, at.xy * 0.025 + 0.4);
+    float turn = atan(line.x, line.y) + 0.10 * (waves.r - 0.5);
+    float fold = floor(turn / fan + 0.5);
+    float own = fract(0.618034 * fold + 0.37);
+    float across = (turn - fan * (fold + 0.35 * (own - 0.5))) * far;
+    float reach = (1.2 + 3.6 * lip.w) * (0.55 + 0.45 * own);
+    float on = smoothstep(-0.1, 0.5, into) * (1.0 - smoothstep(0.4 * reach, reach, into)) *
+               (1.0 - smoothstep(0.40, 0.62, abs(turn))) * smoothstep(0.15, 0.55, own + lip.w) * (0.5 + 0.8 * grain.g);
+    float wide = max(0.06, 0.9 * pixel_mm);
+    float bright = exp(-pow((across - wide) / wide, 2.0));
+    float dark = exp(-pow((across + wide) / (1.3 * wide), 2.0));
+    return lip.w * on * vec2(0.060 * bright, 0.42 * dark);
 }
 
 // Stitches across an outer lip: how much of each place the thread hides, and how far the cornea is drawn in beside it.

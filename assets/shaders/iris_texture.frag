@@ -41,7 +41,7 @@ void main() {
     float fibres = clamp(0.20 * back + 0.48 * coarse + 0.30 * fine + 0.14 * hair, 0.0, 1.0);
     float patches = clouds(vec2(around * 11.0, outward * 2.0), ivec2(11, 16), 3, 55u);
 
-    vec3 outer = mix(vec3(0.035, 0.055, 0.075), vec3(0.34, 0.42, 0.46), pow(fibres, 1.35));
+    vec3 outer = mix(vec3(0.052, 0.050, 0.042), vec3(0.37, 0.37, 0.28), pow(fibres, 1.35));
     outer = mix(outer, outer * vec3(1.25, 1.05, 0.72), 0.8 * smoothstep(0.45, 0.75, patches));
     vec3 inner = mix(vec3(0.075, 0.038, 0.016), vec3(0.44, 0.28, 0.13), pow(fibres, 1.2));
     vec3 reflectance = mix(inner, outer, zone);
@@ -71,6 +71,6 @@ void main() {
 
     reflectance *= 1.0 - 0.55 * smoothstep(0.60, 1.0, outward);
     // Under a wet cornea, and lit as little as it is beside the spot's middle, it shows soft and dark.
-    reflectance = 0.10 * mix(reflectance, vec3(0.20, 0.18, 0.15), 0.55);
+    reflectance = 0.07 * mix(reflectance, vec3(0.20, 0.175, 0.135), 0.42);
     colour = vec4(reflectance, 1.0);
 }

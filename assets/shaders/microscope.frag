@@ -90,11 +90,13 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     // The fundus is not even, nor is what lies in the light's way: patches of the reflex.
     vec4 patches = texture(detail_map, entry.xy * 0.021 + vec2(0.37, 0.11));
     cone *= 0.25 + 1.05 * patches.r + 0.40 * patches.g;
-    // Without a lens the fundus shows through: brighter in the middle, and not even.
+    // Where no lens is left the fundus shows through: brighter in the middle, and not even. An eye without any is out of
+    // focus, so that the lamp lights a wider patch of its fundus, and less comes back.
     float bare = exp(-12.0 * max(depth.g, 0.0));
+    float blurred = OPTIC == 1 ? 0.0 : smoothstep(0.80, 0.98, reaches.g);
     float uneven = 0.90 + 0.16 * texture(detail_map, entry.xy * 0.016 + 0.21).r +
                    0.08 * texture(detail_map, entry.xy * 0.05).g;
-    cone *= mix(1.0, 0.84 * uneven * (1.02 - 0.40 * pow(radius / pupil_radius, 2.0)), bare);
+    cone *= mix(1.0, mix(0.84, 0.58, blurred) * uneven * (1.02 - mix(0.40, 0.55, blurred) * pow(radius / pupil_radius, 2.0)), bare);
     vec3 reflex = fundus * mix(vec3(1.0), vec3(1.0, 0.92, 0.80), bare) * fundus_light * lamp_share * reaches * look.clear * cone * posterior_capsule(entry, way);
     // The edge of the wave bends the light away, and what it has parted is a little duller.
     float cells = bag_cells_at(entry, way);
@@ -109,7 +111,7 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     vec3 lens = haze + behind * through + 0.006 * look.shine * lamp * smoothstep(0.02, 0.2, depth.g);
     float strands = vitreous_at(entry, way) * (1.0 - tool.a);
     lens = mix(lens * (1.0 - 0.05 * strands), vec3(0.74, 0.74, 0.72) * lamp, 0.85 * vitreous_white * strands);
-    lens = mix(lens, vec3(0.13, 0.125, 0.115) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
+    lens = mix(lens, vec3(0.112, 0.098, 0.074) * lamp, 0.75 * cortex * fluff(entry) * (1.0 - tool.a));
     if (OPTIC == 1) {
         vec2 off = (entry + (optic.z - entry.z) / way.z * way).xy - optic.xy;
         vec2 visco = viscoelastic_at(off);
@@ -304,6 +306,9 @@ vec3 iris_at(Inside line) {
 #endif
 
 #if PART == 1 || PART == 2 || PART == 3 || PART == 5
+// Of what the front of the cornea mirrors, its back, by Fresnel: 1.376 to 1.336 against 1 to 1.376.
+const float from_back = 0.0087;
+
 // What lies over what shows inside the eye: hooks, cornea with its wounds, limbus, lamps. white: sclera and lids.
 vec3 over_inside(vec3 inner, Inside line, vec3 outside, vec3 white_light, out float clear) {
 #if PART == 3
@@ -349,9 +354,19 @@ vec3 over_inside(vec3 inner, Inside line, vec3 outside, vec3 white_light, out fl
                     wound_swelling.y * swollen_stroma(on_cornea, side_port, side_port_width, grain.g));
     }
 #endif
+    for (int i = 0; STRIAE == 1 && i < 2; ++i) {
+        if (striae[i].w > 0.0) {
+            vec2 folds = striae_from(on_cornea, striae[i]);
+            inner = inner * (1.0 - folds.y) + folds.x * lamp;
+        }
+    }
     vec3 picture = mix(inner, white_light, white);
     vec3 mirror = reflect(outside, normalize(on_cornea - cornea.xyz));
     vec2 lamps = lamps_in(on_cornea, mirror, grain.rg - 0.5);
+    // The second image of each, in the back of the cornea, is smaller and duller by the change of index there.
+    vec3 on_back = view_eye + to_ball(view_eye, outside, cornea_back) * outside;
+    vec3 back_mirror = reflect(outside, normalize(on_back - cornea_back.xyz));
+    lamps.x += from_back * lamps_in(on_back, back_mirror, grain.rg - 0.5).x;
     clear = (1.0 - white) * step(0.0, to_cornea);
 #if PART != 3
     if (WOUNDS == 1 && wound_stitches.x > 0.0) {
@@ -391,7 +406,7 @@ vec3 pupil_at(Inside line, vec4 tool, float shade) {
     vec3 deep = under_sheets(lens) * (1.0 - 0.12 * shade) + capsule(line.entry, line.way) * (1.0 - 0.92 * tool.a);
     deep = with_ring_fed(deep, line.on_iris.xy, tool.a);
     float edge = edge_at(line.on_iris, rho);
-    return deep * (1.0 - 0.35 * float(has_iris) * smoothstep(edge - 0.20, edge, rho));
+    return deep * (1.0 - 0.55 * float(has_iris) * smoothstep(edge - 0.45, edge, rho));
 }
 #endif
 

@@ -26,7 +26,7 @@ float posterior_capsule(vec3 entry, vec3 way) {
         vec2 off = (entry + (folds.z - entry.z) / way.z * way).xy - folds.xy;
         float radius = length(off);
         float ray = 0.5 + 0.5 * cos(11.0 * atan(off.y, off.x) + 2.0 * texture(detail_map, off * 0.2).r);
-        light *= 1.0 + folds.w * (0.9 * pow(ray, 6.0) - 0.45) * exp(-radius / 1.3) * smoothstep(0.1, 0.35, radius);
+        light *= 1.0 + folds.w * (1.1 * pow(ray, 6.0) - 0.55) * exp(-radius / 1.3) * smoothstep(0.1, 0.35, radius);
     }
     if (HARM == 1 && hole.w > 0.0) {
         vec2 off = (entry + (hole.z - entry.z) / way.z * way).xy - hole.xy;

@@ -97,9 +97,10 @@ void main() {
     float fold = smoothstep(0.35, 2.0, slant);
     light += 0.26 * fold * (0.5 + 0.8 * grain.r);
     shade *= 1.0 - fold;
-    // The back of a flap is dull: cells cling to it.
-    float veil = turned ? 0.035 + 0.040 * coarse.r + 0.06 * grain.g : 0.006 + 0.006 * coarse.b;
-    shade += turned ? 0.07 + 0.10 * coarse.g : 0.0;
+    // The back of a flap is dull: cells cling to it. That of a bag, where no lens is left, is clean.
+    bool dull = turned && contour.x > 0.0;
+    float veil = dull ? 0.035 + 0.040 * coarse.r + 0.06 * grain.g : 0.006 + 0.006 * coarse.b;
+    shade += dull ? 0.07 + 0.10 * coarse.g : 0.0;
     veil += 0.020 * min(slant, 4.0);
     colour = vec4(0.25 * min(1.0 + slant, 3.0), 2.0 * light, 2.0 * veil, shade);
 }

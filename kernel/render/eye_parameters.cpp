@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -64,6 +65,30 @@ void set_wounds(const Program& program, const Frame& frame) {
     program.set("wound_stitches", stitches);
     program.set("wound_swelling", swelling);
     program.set("wound_fluid", fluid);
+}
+
+/// How far the cornea's back is folded beside each wound whose shaft bends it, in steps: 0 not at all, to 1.
+std::array<double, lip_count> folded_cornea(const Frame& frame) {
+    constexpr double least = 0.1;  // deflection at which a wound begins to gape [mm]
+    constexpr double most = 0.5;   // beyond, folds grow no more. Proposal [mm]
+    constexpr double steps = 16.0;
+    std::array<double, lip_count> folded{};
+    for (std::size_t i = 0; frame.globe && i < lip_count; ++i) {
+        const double share = (frame.globe->lips[i].deflection.norm() - least) / (most - least);
+        folded[i] = std::round(steps * std::clamp(share, 0.0, 1.0)) / steps;
+    }
+    return folded;
+}
+
+void set_striae(const Program& program, const Frame& frame) {
+    const std::array<double, lip_count> folded = folded_cornea(frame);
+    for (std::size_t i = 0; i < lip_count; ++i) {
+        Eigen::Vector4d striae = Eigen::Vector4d::Zero();
+        if (folded[i] > 0.0) {
+            striae << frame.model->globe->lips[i], folded[i];
+        }
+        program.set(("striae[" + std::to_string(i) + "]").c_str(), striae);
+    }
 }
 
 /// The ball that stands on the hole, and the strand from there to the wound.
@@ -194,6 +219,11 @@ bool has_wounds(const Frame& frame) {
            (frame.wounds && std::any_of(frame.wounds->wounds.begin(), frame.wounds->wounds.end(), shows));
 }
 
+bool has_striae(const Frame& frame) {
+    const std::array<double, lip_count> folded = folded_cornea(frame);
+    return std::any_of(folded.begin(), folded.end(), [](double share) { return share > 0.0; });
+}
+
 bool is_caught(const Frame& frame) {
     return caught_edge(frame).z() != 0.0 || (frame.prolapse && frame.prolapse->length > 0.0);
 }
@@ -204,10 +234,11 @@ struct Feature {
     bool (*shows)(const Frame& frame);
     bool beyond_pupil;  ///< it reaches beyond the edge of the pupil
 };
-constexpr std::array features{
-    Feature{"SHEETS", has_sheets, false},  Feature{"CRACKS", has_cracks, false}, Feature{"CRUMBS", has_crumbs, false},
-    Feature{"CELLS", has_cells, false},    Feature{"HARM", has_harm, false},     Feature{"OPTIC", has_optic, false},
-    Feature{"ZONULES", has_zonules, true}, Feature{"WOUNDS", has_wounds, true},  Feature{"CAUGHT", is_caught, true}};
+constexpr std::array features{Feature{"SHEETS", has_sheets, false},  Feature{"CRACKS", has_cracks, false},
+                              Feature{"CRUMBS", has_crumbs, false},  Feature{"CELLS", has_cells, false},
+                              Feature{"HARM", has_harm, false},      Feature{"OPTIC", has_optic, false},
+                              Feature{"ZONULES", has_zonules, true}, Feature{"WOUNDS", has_wounds, true},
+                              Feature{"CAUGHT", is_caught, true},    Feature{"STRIAE", has_striae, true}};
 
 }  // namespace
 
@@ -236,6 +267,7 @@ double flap_of(const Frame& frame) {
 
 void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("cornea", cornea_ball(eye));
+    program.set("cornea_back", cornea_back_ball(eye));
     program.set("globe", globe_ball(eye));
     program.set("limbus_radius", eye.limbus_radius);
     program.set("limbus_z", eye.limbus_z);
@@ -271,6 +303,7 @@ void set_harm(const Program& program, const Frame& frame) {
     program.set("prolapse", prolapse);
     set_vitreous(program, frame);
     set_wounds(program, frame);
+    set_striae(program, frame);
     const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
     program.set("crumb_count", static_cast<int>(crumbs));
     program.set("crumbs_are_beads", frame.model->beads.has_value() ? 1 : 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/renderer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -48,6 +49,11 @@ Image picture_of(const Target& target) {
 
 /// How much more than its field the picture shows, so that all of the field's edge is in it.
 constexpr double surround = 1.04;
+
+/// Of the fixed view's camera, which has a diaphragm of its own: half as wide as the microscope's. Proposal
+constexpr double camera_aperture = 0.5 * microscope_aperture;
+constexpr double usual_focus_mm = 1.0;    ///< below the pupil's edge, which is in focus with it
+constexpr double deepest_focus_mm = 4.5;  ///< where the bag ends
 
 /// The camera follows the microscope, and sees its field.
 void look_with(const MicroscopeModel& model, const MicroscopeState& microscope, Camera& camera) {
@@ -316,14 +322,38 @@ Camera microscope_camera(const EyeAnatomy& eye, const WorldModel& world,
     camera.target = Vec3(0.0, 0.0, eye.iris_z);
     camera.eye = camera.target + Vec3(0.0, 0.0, 200.0);
     camera.field_mm = 14.6;
+    camera.aperture = camera_aperture;
+    camera.focus_mm = -usual_focus_mm;
     if (microscope) {
         look_with(*world.microscope, *microscope, camera);
     }
     return camera;
 }
 
+namespace {
+
+/// Where the lowest instrument works: what somebody would focus on who looks on.
+double worked_height(const Frame& frame) {
+    double lowest = frame.eye->iris_z - usual_focus_mm;
+    for (const ToolState& tool : frame.tools) {
+        if (tool.present) {
+            lowest = std::min(lowest, tool.pose.position.z());
+        }
+    }
+    return std::max(lowest, frame.eye->iris_z - deepest_focus_mm);
+}
+
+}  // namespace
+
 Camera microscope_camera(const Frame& frame) {
-    return frame.eye ? microscope_camera(*frame.eye, *frame.model, frame.microscope) : camera_around(frame);
+    if (!frame.eye) {
+        return camera_around(frame);
+    }
+    Camera camera = microscope_camera(*frame.eye, *frame.model, frame.microscope);
+    if (!frame.microscope) {
+        camera.focus_mm = worked_height(frame) - camera.target.z();
+    }
+    return camera;
 }
 
 OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {

@@ -26,7 +26,8 @@ inline std::vector<GoldenFrame> golden_frames() {
                                      {"brunescent", patient_frame(5.5, 6.0, 1500)},
                                      {"sculpted", sculpted_frame(3.0, 0.2, true)},
                                      {"implant", implant_frame()},
-                                     {"dyed", capsule_frame(3.0, 1.0)}};
+                                     {"dyed", capsule_frame(3.0, 1.0)},
+                                     {"levered", levered_frame(0.45)}};
     for (const Sign& sign : signs()) {
         list.push_back({std::string("sign_") + sign.name, sign.with});
     }

@@ -96,6 +96,19 @@ inline Frame sculpted_frame(double grade, double floor_z, bool with_tool) {
     return frame;
 }
 
+/// A whole eye in whose main wound a shaft bends the cornea so far. [mm]
+inline Frame levered_frame(double deflection_mm) {
+    Frame frame = patient_frame(3.0, 7.5, 1500);
+    const std::shared_ptr<WorldModel> model = std::make_shared<WorldModel>(*frame.model);
+    model->globe.emplace();
+    model->globe->lips[0] = frame.eye->incision;
+    model->globe->widths[0] = frame.eye->incision_width;
+    frame.model = model;
+    frame.globe.emplace();
+    frame.globe->lips[0].deflection = Vec3(0.0, -deflection_mm, 0.0);
+    return frame;
+}
+
 /// The camera of a scene in which the microscope moves, over this eye's middle: with a round stop and depth of field.
 inline Camera microscope_camera_through(const Frame& frame) {
     WorldModel world;

@@ -28,6 +28,12 @@ Camera focused(const Frame& frame, double focus_mm) {
     return camera;
 }
 
+Camera without_optics(const Frame& frame) {
+    Camera camera = microscope_camera(frame);
+    camera.aperture = 0.0;
+    return camera;
+}
+
 /// How sharp a part of the picture is: mean difference of neighbours.
 double sharpness(const Image& image, int left, int top, int right, int bottom) {
     double sum = 0.0;
@@ -75,7 +81,7 @@ TEST_SUITE("eyepiece") {
     TEST_CASE("what is in focus is as sharp as without optics; the rest spreads, and nothing gets lighter or darker") {
         const Frame frame = patient_frame(3.0, 7.5, 1500);
         Renderer renderer = make_renderer(width, height);
-        const Image plain = renderer.draw(frame, microscope_camera(frame));
+        const Image plain = renderer.draw(frame, without_optics(frame));
         const Image iris = renderer.draw(frame, focused(frame, 0.0));
         const Image high = renderer.draw(frame, focused(frame, 8.0));
         // the pupil's edge, left of the middle
@@ -92,7 +98,7 @@ TEST_SUITE("eyepiece") {
         frame.tools[0].present = true;
         frame.tools[0].pose = hand_pose(Vec3(0.0, 0.0, 2.6), 0.0);
         Renderer renderer = make_renderer(width, height);
-        Camera plain = microscope_camera(frame);
+        Camera plain = without_optics(frame);
         const double at_tip = 2.6 - frame.eye->iris_z;
         const auto row = [&](double y_mm) { return static_cast<int>(0.5 * height - y_mm / plain.field_mm * height); };
         const Image sharp = renderer.draw(frame, plain);
@@ -103,6 +109,18 @@ TEST_SUITE("eyepiece") {
         };
         CHECK(around(tip, -1.0) > 0.8 * around(sharp, -1.0));
         CHECK(around(shaft, -1.0) < 0.6 * around(sharp, -1.0));
+    }
+
+    TEST_CASE("without a microscope the focus is where the lowest instrument works") {
+        Frame frame = patient_frame(3.0, 7.5, 1500);
+        const auto focus = [&] { return microscope_camera(frame).focus_mm + frame.eye->iris_z; };
+        CHECK(focus() == doctest::Approx(frame.eye->iris_z - 1.0));
+        frame.tools[0].present = true;
+        for (const auto& [tip, wanted] : {std::pair(9.0, frame.eye->iris_z - 1.0), std::pair(-1.0, -1.0),
+                                          std::pair(-2.0, -2.0), std::pair(-30.0, frame.eye->iris_z - 4.5)}) {
+            frame.tools[0].pose.position.z() = tip;
+            CHECK(focus() == doctest::Approx(wanted));
+        }
     }
 
     TEST_CASE("a shaft that is bent off its end is as high as it is drawn") {
@@ -117,7 +135,7 @@ TEST_SUITE("eyepiece") {
         const Vec3 way = frame.tools[0].pose.to_world(shaft.b) - from;
         const Vec3 place = from + 4.0 * way.normalized();
         Renderer renderer = make_renderer(width, height);
-        const Camera plain = microscope_camera(frame);
+        const Camera plain = without_optics(frame);
         const auto around = [&](const Image& image) {
             const Vec2 pixel = pixel_of(view_in_air(plain, width, height), place);
             const int x = static_cast<int>(pixel.x());

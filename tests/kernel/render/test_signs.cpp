@@ -46,7 +46,8 @@ double contrast(const Image& with, const Image& without) {
 TEST_CASE("Each sign that a surgeon must notice stands out as much as it did under even light") {
     Renderer renderer = make_renderer(width, height);
     for (const Sign& sign : signs()) {
-        const Camera camera = microscope_camera(sign.with);
+        Camera camera = microscope_camera(sign.with);
+        camera.focus_mm = sign.height - camera.target.z();
         const double found = contrast(renderer.draw(sign.with, camera), renderer.draw(sign.without, camera));
         INFO(std::string(sign.name) << ": " << found << ", before " << sign.contrast_before);
         CHECK(found >= sign.contrast_before);
