@@ -50,8 +50,9 @@ void DrawingThread::take(const UserEvent& event) {
 void DrawingThread::run() {
     step_back();
     const Status drawable = window_.draw_here();
-    Result<Renderer> renderer =
-        drawable ? Renderer::create_in_window(window_.width(), window_.height()) : Result<Renderer>(drawable.error());
+    Result<FittedRenderer> renderer =
+        drawable ? FittedRenderer::create(width_of_eye(window_.width(), options_.stereo), window_.height())
+                 : Result<FittedRenderer>(drawable.error());
     if (!renderer) {
         begun_.set_value(renderer.error());
         return;

@@ -2,17 +2,22 @@
 // The microscope's picture in the window: the newest state, with the instruments where the hands are by now.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
 #include "station/desk.hpp"
 #include "station/ghost.hpp"
+#include "station/picture_size.hpp"
+#include "station/window/fitted_renderer.hpp"
 #include "station/window/panels.hpp"
 #include "station/window/window.hpp"
 
 namespace rhexis::station {
+
+/// Of a window so wide, what the picture for one eye has. [pixels]
+int width_of_eye(int width, Stereo stereo);
 
 class LivePicture {
 public:
@@ -23,7 +28,7 @@ public:
         double step_s = 0.01;
     };
 
-    LivePicture(Window& window, Panels& panels, Renderer renderer, HoldScript holds, const Wishes& wishes);
+    LivePicture(Window& window, Panels& panels, FittedRenderer renderer, HoldScript holds, const Wishes& wishes);
 
     /// after: events that are not yet in the state. taken: receives what the window shows; null: nobody wants it. What
     /// is clicked comes back.
@@ -35,28 +40,25 @@ private:
         Vec3 camera = Vec3::Zero();  ///< in the eye's frame [mm]
         Vec3 target = Vec3::Zero();
         double focus_mm = 0.0;
+        double field_mm = 0.0;
         double pupil_radius = 0.0;
     };
     bool moves(const Frame& frame, const Camera& camera);
-    Renderer& renderer_for(const Frame& frame, const Camera& camera);
+    FittedRenderer& renderer_for(const Frame& frame, const Camera& camera, const ScreenArea& all);
     void count(double took_s);
-    void draw_smaller(double usual_s);
     void run_ahead(Shown& shown, const std::vector<UserEvent>& after);
 
     Window& window_;
     Panels& panels_;
     Wishes wishes_;
-    std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<Renderer> coarse_;  ///< made when it is first needed
-    Sight sight_;                       ///< of the picture before
+    FittedRenderer sharp_;
+    std::optional<FittedRenderer> coarse_;  ///< made when it is first needed
+    PictureSize size_;
+    Sight sight_;  ///< of the picture before
     HoldScript holds_;
     double begun_s_;
     double rate_ = 0.0;
     int count_ = 0;
-    int size_ = 0;                ///< in picture_sizes
-    std::vector<double> took_s_;  ///< of the pictures that are looked at now
-    double slow_s_ = 0.0;
-    bool first_look_ = true;
 };
 
 }  // namespace rhexis::station

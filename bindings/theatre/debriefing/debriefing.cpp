@@ -12,6 +12,7 @@
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
 #include "station/station.hpp"
+#include "station/window/fitted_renderer.hpp"
 #include "station/window/read_window.hpp"
 #include "theatre/debriefing/debriefing_panels.hpp"
 #include "theatre/debriefing/free_camera.hpp"
@@ -151,17 +152,15 @@ class Debriefing {
 public:
     /// All of it outlives the debriefing.
     Debriefing(const DebriefingOptions& options, const Recording& recording, DebriefingParts& prepared, Window& window,
-               Renderer renderer)
+               FittedRenderer renderer)
         : options_(options),
           prepared_(prepared),
           window_(window),
-          renderer_(std::make_unique<Renderer>(std::move(renderer))),
+          renderer_(std::move(renderer)),
           panels_(window, prepared.words, prepared.story, recording.header.scene.instruments),
           player_(recording),
           controls_(panels_.story()),
           step_s_(recording.header.scene.step_s),
-          width_(window.width()),
-          height_(window.height()),
           begun_s_(wall_seconds()),
           before_s_(begun_s_) {
         state_.end_s = recording.steps.back().observation.time_s;
@@ -172,7 +171,6 @@ public:
     Status run() {
         while (heed_devices()) {
             go_on();
-            fit_to_window();
             const std::shared_ptr<const PlayedMoment> moment = player_.newest();
             draw(moment.get());
             if (is_enough(moment.get())) {
@@ -207,30 +205,20 @@ private:
         player_.go_to(static_cast<std::uint64_t>(std::llround(state_.time_s / step_s_)));
     }
 
-    /// Another size of the window, or another screen.
-    void fit_to_window() {
-        if (window_.width() == width_ && window_.height() == height_) {
-            return;
-        }
-        width_ = window_.width();
-        height_ = window_.height();
-        const ScreenArea area = picture_area(width_, height_);
-        if (Result<Renderer> fitting = Renderer::create_in_window(area.width, area.height)) {
-            renderer_ = std::make_unique<Renderer>(std::move(fitting).value());
-        }
-    }
-
     void draw(const PlayedMoment* moment) {
+        const int width = window_.width();
+        const int height = window_.height();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, width_, height_);
-        const ScreenArea area = picture_area(width_, height_);
+        glViewport(0, 0, width, height);
+        const ScreenArea area = picture_area(width, height);
+        renderer_.fit(area.width, area.height, 1.0, wall_seconds());
         glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
         glClear(GL_COLOR_BUFFER_BIT);
         View view;
         if (moment != nullptr) {
             const Frame& frame = moment->frame;
             const Camera seen = camera_.of(microscope_camera(frame));
-            renderer_->show(frame, seen, area);
+            renderer_.show(frame, seen, area, Stereo::off);
             view = frame.eye ? view_through_cornea(seen, area.width, area.height, *frame.eye)
                              : view_in_air(seen, area.width, area.height);
         }
@@ -249,15 +237,13 @@ private:
     const DebriefingOptions& options_;
     DebriefingParts& prepared_;
     Window& window_;
-    std::unique_ptr<Renderer> renderer_;
+    FittedRenderer renderer_;
     DebriefingPanels panels_;
     Player player_;
     Controls controls_;
     FreeCamera camera_;
     DebriefingState state_;
     double step_s_;
-    int width_;
-    int height_;
     double begun_s_;
     double before_s_;
 };
@@ -283,7 +269,7 @@ Status debrief(const DebriefingOptions& options) {
         return drawable;
     }
     const ScreenArea area = picture_area(window.value().width(), window.value().height());
-    Result<Renderer> renderer = Renderer::create_in_window(area.width, area.height);
+    Result<FittedRenderer> renderer = FittedRenderer::create(area.width, area.height);
     if (!renderer) {
         return renderer.error();
     }
