@@ -71,6 +71,6 @@ void main() {
 
     reflectance *= 1.0 - 0.55 * smoothstep(0.60, 1.0, outward);
     // Under a wet cornea, and lit as little as it is beside the spot's middle, it shows soft and dark.
-    reflectance = 0.07 * mix(reflectance, vec3(0.20, 0.175, 0.135), 0.42);
+    reflectance = 0.06 * mix(reflectance, vec3(0.20, 0.175, 0.135), 0.35);
     colour = vec4(reflectance, 1.0);
 }

@@ -96,7 +96,7 @@ vec3 pupil_colour(vec3 entry, vec3 way, vec4 tool, float radius) {
     float blurred = OPTIC == 1 ? 0.0 : smoothstep(0.80, 0.98, reaches.g);
     float uneven = 0.90 + 0.16 * texture(detail_map, entry.xy * 0.016 + 0.21).r +
                    0.08 * texture(detail_map, entry.xy * 0.05).g;
-    cone *= mix(1.0, mix(0.84, 0.58, blurred) * uneven * (1.02 - mix(0.40, 0.55, blurred) * pow(radius / pupil_radius, 2.0)), bare);
+    cone *= mix(1.0, mix(0.84, 0.54, blurred) * uneven * (1.02 - mix(0.40, 0.55, blurred) * pow(radius / pupil_radius, 2.0)), bare);
     vec3 reflex = fundus * mix(vec3(1.0), vec3(1.0, 0.92, 0.80), bare) * fundus_light * lamp_share * reaches * look.clear * cone * posterior_capsule(entry, way);
     // The edge of the wave bends the light away, and what it has parted is a little duller.
     float cells = bag_cells_at(entry, way);

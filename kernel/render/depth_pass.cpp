@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/depth_pass.hpp"
 
+#include <algorithm>
+
 #include "render/still_lens.hpp"
 
 namespace rhexis {
 
 namespace {
 
-/// Middle of all bodies: distances are measured from there, so that their sums lose few digits.
+constexpr float seen_extinction = 1e-4F;  ///< changes below are not seen [1/mm],
+constexpr double seen_mm = 2e-3;          ///< nor is tissue that moves by less
+
+/// About the middle of all bodies, on a grid: distances are measured from there, so that their sums lose few digits,
+/// and it stays while bodies sway.
 Vec3 middle_of(const Frame& frame) {
     Vec3 sum = Vec3::Zero();
     double count = 0.0;
@@ -17,7 +23,8 @@ Vec3 middle_of(const Frame& frame) {
             count += 1.0;
         }
     }
-    return count > 0.0 && sum.allFinite() ? Vec3(sum / count) : Vec3(Vec3::Zero());
+    constexpr double grid = 0.5;  // [mm]
+    return count > 0.0 && sum.allFinite() ? Vec3(grid * (sum / (grid * count)).array().round()) : Vec3(Vec3::Zero());
 }
 
 /// Of all tissues that take light out [1/mm].
@@ -70,8 +77,9 @@ void set_view(const Program& program, const View& view) {
     program.set("view_centre", view.centre);
 }
 
-DepthPass::DepthPass(int width, int height)
-    : raster_(width, height),
+DepthPass::DepthPass(int width, int height, bool keeps)
+    : keeps_(keeps),
+      raster_(width, height),
       sum_(make_texture(width, height, GL_RGB32F, GL_NEAREST)),
       grey_sum_(make_texture(width, height, GL_R32F, GL_NEAREST)),
       stop_(make_texture(width, height, GL_R32F, GL_NEAREST)) {
@@ -92,10 +100,33 @@ void DepthPass::draw(const Frame& frame, const std::vector<ToolMesh>& tools, con
         append_signed_faces(*lens, stream_);
     }
     raster_.look(view, reference_);
-    draw_tools(frame, tools, tool_area);
-    raster_.clear_sum(body_area, grey_ ? 1 : 3);
-    raster_.add(stream_, body_area);
-    send(optical_depth(), raster_.sum(), raster_.channels(), body_area);
+    const PixelRect before = tools_;
+    tools_ = draw_tools(frame, tools, view, tool_area);
+    changed_ = keeps_ && is_still(view, body_area) ? intersected(body_area, united(before, tools_)) : body_area;
+    if (changed_.empty()) {
+        return;
+    }
+    raster_.clear_sum(changed_, grey_ ? 1 : 3);
+    raster_.add(stream_, changed_);
+    send(optical_depth(), raster_.sum(), raster_.channels(), changed_);
+}
+
+/// Whether the bodies are seen as in the picture before; where they are not, they count as drawn now.
+bool DepthPass::is_still(const View& view, const PixelRect& body_area) {
+    const auto alike = [](const SignedFace& a, const SignedFace& b) {
+        return (a.change - b.change).cwiseAbs().maxCoeff() <= seen_extinction &&
+               (a.corners[0] - b.corners[0]).cwiseAbs().maxCoeff() <= seen_mm &&
+               (a.corners[1] - b.corners[1]).cwiseAbs().maxCoeff() <= seen_mm &&
+               (a.corners[2] - b.corners[2]).cwiseAbs().maxCoeff() <= seen_mm;
+    };
+    const int channels = grey_ ? 1 : 3;
+    const bool still = drawn_.clip_from_world == view.clip_from_world && drawn_.area == body_area &&
+                       drawn_.reference == reference_ && drawn_.channels == channels &&
+                       std::equal(stream_.begin(), stream_.end(), drawn_.faces.begin(), drawn_.faces.end(), alike);
+    if (!still) {
+        drawn_ = {view.clip_from_world, body_area, reference_, channels, stream_};
+    }
+    return still;
 }
 
 void DepthPass::find_tint(const Frame& frame) {
@@ -112,7 +143,9 @@ void DepthPass::find_tint(const Frame& frame) {
     tint_ = grey_ ? Vec3(strongest / strongest.x()) : Vec3(Vec3::Ones());
 }
 
-void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const PixelRect& area) {
+PixelRect DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
+                                const PixelRect& area) {
+    PixelRect covered;
     raster_.clear_stop(area);
     for (std::size_t i = 0; i < frame.tools.size(); ++i) {
         if (!frame.tools[i].present) {
@@ -126,8 +159,10 @@ void DepthPass::draw_tools(const Frame& frame, const std::vector<ToolMesh>& tool
             }
         }
         raster_.stop_at(corners_, area);
+        covered = united(covered, rect_around(view, corners_, 2));
     }
     send(stop_, raster_.stop(), 1, area);
+    return covered;
 }
 
 }  // namespace rhexis

@@ -17,7 +17,8 @@ void set_view(const Program& program, const View& view);
 
 class DepthPass {
 public:
-    DepthPass(int width, int height);
+    /// keeps: from picture to picture, where bodies move by less than is seen, what no instrument changes.
+    DepthPass(int width, int height, bool keeps);
 
     /// tools: one mesh per frame.model->tools. Instruments are drawn within `tool_area` only, bodies within
     /// `body_area`; what lies outside is stale.
@@ -34,11 +35,29 @@ public:
     /// R32F: depth of the first instrument behind the plane through reference(), or no_stop.
     [[nodiscard]] const Texture& stop() const { return stop_; }
     [[nodiscard]] const Vec3& reference() const { return reference_; }
+    /// Where the optical depth has been drawn anew by the last draw().
+    [[nodiscard]] const PixelRect& changed() const { return changed_; }
 
 private:
-    void draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const PixelRect& area);
+    /// Where they may show.
+    PixelRect draw_tools(const Frame& frame, const std::vector<ToolMesh>& tools, const View& view,
+                         const PixelRect& area);
+    bool is_still(const View& view, const PixelRect& body_area);
     void find_tint(const Frame& frame);
 
+    /// Of what is kept: what it was drawn for.
+    struct Drawn {
+        Mat4 clip_from_world = Mat4::Zero();
+        PixelRect area;
+        Vec3 reference = Vec3::Zero();
+        int channels = 0;
+        FaceStream faces;
+    };
+
+    bool keeps_;
+    Drawn drawn_;
+    PixelRect tools_;  ///< where instruments were
+    PixelRect changed_;
     DepthRaster raster_;
     Texture sum_;
     Texture grey_sum_;

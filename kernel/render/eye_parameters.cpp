@@ -283,7 +283,7 @@ void set_anatomy(const Program& program, const EyeAnatomy& eye) {
     program.set("side_port_width", eye.side_port_width);
 }
 
-/// What a posterior capsule that is held or open shows, an iris that is caught, and crumbs.
+/// What a posterior capsule that is held or open shows, and an iris that is caught.
 void set_harm(const Program& program, const Frame& frame) {
     Eigen::Vector4d folds = Eigen::Vector4d::Zero();
     Eigen::Vector4d hole = Eigen::Vector4d::Zero();
@@ -304,9 +304,12 @@ void set_harm(const Program& program, const Frame& frame) {
     set_vitreous(program, frame);
     set_wounds(program, frame);
     set_striae(program, frame);
+    program.set("crumbs_are_beads", frame.model->beads.has_value() ? 1 : 0);
+}
+
+void set_crumbs(const Program& program, const Frame& frame) {
     const std::size_t crumbs = std::min(frame.debris.size(), most_crumbs);
     program.set("crumb_count", static_cast<int>(crumbs));
-    program.set("crumbs_are_beads", frame.model->beads.has_value() ? 1 : 0);
     for (std::size_t i = 0; i < crumbs; ++i) {
         const Debris& crumb = frame.debris[i];
         Eigen::Vector4d ball;

@@ -22,6 +22,7 @@ bool has_sheets(const Frame& frame);
 void set_anatomy(const Program& program, const EyeAnatomy& eye);
 void set_bag(const Program& program, const Frame& frame);
 void set_harm(const Program& program, const Frame& frame);
+void set_crumbs(const Program& program, const Frame& frame);
 
 /// What a scene may show beyond a healthy eye, as the shaders name it (ProgramVariants).
 std::vector<const char*> feature_names();

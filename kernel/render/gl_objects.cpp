@@ -2,6 +2,7 @@
 #include "render/gl_objects.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "base/assert.hpp"
 #include "render/shader_text.hpp"
@@ -211,38 +212,51 @@ GLint Program::place(const char* parameter, const void* bytes, std::size_t size)
     return place;
 }
 
+GLint Program::place(const char* parameter, std::span<const float> numbers) const {
+    if (log_ == nullptr || grain_ <= 0.0F) {
+        return place(parameter, numbers.data(), numbers.size_bytes());
+    }
+    std::array<float, 16> rounded{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        rounded[i] = std::round(numbers[i] / grain_);
+    }
+    return place(parameter, rounded.data(), numbers.size_bytes());
+}
+
 void Program::set(const char* parameter, int value) const {
     glUniform1i(place(parameter, &value, sizeof value), value);
 }
 
 void Program::set(const char* parameter, double value) const {
     const auto narrow = static_cast<float>(value);
-    glUniform1f(place(parameter, &narrow, sizeof narrow), narrow);
+    glUniform1f(place(parameter, std::span(&narrow, 1)), narrow);
 }
 
 void Program::set(const char* parameter, const Vec2& value) const {
     const Eigen::Vector2f narrow = value.cast<float>();
-    glUniform2fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, narrow.data());
+    glUniform2fv(place(parameter, std::span(narrow.data(), static_cast<std::size_t>(narrow.size()))), 1, narrow.data());
 }
 
 void Program::set(const char* parameter, const Vec3& value) const {
     const Eigen::Vector3f narrow = value.cast<float>();
-    glUniform3fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, narrow.data());
+    glUniform3fv(place(parameter, std::span(narrow.data(), static_cast<std::size_t>(narrow.size()))), 1, narrow.data());
 }
 
 void Program::set(const char* parameter, const Eigen::Vector4d& value) const {
     const Eigen::Vector4f narrow = value.cast<float>();
-    glUniform4fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, narrow.data());
+    glUniform4fv(place(parameter, std::span(narrow.data(), static_cast<std::size_t>(narrow.size()))), 1, narrow.data());
 }
 
 void Program::set(const char* parameter, const Eigen::Matrix4d& value) const {
     const Eigen::Matrix4f narrow = value.cast<float>();
-    glUniformMatrix4fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, GL_FALSE, narrow.data());
+    glUniformMatrix4fv(place(parameter, std::span(narrow.data(), static_cast<std::size_t>(narrow.size()))), 1, GL_FALSE,
+                       narrow.data());
 }
 
 void Program::set(const char* parameter, const Mat3& value) const {
     const Eigen::Matrix3f narrow = value.cast<float>();
-    glUniformMatrix3fv(place(parameter, narrow.data(), sizeof(float) * narrow.size()), 1, GL_FALSE, narrow.data());
+    glUniformMatrix3fv(place(parameter, std::span(narrow.data(), static_cast<std::size_t>(narrow.size()))), 1, GL_FALSE,
+                       narrow.data());
 }
 
 void Program::set(const char* parameter, const Texture& texture, int unit) const {

@@ -100,14 +100,20 @@ public:
     void set(const char* parameter, const Texture& texture, int unit) const;
 
     /// From now on what is set of the parameters that the shader uses is written here too: equal bytes, equal picture,
-    /// as long as its textures hold the same. Null: nowhere.
-    void log_to(std::vector<unsigned char>* log) { log_ = log; }
+    /// as long as its textures hold the same. Null: nowhere. grain: to which real numbers are rounded for that; 0: they
+    /// are not.
+    void log_to(std::vector<unsigned char>* log, float grain = 0.0F) {
+        log_ = log;
+        grain_ = grain;
+    }
 
 private:
     /// Of a parameter that is set to these bytes.
     [[nodiscard]] GLint place(const char* parameter, const void* bytes, std::size_t size) const;
+    [[nodiscard]] GLint place(const char* parameter, std::span<const float> numbers) const;
     GlName<release_program> name_;
     std::vector<unsigned char>* log_ = nullptr;
+    float grain_ = 0.0F;
 };
 
 /// Programs of the same files, one for each set of features: in the files the name of a feature is 1 or 0. A driver

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/lens_front.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "mesh/adjacency.hpp"
 #include "render/depth_pass.hpp"
@@ -46,7 +48,7 @@ void append_border(const Level& level, const IsThere& is_there, std::vector<floa
 
 }  // namespace
 
-Result<LensFront> LensFront::create(int width, int height) {
+Result<LensFront> LensFront::create(int width, int height, bool keeps) {
     Result<Program> front = Program::build({"body.vert"}, {"front.frag"});
     if (!front.ok()) {
         return front.error();
@@ -59,10 +61,11 @@ Result<LensFront> LensFront::create(int width, int height) {
     if (!slopes.ok()) {
         return slopes.error();
     }
-    return LensFront(std::move(front).value(), std::move(blur).value(), std::move(slopes).value(), width, height);
+    return LensFront(std::move(front).value(), std::move(blur).value(), std::move(slopes).value(), width, height,
+                     keeps);
 }
 
-LensFront::LensFront(Program front, Program blur, Program slopes, int width, int height)
+LensFront::LensFront(Program front, Program blur, Program slopes, int width, int height, bool keeps)
     : front_program_(std::move(front)),
       blur_program_(std::move(blur)),
       slopes_program_(std::move(slopes)),
@@ -70,6 +73,7 @@ LensFront::LensFront(Program front, Program blur, Program slopes, int width, int
       half_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RG32F, GL_NEAREST)),
       smooth_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RG32F, GL_LINEAR)),
       slopes_(make_single_target((width + 1) / 2, (height + 1) / 2, GL_RGBA16F, GL_LINEAR)),
+      keeps_(keeps),
       vertices_({3, 3}) {}
 
 void LensFront::collect(const Frame& frame) {
@@ -110,8 +114,24 @@ void LensFront::clear_beyond(const PixelRect& area) {
     glClearBufferfv(GL_COLOR, 0, no_surface.data());
 }
 
+/// Whether the surface is seen as in the picture before; where it is not, it counts as drawn now.
+bool LensFront::is_still(const View& view, const Vec3& reference, const PixelRect& area) {
+    constexpr float seen_mm = 2e-3F;
+    const auto alike = [](float a, float b) { return std::abs(a - b) <= seen_mm; };
+    const bool still =
+        drawn_ == area && drawn_for_.clip_from_world == view.clip_from_world && drawn_for_.reference == reference &&
+        std::equal(stream_.begin(), stream_.end(), drawn_for_.stream.begin(), drawn_for_.stream.end(), alike);
+    if (!still) {
+        drawn_for_ = {view.clip_from_world, reference, stream_};
+    }
+    return still;
+}
+
 void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference, const PixelRect& area) {
     collect(frame);
+    if (keeps_ && is_still(view, reference, area)) {
+        return;
+    }
     clear_beyond(area);
     front_.bind();
     const Scissor scissor(area);

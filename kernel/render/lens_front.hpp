@@ -13,7 +13,8 @@ namespace rhexis {
 
 class LensFront {
 public:
-    static Result<LensFront> create(int width, int height);
+    /// keeps: from picture to picture, while tissue moves by less than is seen.
+    static Result<LensFront> create(int width, int height, bool keeps);
 
     /// Depths are measured as in DepthPass, from the plane through `reference`.
     /// Within `area`; outside of it there is nothing.
@@ -26,7 +27,8 @@ public:
     [[nodiscard]] const Texture& relief() const { return slopes_.colours[0]; }
 
 private:
-    LensFront(Program front, Program blur, Program slopes, int width, int height);
+    LensFront(Program front, Program blur, Program slopes, int width, int height, bool keeps);
+    bool is_still(const View& view, const Vec3& reference, const PixelRect& area);
     void collect(const Frame& frame);
     void clear_beyond(const PixelRect& area);
     void smooth(double pixel_mm);
@@ -38,6 +40,14 @@ private:
     Target half_;
     Target smooth_;  ///< depth over a short and a long way
     Target slopes_;
+    /// What the pictures were drawn for.
+    struct Drawn {
+        Mat4 clip_from_world = Mat4::Zero();
+        Vec3 reference = Vec3::Zero();
+        std::vector<float> stream;
+    };
+    bool keeps_;
+    Drawn drawn_for_;
     std::optional<PixelRect> drawn_;  ///< what may hold something
     VertexStream vertices_;
     std::vector<float> stream_;

@@ -37,8 +37,9 @@ PixelRect shadow_of(const PixelRect& rect, const Vec2& shift_mm, const View& vie
     return {left, low, right - left, high - low};
 }
 
-constexpr double film_jump_s = 0.25;   ///< of time, beyond which the tear film is drawn anew at once
-constexpr std::size_t film_turns = 8;  ///< pictures, until all of it is
+constexpr double film_jump_s = 0.25;          ///< of time, beyond which the tear film is drawn anew at once
+constexpr float pupil_grain = 1.0F / 256.0F;  ///< [mm, and what has no unit]: changes that are not seen
+constexpr std::size_t film_turns = 8;         ///< pictures, until all of it is
 
 /// Centre of the pupil and its reach sideways and upwards, in pixels from the bottom left.
 struct PupilOnScreen {
@@ -91,6 +92,15 @@ void set_lamp(const Program& program, const View& outer) {
     program.set("lamp_spot", Vec3(outer.plane_point.x(), outer.plane_point.y(), half_of_spot(outer)));
 }
 
+/// As far as what is changed there changes what is softened.
+PixelRect reached(const PixelRect& changed, const View& view) {
+    constexpr double deviations = 2.5;
+    const int reach = area_margin + static_cast<int>(deviations * softening_mm / pixel_mm(view, Vec3::Zero()));
+    return changed.empty()
+               ? changed
+               : PixelRect{changed.x - reach, changed.y - reach, changed.width + 2 * reach, changed.height + 2 * reach};
+}
+
 Result<ProgramVariants> build_part(int part) {
     return ProgramVariants::create(
         {"part.vert"},
@@ -126,6 +136,7 @@ Result<MicroscopeView::KeptLight> MicroscopeView::make_kept_light(int width, int
                      std::move(write_iris).value(),
                      {std::move(draw_white).value(), std::move(draw_iris).value(), std::move(draw_pupil).value()},
                      make_double_target(width, height, GL_RGBA16F, GL_NEAREST),
+                     PupilChanges(width, height),
                      {},
                      {}};
 }
@@ -153,7 +164,7 @@ Result<MicroscopeView> MicroscopeView::create(int width, int height, bool keeps_
     if (!painter.ok()) {
         return painter.error();
     }
-    Result<LensFront> front = LensFront::create(width, height);
+    Result<LensFront> front = LensFront::create(width, height, keeps_light);
     if (!front.ok()) {
         return front.error();
     }
@@ -239,7 +250,7 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     clock.end("instruments outside");
     gather_light(frame, inner, depth);
     clock.end("light of the pupil");
-    soften(inner, depth, areas.pupil);
+    soften(inner, depth, kept_ ? intersected(areas.pupil, reached(depth.changed(), inner)) : areas.pupil);
     clock.end("softened depth");
     find_instruments(inner);
     cast_shadows(inner);
@@ -248,6 +259,7 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     const bool still = kept_ && is_still(frame, inner, depth, detail, outer, stop_pixels);
     if (still && !kept_->is_written) {
         write_kept_light(where, frame, inner, depth, detail, outer);
+        kept_->pupil.forget();
         clock.end("light that is kept");
     }
     picture_.bind();
@@ -256,7 +268,7 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
         stop_pixels_ = stop_pixels;
     }
     if (still) {
-        draw_kept(where, frame, inner, depth, detail, outer, clock);
+        draw_kept(where, frame, inner, depth, detail, outer, areas.pupil, clock);
     } else {
         draw_anew(where, frame, inner, depth, detail, outer, clock);
     }
@@ -299,7 +311,9 @@ void MicroscopeView::draw_anew(const Regions& where, const Frame& frame, const V
                                const Texture& detail, const View& outer, PassClock& clock) {
     const std::array<const std::vector<PixelRect>*, 4> bands{&where.white, &where.iris, &where.edge, &where.middle};
     for (std::size_t part = 0; part < bands.size(); ++part) {
-        compose(parts_[part].with(features_of(frame, part >= 2)), frame, inner, depth, detail, outer);
+        const Program& program = parts_[part].with(features_of(frame, part >= 2));
+        compose(program, frame, inner, depth, detail, outer);
+        set_moving(program, frame);
         draw_part(*bands[part]);
         clock.end(part_names[part]);
     }
@@ -317,31 +331,64 @@ void MicroscopeView::write_kept_light(const Regions& where, const Frame& frame, 
     draw_part(where.pupil);
 }
 
-/// Beyond the pupil only what instruments have changed, and a few bands of the iris at a time, over which the tear film
-/// runs.
+/// How much light reaches the fundus, in steps that are not seen.
+void MicroscopeView::log_fundus() {
+    constexpr float steps = 200.0F;
+    std::array<float, 4> reaches{};
+    light_.bind();
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, reaches.data());
+    for (float& share : reaches) {
+        share = std::round(steps * share);
+    }
+    const auto* bytes = reinterpret_cast<const unsigned char*>(reaches.data());
+    kept_->now.insert(kept_->now.end(), bytes, bytes + sizeof reaches);
+}
+
+/// Only what has changed, what instruments change, and some bands of iris and pupil at a time, over which the tear film
+/// runs, and where the light of the fundus gets stronger.
 void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                               const Texture& detail, const View& outer, PassClock& clock) {
+                               const Texture& detail, const View& outer, const PixelRect& pupil, PassClock& clock) {
     TileMask stale = disturbed_;
     const bool film_jumps = std::abs(frame.time_s - kept_->time_s) > film_jump_s;
-    for (const PixelRect& band : where.iris) {
-        if (film_jumps || (band.y / band_rows + kept_->turn) % film_turns == 0) {
-            stale.mark(band);
+    for (const std::vector<PixelRect>* part : {&where.iris, &where.pupil}) {
+        for (const PixelRect& band : *part) {
+            if (film_jumps || (band.y / band_rows + kept_->turn) % film_turns == 0) {
+                stale.mark(band);
+            }
         }
     }
     ++kept_->turn;
-    const std::array<std::vector<PixelRect>, 3> parts{stale.within(where.white), stale.within(where.iris), where.pupil};
+    painted_.clear();
     constexpr std::array names{"beyond the limbus", "iris", "pupil"};
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-        const Program& program = kept_->draw[part].with(features_of(frame, part == 2));
+    for (std::size_t part = 0; part < names.size(); ++part) {
+        const bool in_pupil = part == 2;
+        const unsigned features = features_of(frame, in_pupil);
+        Program& program = kept_->draw[part].with(features);
+        if (in_pupil) {
+            const auto* shown = reinterpret_cast<const unsigned char*>(&features);
+            kept_->now.assign(shown, shown + sizeof features);
+            program.log_to(&kept_->now, pupil_grain);
+        }
         compose(program, frame, inner, depth, detail, outer);
+        program.log_to(nullptr);
+        if (in_pupil) {
+            log_fundus();
+            picture_.bind();
+        }
+        set_moving(program, frame);
         program.set("kept", kept_->light.colours[0], 7);  // units of what these parts do not look up
         program.set("kept_added", kept_->light.colours[1], 8);
-        draw_part(parts[part]);
+        if (in_pupil) {
+            stale.mark(kept_->pupil.find(depth.raster(), frame, inner, pupil, kept_->now).rects());
+            if (has_sheets(frame) || has_cracks(frame)) {
+                stale.mark(pupil);  // which are drawn anew each time
+            }
+        }
+        const std::vector<PixelRect> rects =
+            stale.within(part == 0 ? where.white : (part == 1 ? where.iris : where.pupil));
+        draw_part(rects);
+        painted_.mark(rects);
         clock.end(names[part]);
-    }
-    painted_.clear();
-    for (const std::vector<PixelRect>& part : parts) {
-        painted_.mark(part);
     }
 }
 
@@ -375,6 +422,7 @@ void MicroscopeView::draw_part(const std::vector<PixelRect>& where) {
 void MicroscopeView::draw_card(double reflectance, const EyeAnatomy& eye, const View& outer) {
     if (kept_) {
         kept_->parameters.clear();  // of a picture that is no more
+        kept_->is_written = false;
     }
     painted_.mark_all();
     picture_.bind();
@@ -401,6 +449,9 @@ void MicroscopeView::gather_light(const Frame& frame, const View& inner, const D
 }
 
 void MicroscopeView::soften(const View& inner, const DepthPass& depth, const PixelRect& area) {
+    if (area.empty()) {
+        return;
+    }
     const double pixels = softening_mm / pixel_mm(inner, depth.reference());
     const Program& program = steps_.soften;
     const Scissor scissor(halved(area));
@@ -462,7 +513,6 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("trypan_blue", frame.eye->trypan_blue);
     program.set("extinction_tint", depth.tint());
     program.set("lamp_share", lamp_share(outer));
-    program.set("time_s", frame.time_s);
     set_lamp(program, outer);
     program.set("reference", depth.reference());
     program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, frame.eye->iris_z)));
@@ -470,6 +520,11 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("cortical_opacity", frame.eye->cortical_opacity);
     set_bag(program, frame);
     set_harm(program, frame);
+}
+
+void MicroscopeView::set_moving(const Program& program, const Frame& frame) {
+    program.set("time_s", frame.time_s);
+    set_crumbs(program, frame);
 }
 
 }  // namespace rhexis

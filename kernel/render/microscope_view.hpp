@@ -11,6 +11,7 @@
 #include "render/eyepiece.hpp"
 #include "render/lens_front.hpp"
 #include "render/pass_clock.hpp"
+#include "render/pupil_changes.hpp"
 #include "render/sheet_layer.hpp"
 #include "render/tool_layer.hpp"
 
@@ -78,8 +79,9 @@ private:
     struct KeptLight {
         ProgramVariants write_white;
         ProgramVariants write_iris;
-        std::array<ProgramVariants, 3> draw;    ///< beyond the limbus, iris, pupil
-        Target light;                           ///< iris and its share; what lies over it
+        std::array<ProgramVariants, 3> draw;  ///< beyond the limbus, iris, pupil
+        Target light;                         ///< iris and its share; what lies over it
+        PupilChanges pupil;
         std::vector<unsigned char> parameters;  ///< of what is written, or would be
         std::vector<unsigned char> now;         ///< of this picture
         bool is_written = false;
@@ -95,7 +97,8 @@ private:
     void write_kept_light(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
                           const Texture& detail, const View& outer);
     void draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                   const Texture& detail, const View& outer, PassClock& clock);
+                   const Texture& detail, const View& outer, const PixelRect& pupil, PassClock& clock);
+    void log_fundus();
     void draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
                    const Texture& detail, const View& outer, PassClock& clock);
     void find_instruments(const View& inner);
@@ -105,6 +108,8 @@ private:
     void cast_shadows(const View& inner);
     void compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
                  const Texture& detail, const View& outer) const;
+    /// The rest of what a program is told: what is another thing in every picture.
+    static void set_moving(const Program& program, const Frame& frame);
 
     Steps steps_;
     std::array<ProgramVariants, 4> parts_;  ///< see microscope.frag

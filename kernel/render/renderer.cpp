@@ -110,8 +110,12 @@ Result<Passes> make_passes(int width, int height, Light light) {
     if (!detail.ok()) {
         return detail.error();
     }
-    return Passes{DepthPass(width, height), std::move(painter).value(), std::move(left).value(), std::nullopt,
-                  std::move(bare).value(),  std::move(detail).value()};
+    return Passes{DepthPass(width, height, light == Light::kept),
+                  std::move(painter).value(),
+                  std::move(left).value(),
+                  std::nullopt,
+                  std::move(bare).value(),
+                  std::move(detail).value()};
 }
 
 }  // namespace
