@@ -333,7 +333,7 @@ void MicroscopeView::write_kept_light(const Regions& where, const Frame& frame, 
 
 /// How much light reaches the fundus, in steps that are not seen.
 void MicroscopeView::log_fundus() {
-    constexpr float steps = 200.0F;
+    constexpr float steps = 100.0F;
     std::array<float, 4> reaches{};
     light_.bind();
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, reaches.data());

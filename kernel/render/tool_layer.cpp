@@ -56,11 +56,14 @@ double reach_of_jaws(const ToolMesh& mesh) {
 /// Box around a piece of a cone, from one share of its length to another.
 PixelRect rect_around_piece(const RoundedCone& part, const Pose& pose, double from, double to, double radius,
                             const View& view) {
+    const Vec3 right = radius * view.right.normalized();
+    const Vec3 up = radius * view.up.normalized();
+    const Vec3 away = radius * view.axis;
     std::array<Vec3, 16> corners;
     for (int corner = 0; corner < 16; ++corner) {
-        const Vec3 off((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, ((corner >> 2) & 1) - 0.5);
+        const auto side = [corner](int bit) { return ((corner >> bit) & 1) != 0 ? 1.0 : -1.0; };
         const Vec3 end = part.a + ((corner >> 3) != 0 ? to : from) * (part.b - part.a);
-        corners[corner] = pose.to_world(end + 2.0 * radius * off);
+        corners[corner] = pose.to_world(end) + side(0) * right + side(1) * up + side(2) * away;
     }
     return rect_around(view, corners, 2);
 }
