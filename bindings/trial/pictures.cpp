@@ -52,6 +52,7 @@ struct PictureBook::Parts {
     std::string folder;
     Renderer renderer;
     std::optional<VideoFile> video;
+    std::optional<Renderer> filming;  ///< its pictures follow one another: what does not change is kept
     FilmClock clock;
     std::vector<Picture> pictures;
     bool later = false;
@@ -77,13 +78,18 @@ Result<PictureBook> PictureBook::create(const std::string& folder, bool video, d
     }
     remove_old_pictures(folder + "/frames");
     std::unique_ptr<Parts> parts(
-        new Parts{folder, std::move(renderer).value(), std::nullopt, FilmClock(pictures_per_second), {}});
+        new Parts{folder, std::move(renderer).value(), std::nullopt, std::nullopt, FilmClock(pictures_per_second), {}});
     if (video) {
         Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, pictures_per_second);
         if (!file) {
             return file.error();
         }
+        Result<Renderer> filming = Renderer::create(width, height, Light::kept);
+        if (!filming) {
+            return filming.error();
+        }
         parts->video.emplace(std::move(file).value());
+        parts->filming.emplace(std::move(filming).value());
     }
     return PictureBook(std::move(parts));
 }
@@ -110,7 +116,7 @@ Status PictureBook::film(const Frame& frame) {
     if (!wants_film(frame.time_s)) {
         return success();
     }
-    const Image image = parts_->renderer.draw(frame, microscope_camera(frame));
+    const Image image = parts_->filming->draw(frame, microscope_camera(frame));
     while (wants_film(frame.time_s)) {
         Status status = parts_->video->add(image);
         if (!status) {

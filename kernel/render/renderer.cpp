@@ -54,6 +54,7 @@ constexpr double surround = 1.04;
 constexpr double camera_aperture = 0.5 * microscope_aperture;
 constexpr double usual_focus_mm = 1.0;    ///< below the pupil's edge, which is in focus with it
 constexpr double deepest_focus_mm = 4.5;  ///< where the bag ends
+constexpr double focus_step_mm = 0.25;
 
 /// The camera follows the microscope, and sees its field.
 void look_with(const MicroscopeModel& model, const MicroscopeState& microscope, Camera& camera) {
@@ -336,7 +337,7 @@ Camera microscope_camera(const EyeAnatomy& eye, const WorldModel& world,
 
 namespace {
 
-/// Where the lowest instrument works: what somebody would focus on who looks on.
+/// Where the lowest instrument works, in steps that are not seen: what somebody would focus on who looks on.
 double worked_height(const Frame& frame) {
     double lowest = frame.eye->iris_z - usual_focus_mm;
     for (const ToolState& tool : frame.tools) {
@@ -344,7 +345,8 @@ double worked_height(const Frame& frame) {
             lowest = std::min(lowest, tool.pose.position.z());
         }
     }
-    return std::max(lowest, frame.eye->iris_z - deepest_focus_mm);
+    const double below = std::min(frame.eye->iris_z - lowest, deepest_focus_mm);
+    return frame.eye->iris_z - focus_step_mm * std::round(below / focus_step_mm);
 }
 
 }  // namespace
