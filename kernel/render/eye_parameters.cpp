@@ -343,6 +343,12 @@ unsigned features_of(const Frame& frame, bool in_pupil) {
     return bits;
 }
 
+unsigned crumb_feature() {
+    const auto* crumbs =
+        std::find_if(features.begin(), features.end(), [](const Feature& one) { return one.shows == has_crumbs; });
+    return 1U << (crumbs - features.begin());
+}
+
 std::vector<const char*> feature_names() {
     std::vector<const char*> names;
     for (const Feature& feature : features) {

@@ -28,5 +28,7 @@ void set_crumbs(const Program& program, const Frame& frame);
 std::vector<const char*> feature_names();
 /// Bit i: the i-th shows. in_pupil: also those that do not reach beyond the pupil.
 unsigned features_of(const Frame& frame, bool in_pupil);
+/// The bit of crumbs.
+unsigned crumb_feature();
 
 }  // namespace rhexis

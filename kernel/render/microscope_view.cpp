@@ -359,36 +359,45 @@ void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const V
     }
     ++kept_->turn;
     painted_.clear();
-    constexpr std::array names{"beyond the limbus", "iris", "pupil"};
-    for (std::size_t part = 0; part < names.size(); ++part) {
-        const bool in_pupil = part == 2;
-        const unsigned features = features_of(frame, in_pupil);
-        Program& program = kept_->draw[part].with(features);
-        if (in_pupil) {
-            const auto* shown = reinterpret_cast<const unsigned char*>(&features);
-            kept_->now.assign(shown, shown + sizeof features);
-            program.log_to(&kept_->now, pupil_grain);
-        }
+    const auto draw = [&](std::size_t part, unsigned features, const std::vector<PixelRect>& rects) {
+        const Program& program = kept_->draw[part].with(features);
         compose(program, frame, inner, depth, detail, outer);
-        program.log_to(nullptr);
-        if (in_pupil) {
-            log_fundus();
-            picture_.bind();
-        }
         set_moving(program, frame);
         program.set("kept", kept_->light.colours[0], 7);  // units of what these parts do not look up
         program.set("kept_added", kept_->light.colours[1], 8);
-        if (in_pupil) {
-            stale.mark(kept_->pupil.find(depth.raster(), frame, inner, pupil, kept_->now).rects());
-            if (has_sheets(frame) || has_cracks(frame)) {
-                stale.mark(pupil);  // which are drawn anew each time
-            }
-        }
-        const std::vector<PixelRect> rects =
-            stale.within(part == 0 ? where.white : (part == 1 ? where.iris : where.pupil));
         draw_part(rects);
         painted_.mark(rects);
-        clock.end(names[part]);
+    };
+    const unsigned front = features_of(frame, false);
+    draw(0, front, stale.within(where.white));
+    clock.end("beyond the limbus");
+    draw(1, front, stale.within(where.iris));
+    clock.end("iris");
+    const unsigned all = features_of(frame, true);
+    find_changes_of_pupil(all, frame, inner, depth, detail, outer, pupil, stale);
+    picture_.bind();
+    const TileMask& crumbs = kept_->pupil.crumbs();
+    draw(2, all & ~crumb_feature(), stale.without(crumbs).within(where.pupil));
+    if ((all & crumb_feature()) != 0) {
+        draw(2, all, crumbs.within(stale.within(where.pupil)));
+    }
+    clock.end("pupil");
+}
+
+/// Marks them. What is told of the scene is compared as its program is told it.
+void MicroscopeView::find_changes_of_pupil(unsigned features, const Frame& frame, const View& inner,
+                                           const DepthPass& depth, const Texture& detail, const View& outer,
+                                           const PixelRect& pupil, TileMask& stale) {
+    const auto* shown = reinterpret_cast<const unsigned char*>(&features);
+    kept_->now.assign(shown, shown + sizeof features);
+    Program& program = kept_->draw[2].with(features);
+    program.log_to(&kept_->now, pupil_grain);
+    compose(program, frame, inner, depth, detail, outer);
+    program.log_to(nullptr);
+    log_fundus();
+    stale.mark(kept_->pupil.find(depth.raster(), frame, inner, pupil, kept_->now).rects());
+    if (has_sheets(frame) || has_cracks(frame)) {
+        stale.mark(pupil);  // which are drawn anew each time
     }
 }
 

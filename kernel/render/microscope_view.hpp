@@ -99,6 +99,8 @@ private:
     void draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
                    const Texture& detail, const View& outer, const PixelRect& pupil, PassClock& clock);
     void log_fundus();
+    void find_changes_of_pupil(unsigned features, const Frame& frame, const View& inner, const DepthPass& depth,
+                               const Texture& detail, const View& outer, const PixelRect& pupil, TileMask& stale);
     void draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
                    const Texture& detail, const View& outer, PassClock& clock);
     void find_instruments(const View& inner);

@@ -12,6 +12,8 @@ namespace {
 constexpr float seen_depth = 2e-3F;  ///< change of optical depth that shows: of light, two in a thousand
 constexpr double softened_mm = 0.4;  ///< as far as what is beside a change may look another way
 
+constexpr double largest_outline = 1.85;  ///< of a crumb, that the shader draws: times its radius
+
 /// Of a row, whether something differs by what is seen.
 bool differs(const float* a, const float* b, int count) {
     float most = 0.0F;
@@ -69,7 +71,7 @@ void PupilChanges::mark_crumbs(const Frame& frame, const View& view) {
     changed_.mark(crumbs_.rects());
     crumbs_.clear();
     for (const Debris& crumb : frame.debris) {
-        const Vec3 half = Vec3::Constant(1.3 * radius_of(crumb));
+        const Vec3 half = Vec3::Constant(largest_outline * radius_of(crumb));
         const std::array<Vec3, 4> ends{crumb.position - half, crumb.position + half,
                                        crumb.position + Vec3(half.x(), -half.y(), half.z()),
                                        crumb.position + Vec3(-half.x(), half.y(), -half.z())};

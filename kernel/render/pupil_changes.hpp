@@ -24,13 +24,16 @@ public:
     const TileMask& find(const DepthRaster& raster, const Frame& frame, const View& view, const PixelRect& area,
                          std::vector<unsigned char>& parameters);
 
+    /// Tiles in which crumbs are, as of the last find().
+    [[nodiscard]] const TileMask& crumbs() const { return crumbs_; }
+
 private:
     void mark_depths(const DepthRaster& raster, const PixelRect& area);
     void mark_crumbs(const Frame& frame, const View& view);
 
     int width_;
     TileMask changed_;
-    TileMask crumbs_;             ///< where they were painted
+    TileMask crumbs_;
     std::vector<float> painted_;  ///< optical depths
     std::vector<unsigned char> parameters_;
 };

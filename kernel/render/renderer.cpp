@@ -68,6 +68,7 @@ void look_with(const MicroscopeModel& model, const MicroscopeState& microscope, 
 
 /// What one of two eyes sees, and keeps from picture to picture.
 struct EyeView {
+    DepthPass depth;
     MicroscopeView microscope;
     Eyepiece eyepiece;
 };
@@ -81,12 +82,12 @@ Result<EyeView> make_eye_view(int width, int height, Light light) {
     if (!eyepiece.ok()) {
         return eyepiece.error();
     }
-    return EyeView{std::move(microscope).value(), std::move(eyepiece).value()};
+    return EyeView{DepthPass(width, height, light == Light::kept), std::move(microscope).value(),
+                   std::move(eyepiece).value()};
 }
 
 /// Everything that lives in the context.
 struct Passes {
-    DepthPass depth;
     ToolPainter painter;
     EyeView left;                  ///< or the only one
     std::optional<EyeView> right;  ///< made when it is first needed
@@ -111,11 +112,7 @@ Result<Passes> make_passes(int width, int height, Light light) {
     if (!detail.ok()) {
         return detail.error();
     }
-    return Passes{DepthPass(width, height, light == Light::kept),
-                  std::move(painter).value(),
-                  std::move(left).value(),
-                  std::nullopt,
-                  std::move(bare).value(),
+    return Passes{std::move(painter).value(), std::move(left).value(), std::nullopt, std::move(bare).value(),
                   std::move(detail).value()};
 }
 
@@ -226,9 +223,9 @@ const Target& Renderer::Parts::paint(const Frame& frame, const Camera& camera, E
     }
     const View inner = view_into(frame, camera, width, height);
     const EyeAreas areas = eye_areas(*frame.eye, outer, inner);
-    passes->depth.draw(frame, tools, inner, areas.cornea, areas.pupil);
+    eye.depth.draw(frame, tools, inner, areas.cornea, areas.pupil);
     clock.end("optical depth");
-    eye.microscope.draw(passes->painter, frame, tools, outer, inner, passes->depth, passes->detail,
+    eye.microscope.draw(passes->painter, frame, tools, outer, inner, eye.depth, passes->detail,
                         0.5 * camera.stop_mm / camera.field_mm * height, clock);
     return eye.microscope.picture();
 }
@@ -237,7 +234,7 @@ void Renderer::Parts::look(const Frame& frame, const Camera& camera, EyeView& ey
                            EyeColours colours) {
     const View outer = view_in_air(camera, width, height);
     const View inner = view_into(frame, camera, width, height);
-    eye.eyepiece.look(eye.microscope.layers(passes->depth), frame, camera, outer, inner, into, colours);
+    eye.eyepiece.look(eye.microscope.layers(eye.depth), frame, camera, outer, inner, into, colours);
 }
 
 /// Where it cannot be made, the left one serves for both, and keeps nothing.
@@ -368,7 +365,7 @@ OpticalDepth Renderer::optical_depth(const Frame& frame, const Camera& camera) {
     const int width = parts_->width;
     const int height = parts_->height;
     const View view = view_into(frame, camera, width, height);
-    DepthPass& depth = parts_->passes->depth;
+    DepthPass& depth = parts_->passes->left.depth;
     depth.draw(frame, parts_->tools, view, whole(view), whole(view));
     const std::vector<float>& sums = depth.raster().sum();
     const int channels = depth.raster().channels();
