@@ -110,7 +110,8 @@ std::vector<Sample> samples() {
     eye("sculpt_no3", sculpted_frame(3.0, 0.2, true));
     eye("sculpt_no5", sculpted_frame(5.0, -0.6, true));
     eye("deep_no4", sculpted_frame(4.0, -1.4, false));
-    eye("levered_no3", levered_frame(0.45));
+    eye("levered", levered_frame(0.45));
+    all.back().camera.field_mm = 10.0;
     eye("whole_no6_small", patient_frame(6.0, 5.0));
     Camera near = microscope_camera(all[4].frame);
     near.field_mm = 8.0;
