@@ -15,13 +15,15 @@ uniform vec4 globe;    // and of the sclera
 uniform sampler2D detail_map;
 out vec4 colour;
 
-// What a mirror at the instrument sees: lamps above, a pale ceiling, blue drapes, a dark horizon.
-vec3 surroundings(vec3 way) {
+// What a mirror at the instrument sees: lamps above, a pale ceiling, blue drapes, a dark horizon. turn: of the mirror's
+// normal within a pixel, over which that is blurred.
+vec3 surroundings(vec3 way, float turn) {
     float up = dot(way, lamp_way);
     float room = encoded == 1 ? 1.0 : 0.15;  // under a microscope the theatre is dark
     vec3 light = room * mix(vec3(0.02, 0.03, 0.04), vec3(0.16, 0.22, 0.27), smoothstep(-0.6, 0.1, up));
     light = mix(light, room * vec3(0.50, 0.52, 0.54), smoothstep(0.15, 0.75, up));
-    light += vec3(2.6, 2.5, 2.35) * smoothstep(0.945, 0.995, up);
+    float lamps = smoothstep(0.945 - 0.20 * turn, 0.995 + 0.07 * turn, up) / (1.0 + turn);
+    light += vec3(2.6, 2.5, 2.35) * lamps;
     light *= 0.85 + 0.3 * smoothstep(-0.3, 0.3, sin(5.0 * way.x + 1.3));
     return light;
 }
@@ -29,17 +31,18 @@ vec3 surroundings(vec3 way) {
 vec3 shown(vec3 light) { return encoded == 1 ? pow(clamp(light, 0.0, 1.0), vec3(1.0 / 2.2)) : light; }
 
 void main() {
+    vec3 n = normalize(normal);
+    float turn = min(length(fwidth(n)), 1.5);  // from pixel to pixel
     bool inside = distance(world, cornea.xyz) < cornea.w || distance(world, globe.xyz) < globe.w;
     if ((medium == 1 && !inside) || (medium == 2 && inside)) {
         discard;
     }
-    vec3 n = normalize(normal);
     vec3 toward = normalize(camera - world);
     float around = atan(body.y, body.x) / 6.2831853;
     // Turned on a lathe: fine rings.
     float rings = texture(detail_map, vec2(0.35 * around, 0.9 * body.z)).a - 0.5;
     vec3 bumped = normalize(n + 0.06 * rings * vec3(0.3, 1.0, 0.2));
-    vec3 mirror = surroundings(reflect(-toward, bumped));
+    vec3 mirror = surroundings(reflect(-toward, bumped), turn);
     float facing = clamp(dot(n, toward), 0.0, 1.0);
     float graze = pow(1.0 - facing, 4.0);
     if (SLEEVE == 1) {
@@ -78,7 +81,7 @@ void main() {
         vec3 creased = normalize(n + vec3(0.25, 0.10, 0.0) + vec3(0.5 * folds, 0.0) + 0.1 * vec3(grain, pores, 0.0));
         vec3 foil = vec3(0.09, 0.25, 0.36) * (1.0 + 0.10 * grain) * (0.85 + 0.9 * dot(folds, vec2(-0.6, 0.8)));
         vec3 matte = finish == 4 ? skin : finish == 5 ? vec3(0.030, 0.022, 0.018) : foil;
-        vec3 shine = finish == 6 ? 0.04 * surroundings(reflect(-toward, creased)) : vec3(0.0);
+        vec3 shine = finish == 6 ? 0.04 * surroundings(reflect(-toward, creased), turn) : vec3(0.0);
         colour = vec4(shown((encoded == 1 ? 1.0 : 0.4) * (matte * lit + shine)), 1.0);
         return;
     }
@@ -87,7 +90,10 @@ void main() {
     halfway = normalize(halfway - dot(halfway, along) * along);
     float slant = dot(halfway, normalize(n - 0.98 * dot(n, along) * along));
     float line = encoded == 1 ? 26.0 : 70.0;
-    mirror += vec3(1.0, 0.97, 0.90) * (0.85 * pow(clamp(slant, 0.0, 1.0), line) + (encoded == 1 ? 0.10 : 0.015));
+    // On a thin shaft it is narrower than a pixel, which shows its mean.
+    float broad = line / (1.0 + 0.25 * line * turn * turn);
+    float bright = 0.85 * sqrt(broad / line) * pow(clamp(slant, 0.0, 1.0), broad);
+    mirror += vec3(1.0, 0.97, 0.90) * (bright + (encoded == 1 ? 0.10 : 0.015));
     vec3 metal = finish == 3 ? vec3(0.72, 0.73, 0.75) : vec3(0.66, 0.63, 0.60);
     vec3 light = mix(metal, vec3(1.0), graze) * mirror * (0.92 + 0.16 * rings);
     if (finish == 1) {

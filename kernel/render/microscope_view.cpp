@@ -256,9 +256,10 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
     cast_shadows(inner);
     clock.end("shadows");
     const Regions where = regions_of(frame, outer, inner, stop_pixels);
-    const bool still = kept_ && is_still(frame, inner, depth, detail, outer, stop_pixels);
+    const Seen seen{frame, outer, inner, depth, detail};
+    const bool still = kept_ && is_still(seen, stop_pixels);
     if (still && !kept_->is_written) {
-        write_kept_light(where, frame, inner, depth, detail, outer);
+        write_kept_light(where, seen);
         kept_->pupil.forget();
         clock.end("light that is kept");
     }
@@ -268,9 +269,9 @@ void MicroscopeView::draw(ToolPainter& painter, const Frame& frame, const std::v
         stop_pixels_ = stop_pixels;
     }
     if (still) {
-        draw_kept(where, frame, inner, depth, detail, outer, areas.pupil, clock);
+        draw_kept(where, seen, areas.pupil, clock);
     } else {
-        draw_anew(where, frame, inner, depth, detail, outer, clock);
+        draw_anew(where, seen, clock);
     }
     if (kept_) {
         kept_->is_written = still;
@@ -307,26 +308,24 @@ void MicroscopeView::find_instruments(const View& inner) {
     disturbed_.mark(shaded_.rects());
 }
 
-void MicroscopeView::draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                               const Texture& detail, const View& outer, PassClock& clock) {
+void MicroscopeView::draw_anew(const Regions& where, const Seen& seen, PassClock& clock) {
     const std::array<const std::vector<PixelRect>*, 4> bands{&where.white, &where.iris, &where.edge, &where.middle};
     for (std::size_t part = 0; part < bands.size(); ++part) {
-        const Program& program = parts_[part].with(features_of(frame, part >= 2));
-        compose(program, frame, inner, depth, detail, outer);
-        set_moving(program, frame);
+        const Program& program = parts_[part].with(features_of(seen.frame, part >= 2));
+        compose(program, seen);
+        set_moving(program, seen.frame);
         draw_part(*bands[part]);
         clock.end(part_names[part]);
     }
     painted_.mark_all();
 }
 
-void MicroscopeView::write_kept_light(const Regions& where, const Frame& frame, const View& inner,
-                                      const DepthPass& depth, const Texture& detail, const View& outer) {
-    const unsigned front = features_of(frame, false);
+void MicroscopeView::write_kept_light(const Regions& where, const Seen& seen) {
+    const unsigned front = features_of(seen.frame, false);
     kept_->light.bind();
-    compose(kept_->write_white.with(front), frame, inner, depth, detail, outer);
+    compose(kept_->write_white.with(front), seen);
     draw_part(where.white);
-    compose(kept_->write_iris.with(front), frame, inner, depth, detail, outer);
+    compose(kept_->write_iris.with(front), seen);
     draw_part(where.iris);
     draw_part(where.pupil);
 }
@@ -346,10 +345,9 @@ void MicroscopeView::log_fundus() {
 
 /// Only what has changed, what instruments change, and some bands of iris and pupil at a time, over which the tear film
 /// runs, and where the light of the fundus gets stronger.
-void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                               const Texture& detail, const View& outer, const PixelRect& pupil, PassClock& clock) {
+void MicroscopeView::draw_kept(const Regions& where, const Seen& seen, const PixelRect& pupil, PassClock& clock) {
     TileMask stale = disturbed_;
-    const bool film_jumps = std::abs(frame.time_s - kept_->time_s) > film_jump_s;
+    const bool film_jumps = std::abs(seen.frame.time_s - kept_->time_s) > film_jump_s;
     for (const std::vector<PixelRect>* part : {&where.iris, &where.pupil}) {
         for (const PixelRect& band : *part) {
             if (film_jumps || (band.y / band_rows + kept_->turn) % film_turns == 0) {
@@ -361,20 +359,20 @@ void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const V
     painted_.clear();
     const auto draw = [&](std::size_t part, unsigned features, const std::vector<PixelRect>& rects) {
         const Program& program = kept_->draw[part].with(features);
-        compose(program, frame, inner, depth, detail, outer);
-        set_moving(program, frame);
+        compose(program, seen);
+        set_moving(program, seen.frame);
         program.set("kept", kept_->light.colours[0], 7);  // units of what these parts do not look up
         program.set("kept_added", kept_->light.colours[1], 8);
         draw_part(rects);
         painted_.mark(rects);
     };
-    const unsigned front = features_of(frame, false);
+    const unsigned front = features_of(seen.frame, false);
     draw(0, front, stale.within(where.white));
     clock.end("beyond the limbus");
     draw(1, front, stale.within(where.iris));
     clock.end("iris");
-    const unsigned all = features_of(frame, true);
-    find_changes_of_pupil(all, frame, inner, depth, detail, outer, pupil, stale);
+    const unsigned all = features_of(seen.frame, true);
+    find_changes_of_pupil(all, seen, pupil, stale);
     picture_.bind();
     const TileMask& crumbs = kept_->pupil.crumbs();
     draw(2, all & ~crumb_feature(), stale.without(crumbs).within(where.pupil));
@@ -385,34 +383,32 @@ void MicroscopeView::draw_kept(const Regions& where, const Frame& frame, const V
 }
 
 /// Marks them. What is told of the scene is compared as its program is told it.
-void MicroscopeView::find_changes_of_pupil(unsigned features, const Frame& frame, const View& inner,
-                                           const DepthPass& depth, const Texture& detail, const View& outer,
-                                           const PixelRect& pupil, TileMask& stale) {
+void MicroscopeView::find_changes_of_pupil(unsigned features, const Seen& seen, const PixelRect& pupil,
+                                           TileMask& stale) {
     const auto* shown = reinterpret_cast<const unsigned char*>(&features);
     kept_->now.assign(shown, shown + sizeof features);
     Program& program = kept_->draw[2].with(features);
     program.log_to(&kept_->now, pupil_grain);
-    compose(program, frame, inner, depth, detail, outer);
+    compose(program, seen);
     program.log_to(nullptr);
     log_fundus();
-    stale.mark(kept_->pupil.find(depth.raster(), frame, inner, pupil, kept_->now).rects());
-    if (has_sheets(frame) || has_cracks(frame)) {
+    stale.mark(kept_->pupil.find(seen.depth.raster(), seen.frame, seen.inner, pupil, kept_->now).rects());
+    if (has_sheets(seen.frame) || has_cracks(seen.frame)) {
         stale.mark(pupil);  // which are drawn anew each time
     }
 }
 
 /// Whether the front of the eye is seen as in the picture before.
-bool MicroscopeView::is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
-                              const View& outer, double stop_pixels) {
+bool MicroscopeView::is_still(const Seen& seen, double stop_pixels) {
     const auto* stop = reinterpret_cast<const unsigned char*>(&stop_pixels);
     kept_->now.assign(stop, stop + sizeof stop_pixels);
-    const unsigned features = features_of(frame, false);
+    const unsigned features = features_of(seen.frame, false);
     const auto* shown = reinterpret_cast<const unsigned char*>(&features);
     kept_->now.insert(kept_->now.end(), shown, shown + sizeof features);
     for (ProgramVariants* variants : {&kept_->write_white, &kept_->write_iris}) {
         Program& program = variants->with(features);
         program.log_to(&kept_->now);
-        compose(program, frame, inner, depth, detail, outer);
+        compose(program, seen);
         program.log_to(nullptr);
     }
     const bool same = kept_->now == kept_->parameters;
@@ -500,12 +496,11 @@ void MicroscopeView::cast_shadows(const View& inner) {
     rectangles_.draw();
 }
 
-void MicroscopeView::compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
-                             const Texture& detail, const View& outer) const {
+void MicroscopeView::compose(const Program& program, const Seen& seen) const {
     program.use();
-    set_view(program, inner);
-    program.set("optical_depth", depth.optical_depth(), 0);
-    program.set("stop", depth.stop(), 1);
+    set_view(program, seen.inner);
+    program.set("optical_depth", seen.depth.optical_depth(), 0);
+    program.set("stop", seen.depth.stop(), 1);
     program.set("front", front_.surface(), 2);
     program.set("relief", front_.relief(), 3);
     program.set("inner_tools", inside_.picture(), 4);
@@ -514,21 +509,21 @@ void MicroscopeView::compose(const Program& program, const Frame& frame, const V
     program.set("iris_map", textures_->iris, 7);
     program.set("sclera_map", textures_->sclera, 8);
     program.set("sclera_relief", textures_->relief, 9);
-    program.set("detail_map", detail, 10);
+    program.set("detail_map", seen.detail, 10);
     program.set("soft_depth", soft_.colours[0], 11);
     program.set("shadows", shadows_.colours[0], 12);
     program.set("sheets", sheets_.picture(), 13);
     program.set("cracks", cracks_.picture(), 14);
-    program.set("trypan_blue", frame.eye->trypan_blue);
-    program.set("extinction_tint", depth.tint());
-    program.set("lamp_share", lamp_share(outer));
-    set_lamp(program, outer);
-    program.set("reference", depth.reference());
-    program.set("pixel_mm", pixel_mm(inner, Vec3(0.0, 0.0, frame.eye->iris_z)));
-    set_anatomy(program, *frame.eye);
-    program.set("cortical_opacity", frame.eye->cortical_opacity);
-    set_bag(program, frame);
-    set_harm(program, frame);
+    program.set("trypan_blue", seen.frame.eye->trypan_blue);
+    program.set("extinction_tint", seen.depth.tint());
+    program.set("lamp_share", lamp_share(seen.outer));
+    set_lamp(program, seen.outer);
+    program.set("reference", seen.depth.reference());
+    program.set("pixel_mm", pixel_mm(seen.inner, Vec3(0.0, 0.0, seen.frame.eye->iris_z)));
+    set_anatomy(program, *seen.frame.eye);
+    program.set("cortical_opacity", seen.frame.eye->cortical_opacity);
+    set_bag(program, seen.frame);
+    set_harm(program, seen.frame);
 }
 
 void MicroscopeView::set_moving(const Program& program, const Frame& frame) {

@@ -88,28 +88,30 @@ private:
         double time_s = 0.0;   ///< of the picture before
         std::size_t turn = 0;  ///< counts pictures: which of the iris's bands are painted anew for the tear film
     };
+    /// What a picture is drawn of.
+    struct Seen {
+        const Frame& frame;
+        const View& outer;
+        const View& inner;
+        const DepthPass& depth;
+        const Texture& detail;
+    };
     static Result<KeptLight> make_kept_light(int width, int height);
     MicroscopeView(Steps steps, std::array<ProgramVariants, 4> parts, std::optional<KeptLight> kept, EyePainter painter,
                    LensFront front, SheetLayer sheets, CrackLayer cracks, int width, int height);
-    bool is_still(const Frame& frame, const View& inner, const DepthPass& depth, const Texture& detail,
-                  const View& outer, double stop_pixels);
+    bool is_still(const Seen& seen, double stop_pixels);
     static Regions regions_of(const Frame& frame, const View& outer, const View& inner, double stop_pixels);
-    void write_kept_light(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                          const Texture& detail, const View& outer);
-    void draw_kept(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                   const Texture& detail, const View& outer, const PixelRect& pupil, PassClock& clock);
+    void write_kept_light(const Regions& where, const Seen& seen);
+    void draw_kept(const Regions& where, const Seen& seen, const PixelRect& pupil, PassClock& clock);
     void log_fundus();
-    void find_changes_of_pupil(unsigned features, const Frame& frame, const View& inner, const DepthPass& depth,
-                               const Texture& detail, const View& outer, const PixelRect& pupil, TileMask& stale);
-    void draw_anew(const Regions& where, const Frame& frame, const View& inner, const DepthPass& depth,
-                   const Texture& detail, const View& outer, PassClock& clock);
+    void find_changes_of_pupil(unsigned features, const Seen& seen, const PixelRect& pupil, TileMask& stale);
+    void draw_anew(const Regions& where, const Seen& seen, PassClock& clock);
     void find_instruments(const View& inner);
     void draw_part(const std::vector<PixelRect>& where);
     void gather_light(const Frame& frame, const View& inner, const DepthPass& depth);
     void soften(const View& inner, const DepthPass& depth, const PixelRect& area);
     void cast_shadows(const View& inner);
-    void compose(const Program& program, const Frame& frame, const View& inner, const DepthPass& depth,
-                 const Texture& detail, const View& outer) const;
+    void compose(const Program& program, const Seen& seen) const;
     /// The rest of what a program is told: what is another thing in every picture.
     static void set_moving(const Program& program, const Frame& frame);
 
