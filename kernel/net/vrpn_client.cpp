@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "net/vrpn_client.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace rhexis::vrpn {
+namespace {
+
+constexpr double retry_s = 2.0;
+constexpr double ping_every_s = 1.0;
+constexpr double patience_s = 3.0;  ///< with a device that does not answer
+
+/// A payload as a report, of a type that is one.
+template <typename What>
+Status put(Result<What> read, Report& report) {
+    if (!read) {
+        return read.error();
+    }
+    report.what = std::move(read).value();
+    return success();
+}
+
+/// False: the type is none that is heard.
+Result<bool> read_report(std::string_view type, WireSpan payload, Report& report) {
+    Status read = success();
+    if (type == pose_type) {
+        read = put(read_pose(payload), report);
+    } else if (type == velocity_type) {
+        read = put(read_velocity(payload), report);
+    } else if (type == button_type) {
+        read = put(read_button(payload), report);
+    } else if (type == buttons_type) {
+        read = put(read_buttons(payload), report);
+    } else if (type == analog_type) {
+        read = put(read_analog(payload), report);
+    } else if (type == text_type) {
+        read = put(read_text(payload), report);
+    } else {
+        return false;
+    }
+    return read ? Result<bool>(true) : Result<bool>(read.error());
+}
+
+}  // namespace
+
+Result<ServerPlace> server_place(std::string_view text) {
+    ServerPlace place;
+    std::string_view rest = text;
+    constexpr std::string_view tcp = "tcp://";
+    if (rest.starts_with(tcp)) {
+        place.asks_by_datagram = false;
+        rest.remove_prefix(tcp.size());
+    }
+    const std::size_t colon = rest.find(':');
+    const std::string_view host = rest.substr(0, colon);
+    place.address.host = host == "localhost" ? "127.0.0.1" : std::string(host);
+    if (colon != std::string_view::npos) {
+        const std::string_view number = rest.substr(colon + 1);
+        const auto [stop, fault] = std::from_chars(number.data(), number.data() + number.size(), place.address.port);
+        if (fault != std::errc() || stop != number.data() + number.size()) {
+            place.address.port = -1;
+        }
+    }
+    if (place.address.port < 1 || place.address.port > 65535 || !is_dotted(place.address.host)) {
+        return Error{"no VRPN server: '" + std::string(text) + "'", "",
+                     "ADDRESS, ADDRESS:PORT or tcp://ADDRESS:PORT, the address dotted or localhost"};
+    }
+    return place;
+}
+
+Client::Client(ServerPlace place, std::vector<std::string> devices)
+    : place_(std::move(place)), devices_(std::move(devices)), answered_(devices_.size(), false) {}
+
+void Client::turn(double now_s, std::int64_t time_us, std::vector<Report>& reports) {
+    if (!peer_) {
+        reach_out(now_s);
+    }
+    if (!peer_) {
+        return;
+    }
+    std::vector<Message> messages;
+    peer_->turn(now_s, messages);
+    if (peer_->is_open()) {
+        ping(now_s, time_us);
+    }
+    for (const Message& message : messages) {
+        if (peer_) {
+            take(message, reports);
+        }
+    }
+    if (peer_ && !peer_->fault().empty()) {
+        lose(peer_->fault());
+        next_try_s_ = now_s + retry_s;
+    }
+}
+
+/// Connects, or asks to be connected to and waits for it.
+void Client::reach_out(double now_s) {
+    if (listener_) {
+        while (std::optional<Socket> come = listener_->accept()) {
+            if (come->other_host() == place_.address.host) {  // nobody else was asked
+                peer_.emplace(std::move(*come), now_s);
+                return;
+            }
+        }
+    }
+    if (now_s < next_try_s_) {
+        return;
+    }
+    next_try_s_ = now_s + retry_s;
+    if (!place_.asks_by_datagram) {
+        Result<Socket> socket = Socket::connect_to(place_.address);
+        if (socket) {
+            peer_.emplace(std::move(socket).value(), now_s);
+        } else {
+            lost_ = socket.error().text();
+        }
+        return;
+    }
+    const std::string own = place_.address.host.starts_with("127.") ? "127.0.0.1" : "0.0.0.0";
+    if (!listener_) {
+        Result<Socket> listener = Socket::listen_at({own, 0});
+        Result<Socket> datagrams = Socket::datagrams_at({own, 0});
+        if (!listener || !datagrams) {
+            lost_ = (listener ? datagrams : listener).error().text();
+            return;
+        }
+        listener_.emplace(std::move(listener).value());
+        datagrams_.emplace(std::move(datagrams).value());
+    }
+    const std::string seen = Socket::address_towards(place_.address);
+    datagrams_->send_to(place_.address, request_datagram({seen, listener_->port()}));
+}
+
+/// Each device once a second, until it answers.
+void Client::ping(double now_s, std::int64_t time_us) {
+    if (!introduced_) {
+        introduced_ = true;
+        open_since_s_ = now_s;
+        next_ping_s_ = now_s;
+        lost_.clear();
+        for (std::size_t i = 0; i < devices_.size(); ++i) {
+            peer_->send(description(System::sender_description, static_cast<std::int32_t>(i), devices_[i]));
+        }
+        peer_->send(description(System::type_description, 0, ping_type));
+    }
+    if (now_s < next_ping_s_) {
+        return;
+    }
+    next_ping_s_ = now_s + ping_every_s;
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
+        if (!answered_[i]) {
+            peer_->send({time_us, static_cast<std::int32_t>(i), 0, {}});
+        }
+    }
+}
+
+void Client::take(const Message& message, std::vector<Report>& reports) {
+    const std::string_view type = peer_->names().type(message.type);
+    const auto device = std::find(devices_.begin(), devices_.end(), peer_->names().sender(message.sender));
+    if (message.type < 0 || device == devices_.end()) {
+        return;
+    }
+    if (type == pong_type) {
+        answered_[static_cast<std::size_t>(device - devices_.begin())] = true;
+        return;
+    }
+    Report report{*device, message.time_us};
+    const Result<bool> read = read_report(type, message.payload, report);
+    if (!read) {
+        lose(read.error().text());
+    } else if (read.value()) {
+        reports.push_back(std::move(report));
+    }
+}
+
+void Client::lose(const std::string& why) {
+    lost_ = why;
+    peer_.reset();
+    introduced_ = false;
+    answered_.assign(devices_.size(), false);
+}
+
+std::string Client::trouble(double now_s) const {
+    if (!is_connected()) {
+        return lost_.empty() ? "no VRPN server has answered yet" : lost_;
+    }
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
+        if (!answered_[i] && introduced_ && now_s - open_since_s_ > patience_s) {
+            return "the server has no '" + devices_[i] + "', or it does not answer";
+        }
+    }
+    return "";
+}
+
+}  // namespace rhexis::vrpn

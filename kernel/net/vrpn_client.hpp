@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hears what devices of a VRPN server do. It connects by itself, and again when the connection is lost.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "net/vrpn_peer.hpp"
+#include "net/vrpn_report.hpp"
+
+namespace rhexis::vrpn {
+
+/// Where a server is, and how to come to it.
+struct ServerPlace {
+    NetAddress address{"127.0.0.1", port};
+    bool asks_by_datagram = true;  ///< else it connects by TCP itself
+};
+
+/// Of "host", "host:port" or "tcp://host:port"; the host dotted, or localhost.
+Result<ServerPlace> server_place(std::string_view text);
+
+struct Report {
+    std::string device{};
+    std::int64_t time_us = 0;  ///< by the server's clock, since 1970
+    std::variant<PoseReport, VelocityReport, ButtonReport, std::vector<bool>, std::vector<double>, TextReport> what{};
+};
+
+class Client {
+public:
+    /// devices: those that it pings and listens to. Connects at the first turn().
+    Client(ServerPlace place, std::vector<std::string> devices);
+
+    /// What has come is added to `reports`. Never waits.
+    void turn(double now_s, std::int64_t time_us, std::vector<Report>& reports);
+
+    [[nodiscard]] bool is_connected() const { return peer_ && peer_->is_open(); }
+    /// Why it is not connected, or what a device does not answer; empty: all is well.
+    [[nodiscard]] std::string trouble(double now_s) const;
+
+private:
+    void reach_out(double now_s);
+    void ping(double now_s, std::int64_t time_us);
+    void take(const Message& message, std::vector<Report>& reports);
+    void lose(const std::string& why);
+
+    ServerPlace place_;
+    std::vector<std::string> devices_;
+    std::vector<bool> answered_;
+    std::optional<Socket> datagrams_;
+    std::optional<Socket> listener_;  ///< for the server that is asked to connect
+    std::optional<Peer> peer_;
+    bool introduced_ = false;
+    double next_try_s_ = 0.0;
+    double next_ping_s_ = 0.0;
+    double open_since_s_ = 0.0;
+    std::string lost_;
+};
+
+}  // namespace rhexis::vrpn
