@@ -145,23 +145,19 @@ void tell(vrpn::Server& server, const std::vector<std::string>& instruments, con
     }
 }
 
-void say_notes(vrpn::Server& server) {
+void turn(vrpn::Server& server) {
+    server.turn(wall_seconds(), time_of_day_us());
     for (const std::string& note : server.take_notes()) {
         std::fprintf(stderr, "rhexis: a listener: %s\n", note.c_str());
     }
+    wait_a_little();
 }
 
-/// From when somebody listens.
-void wait_for_somebody(vrpn::Server& server) {
-    while (server.peer_count() == 0) {
-        server.turn(wall_seconds(), time_of_day_us());
-        say_notes(server);
-        wait_a_little();
-    }
-    const double come_s = wall_seconds();
-    while (wall_seconds() - come_s < 0.2) {  // until it knows what the numbers mean
-        server.turn(wall_seconds(), time_of_day_us());
-        wait_a_little();
+/// Until listeners know what the numbers mean, or have the last of them.
+void linger(vrpn::Server& server) {
+    constexpr double enough_s = 0.2;
+    for (const double begun_s = wall_seconds(); wall_seconds() - begun_s < enough_s;) {
+        turn(server);
     }
 }
 
@@ -183,7 +179,10 @@ int serve(const ServeArguments& given) {
         std::printf("%s%s", device.c_str(), &device == &devices.back() ? "\n" : ", ");
     }
     std::fflush(stdout);
-    wait_for_somebody(server);
+    while (server.peer_count() == 0) {
+        turn(server);
+    }
+    linger(server);
     const double step_s = recording.value().header.scene.step_s / given.speed;
     const double begun_s = wall_seconds();
     std::size_t told = 0;
@@ -193,14 +192,9 @@ int serve(const ServeArguments& given) {
         for (; told < steps.size() && begun_s + step_s * static_cast<double>(told) <= now_s; ++told) {
             tell(server, instruments, steps[told], time_of_day_us());
         }
-        server.turn(now_s, time_of_day_us());
-        say_notes(server);
-        wait_a_little();
+        turn(server);
     }
-    for (const double end_s = wall_seconds(); wall_seconds() - end_s < 0.2;) {  // until the last has gone
-        server.turn(wall_seconds(), time_of_day_us());
-        wait_a_little();
-    }
+    linger(server);
     std::printf("%zu steps told\n", told);
     return done;
 }

@@ -28,11 +28,11 @@ void PictureSize::begin_anew() {
     first_look_ = true;
 }
 
-bool PictureSize::count(double took_s) {
+void PictureSize::count(double took_s) {
     took_s_.push_back(took_s);
     sum_s_ += took_s;
     if (took_s_.size() < least_looked_at || (took_s_.size() < looked_at && sum_s_ < looked_at_s)) {
-        return false;
+        return;
     }
     // The median: what a driver builds when something shows for the first time takes seconds once.
     const auto middle = took_s_.begin() + static_cast<std::ptrdiff_t>(took_s_.size() / 2);
@@ -40,17 +40,15 @@ bool PictureSize::count(double took_s) {
     const double usual_s = *middle;
     took_s_.clear();
     sum_s_ = 0.0;
-    if (first_look_) {
-        first_look_ = false;
-        return false;
+    if (!first_look_) {
+        decide(usual_s);
     }
-    return decide(usual_s);
+    first_look_ = false;
 }
 
 /// Pixels cost the time: it goes with the square of the share.
-bool PictureSize::decide(double usual_s) {
+void PictureSize::decide(double usual_s) {
     const int last = static_cast<int>(shares.size()) - 1;
-    const int before = size_;
     if (usual_s > longest_s) {
         const double wanted = share() * std::sqrt(longest_s / usual_s);
         while (size_ < last && share() > wanted) {
@@ -70,7 +68,6 @@ bool PictureSize::decide(double usual_s) {
     } else {
         easy_looks_ = 0;
     }
-    return size_ != before;
 }
 
 }  // namespace rhexis::station

@@ -12,13 +12,13 @@ class PictureSize {
 public:
     /// Of the window's size each way, 0.35 to 1.
     [[nodiscard]] double share() const;
-    /// A picture of that share took so long [s]. True: from now on it is another one.
-    bool count(double took_s);
+    /// A picture of that share took so long [s]; from now on it may be another one.
+    void count(double took_s);
     /// What is drawn with is new, so that the next pictures say little: textures are painted meanwhile.
     void begin_anew();
 
 private:
-    bool decide(double usual_s);
+    void decide(double usual_s);
 
     int size_ = 0;                ///< in the list of shares
     std::vector<double> took_s_;  ///< of the pictures that are looked at now

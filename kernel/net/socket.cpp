@@ -54,28 +54,6 @@ void send_at_once(int handle) {
 
 }  // namespace
 
-bool is_dotted(std::string_view text) {
-    int fields = 1;
-    int value = -1;
-    for (const char c : text) {
-        if (c == '.') {
-            if (value < 0) {
-                return false;
-            }
-            ++fields;
-            value = -1;
-        } else if (c >= '0' && c <= '9') {
-            value = 10 * std::max(0, value) + (c - '0');
-            if (value > 255) {
-                return false;
-            }
-        } else {
-            return false;
-        }
-    }
-    return fields == 4 && value >= 0;
-}
-
 Socket::~Socket() {
     if (handle_ >= 0) {
         ::close(handle_);

@@ -4,22 +4,13 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/result.hpp"
+#include "net/net_address.hpp"
 #include "net/wire_bytes.hpp"
 
 namespace rhexis {
-
-/// Of an IPv4 socket. port: 0, any that is free.
-struct NetAddress {
-    std::string host = "127.0.0.1";  ///< dotted
-    int port = 0;
-};
-
-/// Four numbers of 0 to 255 with dots.
-bool is_dotted(std::string_view text);
 
 class Socket {
 public:

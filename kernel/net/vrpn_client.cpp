@@ -160,7 +160,7 @@ void Client::ping(double now_s, std::int64_t time_us) {
 void Client::take(const Message& message, std::vector<Report>& reports) {
     const std::string_view type = peer_->names().type(message.type);
     const auto device = std::find(devices_.begin(), devices_.end(), peer_->names().sender(message.sender));
-    if (message.type < 0 || device == devices_.end()) {
+    if (device == devices_.end()) {
         return;
     }
     if (type == pong_type) {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "net/socket.hpp"
-
 namespace rhexis::vrpn {
 namespace {
 
@@ -168,14 +166,14 @@ std::string_view Names::name_of(const Table& table, std::int32_t id) {
     return found == table.end() ? std::string_view() : std::string_view(found->second);
 }
 
-WireBytes request_datagram(const ConnectionRequest& request) {
+WireBytes request_datagram(const NetAddress& own) {
     WireBytes bytes;
-    append_text(request.address + " " + std::to_string(request.port), bytes);
+    append_text(own.host + " " + std::to_string(own.port), bytes);
     bytes.push_back(0);
     return bytes;
 }
 
-Result<ConnectionRequest> read_request(WireSpan bytes, std::string_view from) {
+Result<NetAddress> read_request(WireSpan bytes, std::string_view from) {
     const std::string text = text_of(bytes.first(std::min(bytes.size(), longest_request)));
     const std::size_t end = text.find('\0');
     const std::size_t space = text.find(' ');
@@ -184,18 +182,16 @@ Result<ConnectionRequest> read_request(WireSpan bytes, std::string_view from) {
         !is_dotted(std::string_view(text).substr(0, space))) {
         return broken("a request to connect that cannot be read", allowed);
     }
-    ConnectionRequest request;
-    request.address = text.substr(0, space);
-    const char* first = text.data() + space + 1;
+    NetAddress asked{text.substr(0, space), 0};
     const char* last = text.data() + end;
-    const auto [stop, fault] = std::from_chars(first, last, request.port);
-    if (fault != std::errc() || stop != last || request.port < 1024 || request.port > 65535) {
+    const auto [stop, fault] = std::from_chars(text.data() + space + 1, last, asked.port);
+    if (fault != std::errc() || stop != last || asked.port < 1024 || asked.port > 65535) {
         return broken("a request to connect to no port", allowed);
     }
-    if (request.address != from) {
-        return broken("a request from " + std::string(from) + " to connect to " + request.address, allowed);
+    if (asked.host != from) {
+        return broken("a request from " + std::string(from) + " to connect to " + asked.host, allowed);
     }
-    return request;
+    return asked;
 }
 
 }  // namespace rhexis::vrpn

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/result.hpp"
+#include "net/net_address.hpp"
 #include "net/wire_bytes.hpp"
 
 namespace rhexis::vrpn {
@@ -81,14 +82,10 @@ private:
     Table types_;
 };
 
-/// A client that asks a server, by a datagram, to connect to it.
-struct ConnectionRequest {
-    std::string address{};  ///< IPv4, dotted
-    int port = 0;           ///< 1024 to 65535
-};
-WireBytes request_datagram(const ConnectionRequest& request);
-/// from: the address that the datagram came from, and the only one that may be asked for: else anybody could have a
-/// server connect to anything.
-Result<ConnectionRequest> read_request(WireSpan bytes, std::string_view from);
+/// A client asks a server, by a datagram, to connect to this address of its own.
+WireBytes request_datagram(const NetAddress& own);
+/// Its port is 1024 to 65535. from: the host that the datagram came from, and the only one that may be asked for: else
+/// anybody could have a server connect to anything.
+Result<NetAddress> read_request(WireSpan bytes, std::string_view from);
 
 }  // namespace rhexis::vrpn

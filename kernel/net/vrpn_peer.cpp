@@ -61,8 +61,7 @@ void Peer::read_messages(std::vector<Message>& messages) {
             return;
         } else if (const Status taken = names_.take(*next.value()); !taken) {
             fault_ = taken.error().text();
-        } else if (next.value()->type >= 0 ||
-                   next.value()->type == static_cast<std::int32_t>(System::udp_description)) {
+        } else if (next.value()->type >= 0) {
             messages.push_back(*std::move(next).value());
         }
     }

@@ -15,7 +15,7 @@ public:
     /// Connected, or about to be. now_s: of a clock that only goes forward.
     Peer(Socket socket, double now_s);
 
-    /// Reads and sends what there is, without waiting. What has come and is no description is added to `messages`.
+    /// Reads and sends what there is, without waiting. What has come of devices is added to `messages`.
     void turn(double now_s, std::vector<Message>& messages);
     void send(const Message& message);
 

@@ -13,39 +13,6 @@ constexpr double off_unit = 0.01;  ///< a length of a quaternion that is taken a
 
 Error spoilt(const std::string& what, const std::string& allowed) { return Error{what, "VRPN", allowed}; }
 
-void append_sensor(int sensor, WireBytes& out) {
-    append_i32(sensor, out);
-    append_i32(sensor, out);  // a filler, which others expect to be this
-}
-
-void append_vector(const Vec3& value, WireBytes& out) {
-    for (const double x : value) {
-        append_f64(x / mm_per_m, out);
-    }
-}
-
-void append_quaternion(const Quat& value, WireBytes& out) {
-    for (const double x : value.coeffs()) {  // x, y, z, w
-        append_f64(x, out);
-    }
-}
-
-Vec3 read_vector(WireReader& reader) {
-    Vec3 value;
-    for (double& x : value) {
-        x = mm_per_m * reader.f64();
-    }
-    return value;
-}
-
-Quat read_quaternion(WireReader& reader) {
-    Quat value;
-    for (double& x : value.coeffs()) {
-        x = reader.f64();
-    }
-    return value;
-}
-
 Status check_size(WireSpan payload, std::size_t bytes, const char* of) {
     if (payload.size() != bytes) {
         return spoilt(std::string(of) + " of " + std::to_string(payload.size()) + " bytes", std::to_string(bytes));
@@ -53,19 +20,36 @@ Status check_size(WireSpan payload, std::size_t bytes, const char* of) {
     return success();
 }
 
-/// Sensor, a vector in mm, a quaternion.
+/// What poses and velocities begin with: a sensor, a vector in mm, a quaternion.
 struct Placed {
     int sensor = 0;
     Vec3 vector;
     Quat quaternion;
 };
 
+WireBytes bytes_of(const Placed& placed) {
+    WireBytes out;
+    append_i32(placed.sensor, out);
+    append_i32(placed.sensor, out);  // a filler, which others expect to be this
+    for (const double x : placed.vector) {
+        append_f64(x / mm_per_m, out);
+    }
+    for (const double x : placed.quaternion.coeffs()) {  // x, y, z, w
+        append_f64(x, out);
+    }
+    return out;
+}
+
 Result<Placed> read_placed(WireReader& reader, const char* of) {
     Placed placed;
     placed.sensor = reader.i32();
     static_cast<void>(reader.i32());
-    placed.vector = read_vector(reader);
-    placed.quaternion = read_quaternion(reader);
+    for (double& x : placed.vector) {
+        x = mm_per_m * reader.f64();
+    }
+    for (double& x : placed.quaternion.coeffs()) {
+        x = reader.f64();
+    }
     if (placed.sensor < 0) {
         return spoilt(std::string(of) + " of sensor " + std::to_string(placed.sensor), "0 or more");
     }
@@ -81,19 +65,10 @@ Result<Placed> read_placed(WireReader& reader, const char* of) {
 
 }  // namespace
 
-WireBytes payload_of(const PoseReport& report) {
-    WireBytes out;
-    append_sensor(report.sensor, out);
-    append_vector(report.position, out);
-    append_quaternion(report.turned, out);
-    return out;
-}
+WireBytes payload_of(const PoseReport& report) { return bytes_of({report.sensor, report.position, report.turned}); }
 
 WireBytes payload_of(const VelocityReport& report) {
-    WireBytes out;
-    append_sensor(report.sensor, out);
-    append_vector(report.velocity, out);
-    append_quaternion(report.turns, out);
+    WireBytes out = bytes_of({report.sensor, report.velocity, report.turns});
     append_f64(report.interval_s, out);
     return out;
 }

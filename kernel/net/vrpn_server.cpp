@@ -75,20 +75,18 @@ void Server::let_in(double now_s) {
         if (!datagram) {
             return;
         }
-        const Result<ConnectionRequest> asked = read_request(datagram->bytes, datagram->from.host);
+        const Result<NetAddress> asked = read_request(datagram->bytes, datagram->from.host);
         if (!asked) {
             notes_.push_back(asked.error().text());
             continue;
         }
-        const NetAddress from{asked.value().address, asked.value().port};
-        const bool again = std::any_of(guests_.begin(), guests_.end(), [&](const Guest& guest) {
-            return guest.asked_from.port == from.port && guest.asked_from.host == from.host;
-        });
+        const bool again = std::any_of(guests_.begin(), guests_.end(),
+                                       [&](const Guest& guest) { return guest.asked_from == asked.value(); });
         if (again || guests_.size() >= most_guests) {
             continue;
         }
-        if (Result<Socket> socket = Socket::connect_to(from)) {
-            guests_.push_back({Peer(std::move(socket).value(), now_s), false, from});
+        if (Result<Socket> socket = Socket::connect_to(asked.value())) {
+            guests_.push_back({Peer(std::move(socket).value(), now_s), false, asked.value()});
         }
     }
 }

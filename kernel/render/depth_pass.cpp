@@ -9,8 +9,7 @@ namespace rhexis {
 
 namespace {
 
-constexpr float seen_extinction = 1e-4F;  ///< changes below are not seen [1/mm],
-constexpr double seen_mm = 2e-3;          ///< nor is tissue that moves by less
+constexpr float seen_extinction = 1e-4F;  ///< changes below are not seen [1/mm]
 
 /// About the middle of all bodies, on a grid: distances are measured from there, so that their sums lose few digits,
 /// and it stays while bodies sway.
@@ -119,12 +118,12 @@ bool DepthPass::is_still(const View& view, const PixelRect& body_area) {
                (a.corners[1] - b.corners[1]).cwiseAbs().maxCoeff() <= seen_mm &&
                (a.corners[2] - b.corners[2]).cwiseAbs().maxCoeff() <= seen_mm;
     };
+    const DrawnFrom from{view.clip_from_world, body_area, reference_};
     const int channels = grey_ ? 1 : 3;
-    const bool still = drawn_.clip_from_world == view.clip_from_world && drawn_.area == body_area &&
-                       drawn_.reference == reference_ && drawn_.channels == channels &&
+    const bool still = from == drawn_.from && channels == drawn_.channels &&
                        std::equal(stream_.begin(), stream_.end(), drawn_.faces.begin(), drawn_.faces.end(), alike);
     if (!still) {
-        drawn_ = {view.clip_from_world, body_area, reference_, channels, stream_};
+        drawn_ = {from, channels, stream_};
     }
     return still;
 }

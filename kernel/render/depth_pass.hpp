@@ -4,6 +4,7 @@
 
 #include "flow/frame.hpp"
 #include "render/depth_raster.hpp"
+#include "render/drawn_from.hpp"
 #include "render/gl_objects.hpp"
 #include "render/pixel_rect.hpp"
 #include "render/signed_faces.hpp"
@@ -45,11 +46,9 @@ private:
     bool is_still(const View& view, const PixelRect& body_area);
     void find_tint(const Frame& frame);
 
-    /// Of what is kept: what it was drawn for.
+    /// Of what is kept.
     struct Drawn {
-        Mat4 clip_from_world = Mat4::Zero();
-        PixelRect area;
-        Vec3 reference = Vec3::Zero();
+        DrawnFrom from;
         int channels = 0;
         FaceStream faces;
     };

@@ -101,10 +101,9 @@ void LensFront::collect(const Frame& frame) {
 
 /// Smoothing reaches beyond what is drawn, and must not find there what an earlier picture left.
 void LensFront::clear_beyond(const PixelRect& area) {
-    if (drawn_ == area) {
+    if (drawn_ && drawn_->area == area) {
         return;
     }
-    drawn_ = area;
     for (const Target* target : {&front_, &half_, &smooth_}) {
         target->bind();
         glClearBufferfv(GL_COLOR, 0, nothing.data());
@@ -114,25 +113,22 @@ void LensFront::clear_beyond(const PixelRect& area) {
     glClearBufferfv(GL_COLOR, 0, no_surface.data());
 }
 
-/// Whether the surface is seen as in the picture before; where it is not, it counts as drawn now.
-bool LensFront::is_still(const View& view, const Vec3& reference, const PixelRect& area) {
-    constexpr float seen_mm = 2e-3F;
-    const auto alike = [](float a, float b) { return std::abs(a - b) <= seen_mm; };
-    const bool still =
-        drawn_ == area && drawn_for_.clip_from_world == view.clip_from_world && drawn_for_.reference == reference &&
-        std::equal(stream_.begin(), stream_.end(), drawn_for_.stream.begin(), drawn_for_.stream.end(), alike);
-    if (!still) {
-        drawn_for_ = {view.clip_from_world, reference, stream_};
-    }
-    return still;
+/// Whether the surface is seen as when it was drawn.
+bool LensFront::is_still(const DrawnFrom& from) const {
+    const auto alike = [](float a, float b) { return std::abs(a - b) <= static_cast<float>(seen_mm); };
+    return drawn_ == from &&
+           std::equal(stream_.begin(), stream_.end(), drawn_stream_.begin(), drawn_stream_.end(), alike);
 }
 
 void LensFront::draw(const Frame& frame, const View& view, const Vec3& reference, const PixelRect& area) {
     collect(frame);
-    if (keeps_ && is_still(view, reference, area)) {
+    const DrawnFrom from{view.clip_from_world, area, reference};
+    if (keeps_ && is_still(from)) {
         return;
     }
     clear_beyond(area);
+    drawn_ = from;
+    drawn_stream_ = stream_;
     front_.bind();
     const Scissor scissor(area);
     const GLfloat farthest = 1.0F;

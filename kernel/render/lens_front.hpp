@@ -5,9 +5,8 @@
 #include <optional>
 
 #include "flow/frame.hpp"
+#include "render/drawn_from.hpp"
 #include "render/gl_objects.hpp"
-#include "render/pixel_rect.hpp"
-#include "render/view.hpp"
 
 namespace rhexis {
 
@@ -28,7 +27,7 @@ public:
 
 private:
     LensFront(Program front, Program blur, Program slopes, int width, int height, bool keeps);
-    bool is_still(const View& view, const Vec3& reference, const PixelRect& area);
+    [[nodiscard]] bool is_still(const DrawnFrom& from) const;
     void collect(const Frame& frame);
     void clear_beyond(const PixelRect& area);
     void smooth(double pixel_mm);
@@ -40,15 +39,9 @@ private:
     Target half_;
     Target smooth_;  ///< depth over a short and a long way
     Target slopes_;
-    /// What the pictures were drawn for.
-    struct Drawn {
-        Mat4 clip_from_world = Mat4::Zero();
-        Vec3 reference = Vec3::Zero();
-        std::vector<float> stream;
-    };
     bool keeps_;
-    Drawn drawn_for_;
-    std::optional<PixelRect> drawn_;  ///< what may hold something
+    std::optional<DrawnFrom> drawn_;  ///< none: it may hold anything
+    std::vector<float> drawn_stream_;
     VertexStream vertices_;
     std::vector<float> stream_;
     std::vector<Vec3> fine_;

@@ -92,6 +92,13 @@ void set_lamp(const Program& program, const View& outer) {
     program.set("lamp_spot", Vec3(outer.plane_point.x(), outer.plane_point.y(), half_of_spot(outer)));
 }
 
+/// Of what is compared with the picture before.
+template <typename Value>
+void append_bytes(const Value& value, std::vector<unsigned char>& bytes) {
+    const auto* first = reinterpret_cast<const unsigned char*>(&value);
+    bytes.insert(bytes.end(), first, first + sizeof value);
+}
+
 /// As far as what is changed there changes what is softened.
 PixelRect reached(const PixelRect& changed, const View& view) {
     constexpr double deviations = 2.5;
@@ -339,8 +346,7 @@ void MicroscopeView::log_fundus() {
     for (float& share : reaches) {
         share = std::round(steps * share);
     }
-    const auto* bytes = reinterpret_cast<const unsigned char*>(reaches.data());
-    kept_->now.insert(kept_->now.end(), bytes, bytes + sizeof reaches);
+    append_bytes(reaches, kept_->now);
 }
 
 /// Only what has changed, what instruments change, and some bands of iris and pupil at a time, over which the tear film
@@ -385,8 +391,8 @@ void MicroscopeView::draw_kept(const Regions& where, const Seen& seen, const Pix
 /// Marks them. What is told of the scene is compared as its program is told it.
 void MicroscopeView::find_changes_of_pupil(unsigned features, const Seen& seen, const PixelRect& pupil,
                                            TileMask& stale) {
-    const auto* shown = reinterpret_cast<const unsigned char*>(&features);
-    kept_->now.assign(shown, shown + sizeof features);
+    kept_->now.clear();
+    append_bytes(features, kept_->now);
     Program& program = kept_->draw[2].with(features);
     program.log_to(&kept_->now, pupil_grain);
     compose(program, seen);
@@ -400,11 +406,10 @@ void MicroscopeView::find_changes_of_pupil(unsigned features, const Seen& seen, 
 
 /// Whether the front of the eye is seen as in the picture before.
 bool MicroscopeView::is_still(const Seen& seen, double stop_pixels) {
-    const auto* stop = reinterpret_cast<const unsigned char*>(&stop_pixels);
-    kept_->now.assign(stop, stop + sizeof stop_pixels);
     const unsigned features = features_of(seen.frame, false);
-    const auto* shown = reinterpret_cast<const unsigned char*>(&features);
-    kept_->now.insert(kept_->now.end(), shown, shown + sizeof features);
+    kept_->now.clear();
+    append_bytes(stop_pixels, kept_->now);
+    append_bytes(features, kept_->now);
     for (ProgramVariants* variants : {&kept_->write_white, &kept_->write_iris}) {
         Program& program = variants->with(features);
         program.log_to(&kept_->now);

@@ -2,7 +2,6 @@
 // What of the pupil looks another way than when it was painted last, where a picture keeps what does not.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "flow/frame.hpp"

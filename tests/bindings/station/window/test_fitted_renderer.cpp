@@ -18,6 +18,26 @@ using namespace rhexis::testing;
 
 namespace {
 
+/// Open, and drawn in on this thread; of what is drawn with, the last to go.
+struct DrawnWindow {
+    DrawnWindow(int width, int height) : opened(Window::open("test", width, height, false)) {
+        REQUIRE(opened.ok());
+        REQUIRE(opened.value().draw_here().ok());
+    }
+    ~DrawnWindow() { opened.value().let_go(); }
+    DrawnWindow(const DrawnWindow&) = delete;
+    DrawnWindow& operator=(const DrawnWindow&) = delete;
+
+    Result<Window> opened;
+    Window& window = opened.value();
+};
+
+FittedRenderer fitted(int width, int height) {
+    Result<FittedRenderer> made = FittedRenderer::create(width, height);
+    REQUIRE(made.ok());
+    return std::move(made).value();
+}
+
 /// What the window shows of a frame.
 Image shown(const Window& window, FittedRenderer& renderer, const Frame& frame, Stereo stereo = Stereo::off) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -63,65 +83,43 @@ TEST_SUITE("fitted renderer") {
         const Frame frame = patient_frame(3.0, 7.5, 1500);
         const Image first = alone(frame);
         // where no screen is, the surface keeps the size it began with: this is the larger one
-        Result<Window> opened = Window::open("test", 480, 240, false);
-        REQUIRE(opened.ok());
-        Window& window = opened.value();
-        REQUIRE(window.draw_here().ok());
-        {
-            Result<FittedRenderer> made = FittedRenderer::create(320, 240);
-            REQUIRE(made.ok());
-            FittedRenderer& renderer = made.value();
-            CHECK_FALSE(renderer.fit(320, 240, 1.0, 0.5));
-            CHECK_FALSE(renderer.fit(480, 240, 1.0, 1.0));
-            const Image meanwhile = shown(window, renderer, frame);
-            CHECK(is_black(meanwhile, 40, 120));
-            CHECK(apart(part(meanwhile, 80, 320), first) < 1.0);
-            CHECK_FALSE(renderer.fit(480, 240, 1.0, 1.2));
-            CHECK(renderer.fit(480, 240, 1.0, 1.3));
-            CHECK_FALSE(renderer.fit(480, 240, 1.0, 9.0));
-            const Image settled = shown(window, renderer, frame);
-            CHECK_FALSE(is_black(settled, 40, 120));
-            CHECK(apart(part(settled, 80, 320), first) < 1.0);
-        }
-        window.let_go();
+        const DrawnWindow larger(480, 240);
+        FittedRenderer renderer = fitted(320, 240);
+        CHECK_FALSE(renderer.fit(320, 240, 1.0, 0.5));
+        CHECK_FALSE(renderer.fit(480, 240, 1.0, 1.0));
+        const Image meanwhile = shown(larger.window, renderer, frame);
+        CHECK(is_black(meanwhile, 40, 120));
+        CHECK(apart(part(meanwhile, 80, 320), first) < 1.0);
+        CHECK_FALSE(renderer.fit(480, 240, 1.0, 1.2));
+        CHECK(renderer.fit(480, 240, 1.0, 1.3));
+        CHECK_FALSE(renderer.fit(480, 240, 1.0, 9.0));
+        const Image settled = shown(larger.window, renderer, frame);
+        CHECK_FALSE(is_black(settled, 40, 120));
+        CHECK(apart(part(settled, 80, 320), first) < 1.0);
     }
 
     TEST_CASE("a size that no picture can have leaves the one before; one of nothing is drawn as the least there is") {
-        Result<Window> opened = Window::open("test", 160, 120, false);
-        REQUIRE(opened.ok());
-        Window& window = opened.value();
-        REQUIRE(window.draw_here().ok());
-        {
-            const Frame frame = patient_frame(3.0, 7.5, 1500);
-            Result<FittedRenderer> made = FittedRenderer::create(160, 120);
-            REQUIRE(made.ok());
-            const Image before = shown(window, made.value(), frame);
-            CHECK_FALSE(made.value().fit(100000, 120, 1.0, 1.0));
-            CHECK_FALSE(made.value().fit(100000, 120, 1.0, 2.0));
-            CHECK(made.value().fit(0, 0, 1.0, 3.0) == false);
-            CHECK(made.value().fit(0, 0, 1.0, 4.0));
-            CHECK(made.value().fit(0, 0, 1.0, 5.0) == false);
-            CHECK(made.value().fit(160, 120, 1.0, 6.0) == false);
-            CHECK(made.value().fit(160, 120, 1.0, 7.0));
-            CHECK(apart(shown(window, made.value(), frame), before) < 0.1);
-        }
-        window.let_go();
+        const Frame frame = patient_frame(3.0, 7.5, 1500);
+        const DrawnWindow small(160, 120);
+        FittedRenderer renderer = fitted(160, 120);
+        const Image before = shown(small.window, renderer, frame);
+        CHECK_FALSE(renderer.fit(100000, 120, 1.0, 1.0));
+        CHECK_FALSE(renderer.fit(100000, 120, 1.0, 2.0));
+        CHECK_FALSE(renderer.fit(0, 0, 1.0, 3.0));
+        CHECK(renderer.fit(0, 0, 1.0, 4.0));
+        CHECK_FALSE(renderer.fit(0, 0, 1.0, 5.0));
+        CHECK_FALSE(renderer.fit(160, 120, 1.0, 6.0));
+        CHECK(renderer.fit(160, 120, 1.0, 7.0));
+        CHECK(apart(shown(small.window, renderer, frame), before) < 0.1);
     }
 
     TEST_CASE("side by side each eye has its half of the window, and its picture is not squeezed") {
         const Frame frame = patient_frame(3.0, 7.5, 1500);
         const Image one = alone(frame);
-        Result<Window> opened = Window::open("test", 640, 240, false);
-        REQUIRE(opened.ok());
-        Window& window = opened.value();
-        REQUIRE(window.draw_here().ok());
-        {
-            Result<FittedRenderer> made = FittedRenderer::create(320, 240);
-            REQUIRE(made.ok());
-            const Image both = shown(window, made.value(), frame, Stereo::side_by_side);
-            CHECK(apart(part(both, 0, 320), one) < 6.0);  // from 12 mm aside
-            CHECK(apart(part(both, 320, 320), one) < 6.0);
-        }
-        window.let_go();
+        const DrawnWindow wide(640, 240);
+        FittedRenderer renderer = fitted(320, 240);
+        const Image both = shown(wide.window, renderer, frame, Stereo::side_by_side);
+        CHECK(apart(part(both, 0, 320), one) < 6.0);  // from 12 mm aside
+        CHECK(apart(part(both, 320, 320), one) < 6.0);
     }
 }
