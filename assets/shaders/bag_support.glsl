@@ -52,7 +52,7 @@ vec3 with_hook_inside(vec3 picture, vec2 at, vec4 hook, float shadowed) {
     HookFrame frame = hook_frame(hook);
     vec2 here = in_frame(frame, at - hook.xy);
     vec2 shade = in_frame(frame, at - hook.xy - vec2(0.16, -0.15));
-    float in_shade = smoothstep(2.6 * thread_radius, 0.4 * thread_radius, abs(shade.y)) * step(-0.2, shade.x) *
+    float in_shade = (1.0 - smoothstep(0.4 * thread_radius, 2.6 * thread_radius, abs(shade.y))) * step(-0.2, shade.x) *
                      step(shade.x, frame.length);
     picture *= 1.0 - 0.5 * shadowed * in_shade;
     // Its end lies under the capsule: duller.
@@ -79,9 +79,9 @@ vec3 with_hook_outside(vec3 picture, vec2 at, vec4 hook) {
     picture = mix(picture, vec3(0.80, 0.74, 0.70) * lamp, 0.45 * cut);
     float from = stopper_from + 0.5 * stopper_length;
     vec2 box = abs(vec2(shade.x - from, shade.y)) - vec2(0.5 * stopper_length, stopper_width);
-    float thread_shade = smoothstep(2.0 * thread_radius, 0.5 * thread_radius, abs(shade.y)) * step(0.0, shade.x) *
+    float thread_shade = (1.0 - smoothstep(0.5 * thread_radius, 2.0 * thread_radius, abs(shade.y))) * step(0.0, shade.x) *
                          step(shade.x, thread_reach);
-    picture *= 1.0 - 0.45 * max(thread_shade, smoothstep(0.10, -0.10, max(box.x, box.y)));
+    picture *= 1.0 - 0.45 * max(thread_shade, 1.0 - smoothstep(-0.10, 0.10, max(box.x, box.y)));
     vec4 shaft = thread(here.y, frame.side, polypropylene);
     picture = laid_over(picture, shaft, 0.96 * step(-0.05, here.x) * step(here.x, thread_reach));
     // Silicone: a soft block that the thread shows through.

@@ -73,7 +73,7 @@ uniform float incision_width;
 uniform vec4 prolapse;     // of the iris into the main wound: direction, from the axis, length; 0: there is none
 
 // A wide pupil has pushed the stroma into folds that lie in each other's shade; a narrow one has drawn it flat.
-float drawn_out() { return 1.0 + 2.4 * smoothstep(3.85, 2.5, pupil_radius); }
+float drawn_out() { return 1.0 + 2.4 * (1.0 - smoothstep(2.5, 3.85, pupil_radius)); }
 
 vec3 iris_colour(vec3 at, float radius) {
     float outward = (radius - pupil_radius) / (limbus_radius + 0.25 - pupil_radius);

@@ -164,7 +164,7 @@ vec3 capsule(vec3 entry, vec3 way) {
     if (ZONULES == 1 && loose.w > 0.0) {
         // Nothing draws the capsule outward there: it lies in folds along its edge.
         float aside = acos(clamp(dot(around, loose.xy), -1.0, 1.0)) / loose.z;
-        float where = smoothstep(1.25, 0.75, aside) * smoothstep(0.05, 0.5, off);
+        float where = (1.0 - smoothstep(0.75, 1.25, aside)) * smoothstep(0.05, 0.5, off);
         float wave = sin(15.0 * radius + 9.0 * texture(detail_map, around * 0.5 + 0.05 * radius).r + 2.0 * aside);
         slack = where * wave * smoothstep(0.30, 0.70, texture(detail_map, at.xy * 0.06 + 0.3).g);
     }

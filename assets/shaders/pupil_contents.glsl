@@ -50,7 +50,7 @@ vec4 crumbs_at(vec3 entry, vec3 way) {
         if (share < 1.0) {
             // the line passes the middle here, across it
             vec2 on = (entry + dot(crumbs[i].xyz - entry, way) * way - crumbs[i].xyz).xy / crumbs[i].w;
-            float covers = smoothstep(1.0, crumbs_are_beads == 1 ? 0.92 : 0.7, share);
+            float covers = 1.0 - smoothstep(crumbs_are_beads == 1 ? 0.92 : 0.7, 1.0, share);
             if (covers >= look.x) {
                 look = vec4(covers, sqrt(1.0 - share * share), on);
             }
@@ -88,7 +88,7 @@ float vitreous_at(vec3 entry, vec3 way) {
         float share = length(off) / (1.25 * vitreous.w);
         vec2 along = length(vitreous_strand.xy - vitreous.xy) > 0.1 ? normalize(vitreous_strand.xy - vitreous.xy)
                                                                     : vec2(0.0, -1.0);
-        amount = smoothstep(1.0, 0.35, share + 0.5 * (texture(detail_map, off * 0.11).r - 0.5)) * fibres(off, along);
+        amount = (1.0 - smoothstep(0.35, 1.0, share + 0.5 * (texture(detail_map, off * 0.11).r - 0.5))) * fibres(off, along);
     }
     if (HARM == 1 && vitreous_strand.w > 0.0) {
         vec3 root = vec3(vitreous.xyz);
@@ -99,7 +99,7 @@ float vitreous_at(vec3 entry, vec3 way) {
         vec2 at = (entry + (root.z - entry.z) / way.z * way).xy - root.xy;
         float along = dot(at, normalize(line.xy)) / max(length(line.xy), 0.1);
         float wide = 0.18 + 0.6 * vitreous_strand.w * (1.0 - 0.6 * clamp(along, 0.0, 1.0));
-        float inside = smoothstep(1.0, 0.4, abs(beside) / wide) * step(0.0, along) * step(along, 1.0);
+        float inside = (1.0 - smoothstep(0.4, 1.0, abs(beside) / wide)) * step(0.0, along) * step(along, 1.0);
         amount = max(amount, inside * (0.25 + 0.75 * fibres(at, normalize(line.xy))));
     }
     return amount;
@@ -156,7 +156,7 @@ float lamps_in_optic(vec2 off) {
         vec2 at = off / (face == 0 ? optic_mirrors.x : -optic_mirrors.y);
         vec2 first = (at - vec2(0.22, 0.12)) / vec2(0.050, 0.030);
         vec2 second = (at - vec2(-0.17, 0.18)) / vec2(0.022, 0.016);
-        light += (face == 0 ? 1.0 : 0.7) * (smoothstep(2.0, 0.3, length(first)) + smoothstep(2.0, 0.3, length(second)));
+        light += (face == 0 ? 1.0 : 0.7) * (2.0 - smoothstep(0.3, 2.0, length(first)) - smoothstep(0.3, 2.0, length(second)));
     }
     return light * step(length(off), optic.w);
 }

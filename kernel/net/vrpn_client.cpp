@@ -87,12 +87,11 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<Report>& repor
     }
     for (const Message& message : messages) {
         if (peer_) {
-            take(message, reports);
+            take(message, now_s, reports);
         }
     }
     if (peer_ && !peer_->fault().empty()) {
-        lose(peer_->fault());
-        next_try_s_ = now_s + retry_s;
+        lose(peer_->fault(), now_s);
     }
 }
 
@@ -157,7 +156,7 @@ void Client::ping(double now_s, std::int64_t time_us) {
     }
 }
 
-void Client::take(const Message& message, std::vector<Report>& reports) {
+void Client::take(const Message& message, double now_s, std::vector<Report>& reports) {
     const std::string_view type = peer_->names().type(message.type);
     const auto device = std::find(devices_.begin(), devices_.end(), peer_->names().sender(message.sender));
     if (device == devices_.end()) {
@@ -170,14 +169,15 @@ void Client::take(const Message& message, std::vector<Report>& reports) {
     Report report{*device, message.time_us};
     const Result<bool> read = read_report(type, message.payload, report);
     if (!read) {
-        lose(read.error().text());
+        lose(read.error().text(), now_s);
     } else if (read.value()) {
         reports.push_back(std::move(report));
     }
 }
 
-void Client::lose(const std::string& why) {
+void Client::lose(const std::string& why, double now_s) {
     lost_ = why;
+    next_try_s_ = now_s + retry_s;
     peer_.reset();
     introduced_ = false;
     answered_.assign(devices_.size(), false);

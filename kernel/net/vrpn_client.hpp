@@ -42,8 +42,8 @@ public:
 private:
     void reach_out(double now_s);
     void ping(double now_s, std::int64_t time_us);
-    void take(const Message& message, std::vector<Report>& reports);
-    void lose(const std::string& why);
+    void take(const Message& message, double now_s, std::vector<Report>& reports);
+    void lose(const std::string& why, double now_s);
 
     ServerPlace place_;
     std::vector<std::string> devices_;

@@ -24,7 +24,11 @@ Result<FittedRenderer> FittedRenderer::create(int width, int height, double shar
 }
 
 FittedRenderer::FittedRenderer(Renderer renderer, Size area, double share)
-    : renderer_(std::make_unique<Renderer>(std::move(renderer))), area_(area), share_(share), asked_(area) {}
+    : renderer_(std::make_unique<Renderer>(std::move(renderer))),
+      area_(area),
+      share_(share),
+      tried_(area),
+      asked_(area) {}
 
 bool FittedRenderer::fit(int width, int height, double share, double now_s) {
     const Size asked{width, height};
@@ -32,17 +36,17 @@ bool FittedRenderer::fit(int width, int height, double share, double now_s) {
         asked_ = asked;
         since_s_ = now_s;
     }
-    const bool settled = asked_ != area_ && now_s - since_s_ >= settled_s;
+    const bool settled = asked_ != tried_ && now_s - since_s_ >= settled_s;
     if (!settled && share == share_) {
         return false;
     }
-    const Size area = settled ? asked_ : area_;
-    Result<Renderer> renderer = Renderer::create_in_window(pixels(area.width, share), pixels(area.height, share));
-    area_ = area;
+    tried_ = settled ? asked_ : tried_;
     share_ = share;
+    Result<Renderer> renderer = Renderer::create_in_window(pixels(tried_.width, share), pixels(tried_.height, share));
     if (!renderer) {
         return false;
     }
+    area_ = tried_;
     renderer_ = std::make_unique<Renderer>(std::move(renderer).value());
     return true;
 }

@@ -31,6 +31,7 @@ private:
     std::unique_ptr<Renderer> renderer_;
     Size area_;  ///< that it was made for
     double share_;
+    Size tried_;  ///< that it was to be made for, which may have failed
     Size asked_;  ///< the last time
     double since_s_ = 0.0;
 };

@@ -134,6 +134,21 @@ TEST_SUITE("vrpn link") {
         }
     }
 
+    TEST_CASE("a server that tells what cannot be is left, and tried again after a while only") {
+        Server server = a_server();
+        Client client(place_of(server, false), {"phaco"});
+        Bench bench{&server, {&client}};
+        REQUIRE(bench.until([&] { return client.trouble(0.0).empty(); }));
+        bench.turn(5.0);
+        server.tell("phaco", pose_type, {1, 2, 3}, some_time_us);
+        REQUIRE(bench.until([&] { return !client.is_connected(); }));
+        CHECK(client.trouble(bench.now_s) == "VRPN: a pose of 3 bytes (64)");
+        CHECK_FALSE(bench.until([&] { return client.is_connected(); }));
+        bench.turn(1.1);
+        CHECK(bench.until([&] { return client.is_connected(); }));
+        CHECK(bench.reports.empty());
+    }
+
     TEST_CASE("a device that the server has not is told after three seconds") {
         Server server = a_server();
         Client client(place_of(server, false), {"phaco", "forceps"});

@@ -105,6 +105,7 @@ TEST_SUITE("fitted renderer") {
         const Image before = shown(small.window, renderer, frame);
         CHECK_FALSE(renderer.fit(100000, 120, 1.0, 1.0));
         CHECK_FALSE(renderer.fit(100000, 120, 1.0, 2.0));
+        CHECK(apart(shown(small.window, renderer, frame), before) < 0.1);
         CHECK_FALSE(renderer.fit(0, 0, 1.0, 3.0));
         CHECK(renderer.fit(0, 0, 1.0, 4.0));
         CHECK_FALSE(renderer.fit(0, 0, 1.0, 5.0));
