@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VRPN's frames: the greeting, messages in a stream of bytes or in a datagram, and the names that their numbers stand
-// for. Written from the facts of the protocol; what a peer sends is checked here, and nothing of it is believed.
+// VRPN's frames [Taylor2001]: the greeting, messages in a stream of bytes or in a datagram, and the names that their
+// numbers stand for. Written from the facts of the protocol; what a peer sends is checked here, and nothing of it is
+// believed.
 #pragma once
 
 #include <cstdint>

@@ -29,6 +29,7 @@ WALLS = {
     r"(SDL\.h|SDL2/|imgui|backends/imgui)": ["bindings/station/window/", "bindings/theatre/",
                                              "tests/bindings/station/window/"],
     r"zmq": ["bindings/theatre/", "tests/bindings/theatre/"],
+    r"(sys/socket\.h|netinet/|arpa/)": ["kernel/net/"],
     r"(lua\.h|lua\.hpp|lualib\.h|lauxlib\.h|luaconf\.h)": ["bindings/lua/", "tests/bindings/"],
     r"cholmod\.h": ["kernel/math/", "tests/bench/"],
     r"CLI/": ["bindings/cli/"],
