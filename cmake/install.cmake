@@ -12,7 +12,7 @@ add_library(rhexis::kernel ALIAS rhexis_kernel)
 
 install(TARGETS rhexis_kernel rhexis_cholmod ${kernel_targets} EXPORT rhexis-targets)
 install(EXPORT rhexis-targets NAMESPACE rhexis:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rhexis)
-install(DIRECTORY kernel/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rhexis FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY kernel/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rhexis FILES_MATCHING PATTERN "*.hpp" PATTERN tracking EXCLUDE)
 install(FILES cmake/rhexis-config.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rhexis)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rhexis-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rhexis-config-version.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rhexis)

@@ -17,6 +17,9 @@ else()
   target_compile_options(rhexis_flags INTERFACE -Wshadow)
 endif()
 
+target_sources(rhexis_flags INTERFACE
+  $<$<AND:$<CONFIG:Sanitize>,$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:${CMAKE_CURRENT_LIST_DIR}/sanitizer_defaults.cpp>)
+
 # What most sources read first; three precompiled headers hold it: kernel, bindings and tests.
 set(rhexis_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <memory> <optional> <string>
   <vector>)
@@ -26,10 +29,10 @@ function(rhexis_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# rhexis_kernel_folder(NAME [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME and below as one static
-# library.
+# rhexis_kernel_folder(NAME [OURS] [DEPENDS other...] [LIBRARIES external...]): all .cpp of kernel/NAME and below as one
+# static library; OURS: only our own commands use it, it is not installed.
 function(rhexis_kernel_folder name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "OURS" "" "DEPENDS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(rhexis_${name} STATIC ${sources})
@@ -51,7 +54,9 @@ function(rhexis_kernel_folder name)
       target_link_libraries(rhexis_${name} INTERFACE rhexis_${other})
     endforeach()
   endif()
-  set_property(GLOBAL APPEND PROPERTY RHEXIS_KERNEL_TARGETS rhexis_${name})
+  if(NOT ARG_OURS)
+    set_property(GLOBAL APPEND PROPERTY RHEXIS_KERNEL_TARGETS rhexis_${name})
+  endif()
 endfunction()
 
 # rhexis_test_folder(NAME [LIBRARIES ...] [LABELS ...] [TIMEOUT s] [COST c]): all test_*.cpp here as one doctest program.

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tracking/rig.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/numbers.hpp"
+#include "base/output_file.hpp"
+#include "base/text_file.hpp"
+
+namespace rhexis::tracking {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t longest_file = 1 << 20;  ///< [bytes]
+constexpr std::size_t fewest_cameras = 2;
+constexpr std::size_t most_cameras = 16;
+constexpr std::size_t fewest_markers = 3;
+constexpr std::size_t most_markers = 8;
+constexpr int largest_side = 16384;      ///< [pixels]
+constexpr double farthest_mm = 1e5;      ///< that anything of a rig is from its origin
+constexpr double largest_body_mm = 500;  ///< from its origin to a marker or its tip
+
+struct LensField {
+    const char* name;
+    double Lens::*value;
+};
+constexpr std::array<LensField, 9> lens_fields{{{"fx", &Lens::fx},
+                                                {"fy", &Lens::fy},
+                                                {"cx", &Lens::cx},
+                                                {"cy", &Lens::cy},
+                                                {"k1", &Lens::k1},
+                                                {"k2", &Lens::k2},
+                                                {"p1", &Lens::p1},
+                                                {"p2", &Lens::p2},
+                                                {"k3", &Lens::k3}}};
+
+Result<Json> read_json(const std::string& path) {
+    const Result<std::string> text = read_text_file(path, longest_file);
+    if (!text) {
+        return text.error();
+    }
+    Json json = Json::parse(without_mark(text.value()), nullptr, false);
+    if (!json.is_object()) {
+        return Error{"this is not an object of JSON", path, "{...}"};
+    }
+    return json;
+}
+
+/// Fields of one object, until one is wrong.
+class Fields {
+public:
+    Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
+
+    double number(const char* name, double low, double high, std::optional<double> otherwise = {}) {
+        if (otherwise && !json_.contains(name)) {
+            return *otherwise;
+        }
+        const auto found = json_.find(name);
+        if (found == json_.end() || !found->is_number() || !(found->get<double>() >= low) ||
+            !(found->get<double>() <= high)) {
+            refuse(name, "a number, " + range_text(low, high));
+            return low;
+        }
+        return found->get<double>();
+    }
+    int whole(const char* name, int low, int high) {
+        const double given = number(name, low, high);
+        if (given != std::floor(given)) {
+            refuse(name, "a whole number, " + range_text(low, high));
+        }
+        return static_cast<int>(given);
+    }
+    std::string text(const char* name) {
+        const auto found = json_.find(name);
+        if (found == json_.end() || !found->is_string() || found->get<std::string>().empty()) {
+            refuse(name, "a text");
+            return "";
+        }
+        return found->get<std::string>();
+    }
+    VecX numbers(const char* name, int count, double largest) {
+        const auto found = json_.find(name);
+        VecX all = VecX::Zero(count);
+        if (found == json_.end() || !read_numbers(*found, largest, all)) {
+            refuse(name, std::to_string(count) + " numbers, " + range_text(-largest, largest));
+        }
+        return all;
+    }
+    std::vector<Vec3> points(const char* name, double largest) {
+        std::vector<Vec3> all;
+        const auto found = json_.find(name);
+        const bool listed = found != json_.end() && found->is_array();
+        for (std::size_t i = 0; listed && i < found->size(); ++i) {
+            VecX point = VecX::Zero(3);
+            if (!read_numbers((*found)[i], largest, point)) {
+                refuse(name, "points of 3 numbers, " + range_text(-largest, largest));
+            }
+            all.emplace_back(point);
+        }
+        if (!listed) {
+            refuse(name, "a list of points");
+        }
+        return all;
+    }
+    void refuse(const char* name, std::string allowed) {
+        if (!wrong_) {
+            const auto found = json_.find(name);
+            const std::string given = found == json_.end() ? "is missing" : "is " + found->dump();
+            wrong_ = Error{std::string("\"") + name + "\" " + given, where_, std::move(allowed)};
+        }
+    }
+    [[nodiscard]] Status status() const { return wrong_ ? Status(*wrong_) : success(); }
+
+private:
+    static bool read_numbers(const Json& list, double largest, VecX& all) {
+        if (!list.is_array() || static_cast<Eigen::Index>(list.size()) != all.size()) {
+            return false;
+        }
+        for (Eigen::Index i = 0; i < all.size(); ++i) {
+            const Json& number = list[static_cast<std::size_t>(i)];
+            if (!number.is_number() || !(std::abs(number.get<double>()) <= largest)) {
+                return false;
+            }
+            all[i] = number.get<double>();
+        }
+        return true;
+    }
+
+    const Json& json_;
+    std::string where_;
+    std::optional<Error> wrong_{};
+};
+
+Json json_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+Result<Camera> camera_of(const Json& json, const std::string& where) {
+    Fields fields(json, where);
+    Camera camera;
+    camera.name = fields.text("name");
+    camera.width = fields.whole("width", 16, largest_side);
+    camera.height = fields.whole("height", 16, largest_side);
+    for (const LensField& field : lens_fields) {
+        const bool focal = field.value == &Lens::fx || field.value == &Lens::fy;
+        camera.lens.*field.value = focal ? fields.number(field.name, 1.0, 1e6) : fields.number(field.name, -1e5, 1e5);
+    }
+    camera.pose.position = fields.numbers("position_mm", 3, farthest_mm);
+    const VecX turned = fields.numbers("orientation_xyzw", 4, 1.0 + 1e-6);
+    if (!(std::abs(turned.norm() - 1.0) < 1e-3)) {
+        fields.refuse("orientation_xyzw", "a unit quaternion");
+    } else {
+        camera.pose.orientation = Quat(turned[3], turned[0], turned[1], turned[2]).normalized();
+    }
+    if (const Status status = fields.status(); !status) {
+        return status.error();
+    }
+    return camera;
+}
+
+Status check_cameras(const std::vector<Camera>& cameras, const std::string& path) {
+    if (cameras.size() < fewest_cameras || cameras.size() > most_cameras) {
+        return Error{std::to_string(cameras.size()) + " cameras", path, range_text(fewest_cameras, most_cameras)};
+    }
+    for (std::size_t i = 1; i < cameras.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (cameras[i].name == cameras[j].name) {
+                return Error{"two cameras are named \"" + cameras[i].name + "\"", path, "each has its own name"};
+            }
+        }
+    }
+    return success();
+}
+
+}  // namespace
+
+Result<Rig> read_rig(const std::string& path) {
+    const Result<Json> json = read_json(path);
+    if (!json) {
+        return json.error();
+    }
+    const auto list = json.value().find("cameras");
+    if (list == json.value().end() || !list->is_array()) {
+        return Error{"\"cameras\" is not a list", path, "one entry for each camera"};
+    }
+    Rig rig;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        Result<Camera> camera = camera_of((*list)[i], path + ", camera " + std::to_string(i + 1));
+        if (!camera) {
+            return camera.error();
+        }
+        rig.cameras.push_back(std::move(camera).value());
+    }
+    if (const Status status = check_cameras(rig.cameras, path); !status) {
+        return status.error();
+    }
+    rig.calibrated = json.value().value("calibrated", Json(false)) == Json(true);
+    return rig;
+}
+
+Status write_rig(const Rig& rig, const std::string& path) {
+    Json cameras = Json::array();
+    for (const Camera& camera : rig.cameras) {
+        const Quat& turned = camera.pose.orientation;
+        Json entry{{"name", camera.name},
+                   {"width", camera.width},
+                   {"height", camera.height},
+                   {"position_mm", json_of(camera.pose.position)},
+                   {"orientation_xyzw", {turned.x(), turned.y(), turned.z(), turned.w()}}};
+        for (const LensField& field : lens_fields) {
+            entry[field.name] = camera.lens.*field.value;
+        }
+        cameras.push_back(std::move(entry));
+    }
+    return write_file(path, Json{{"calibrated", rig.calibrated}, {"cameras", cameras}}.dump(1) + "\n");
+}
+
+Result<MarkerBody> read_marker_body(const std::string& path) {
+    const Result<Json> json = read_json(path);
+    if (!json) {
+        return json.error();
+    }
+    Fields fields(json.value(), path);
+    MarkerBody body;
+    body.name = fields.text("name");
+    body.radius_mm = fields.number("radius_mm", 0.5, 20.0);
+    body.markers = fields.points("markers_mm", largest_body_mm);
+    if (body.markers.size() < fewest_markers || body.markers.size() > most_markers) {
+        fields.refuse("markers_mm", std::to_string(fewest_markers) + " to " + std::to_string(most_markers) + " points");
+    }
+    body.tip.position = fields.numbers("tip_mm", 3, largest_body_mm);
+    const Vec3 axis = fields.numbers("axis", 3, 1e3);
+    const Vec3 side = fields.numbers("side", 3, 1e3);
+    if (!(axis.norm() > 1e-6)) {
+        fields.refuse("axis", "a direction, from the tip to the hand");
+    } else if (!(side.cross(axis).norm() > 1e-6 * axis.norm())) {
+        fields.refuse("side", "a direction across the axis");
+    } else {
+        Mat3 turned;
+        turned.col(2) = axis.normalized();
+        turned.col(1) = axis.cross(side).normalized();
+        turned.col(0) = turned.col(1).cross(turned.col(2));
+        body.tip.orientation = Quat(turned);
+    }
+    if (const Status status = fields.status(); !status) {
+        return status.error();
+    }
+    return body;
+}
+
+Status write_marker_body(const MarkerBody& body, const std::string& path) {
+    Json markers = Json::array();
+    for (const Vec3& marker : body.markers) {
+        markers.push_back(json_of(marker));
+    }
+    return write_file(path, Json{{"name", body.name},
+                                 {"radius_mm", body.radius_mm},
+                                 {"markers_mm", markers},
+                                 {"tip_mm", json_of(body.tip.position)},
+                                 {"axis", json_of(body.tip.orientation * Vec3::UnitZ())},
+                                 {"side", json_of(body.tip.orientation * Vec3::UnitX())}}
+                                    .dump(1) +
+                                "\n");
+}
+
+}  // namespace rhexis::tracking

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rig, bodies and where images come from, as a file says it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tracking/camera.hpp"
+#include "tracking/marker_body.hpp"
+
+namespace rhexis::tracking {
+
+struct Rig {
+    std::vector<Camera> cameras{};  ///< 2 to 16
+    bool calibrated = false;        ///< lenses and poses are measured, not guessed
+};
+
+/// A JSON file, {"cameras": [{"name", "width", "height", "fx", ..., "k3", "position_mm", "orientation_xyzw"}, ...],
+/// "calibrated"}. The error names the file, the camera and the field.
+Result<Rig> read_rig(const std::string& path);
+Status write_rig(const Rig& rig, const std::string& path);
+
+/// A JSON file per body, {"name", "radius_mm", "markers_mm": [[x, y, z], ...], "tip_mm": [x, y, z], "axis": [x, y, z],
+/// "side": [x, y, z]}: the instrument's +z and +x, the second made square to the first.
+Result<MarkerBody> read_marker_body(const std::string& path);
+Status write_marker_body(const MarkerBody& body, const std::string& path);
+
+}  // namespace rhexis::tracking
