@@ -118,7 +118,7 @@ double glint_left(const Scene& seen, const Glint& glint) {
     double left = 1.0;
     for (const Sphere& sphere : seen.spheres) {
         const Hit met = hit(sphere, glint.at);
-        left = met.met && met.distance < 1.0 ? 0.0 : left;
+        left = met.share > 0.0 && met.distance < 1.0 ? 0.0 : left;
     }
     for (const Capsule& capsule : seen.capsules) {
         left *= light_past(capsule, Vec3::Zero(), glint.at);

@@ -20,25 +20,25 @@ constexpr double blur_reach = 4.0;  ///< standard deviations
 /// Of one sphere at one instant, added to the window's light and share.
 class SphereSampler {
 public:
-    SphereSampler(const Scene& seen, int sphere, const Hiders& hiders, const WindowRays& rays)
-        : seen_(seen), sphere_(sphere), hiders_(hiders), rays_(rays) {
+    SphereSampler(const Scene& seen, int sphere, const Hiders& hiders, const WindowRays& rays, double pixel)
+        : seen_(seen), sphere_(sphere), hiders_(hiders), rays_(rays), pixel_(pixel), angle_(pixel / samples) {
         const Sphere& it = seen.spheres[at(sphere)];
         const double distance = it.centre.norm();
         towards_ = it.centre / distance;
         sine_ = it.radius / distance;
     }
 
-    /// Whether no ray of the pixel can meet it, `pixel` being the angle that a pixel's diagonal takes.
-    [[nodiscard]] bool misses(const Vec3& ray, double pixel) const {
+    /// Whether no ray of a pixel can meet it.
+    [[nodiscard]] bool misses(const Vec3& ray) const {
         const Vec3 direction = ray.normalized();
-        return direction.cross(towards_).norm() > sine_ + pixel;
+        return direction.cross(towards_).norm() > sine_ + pixel_;
     }
 
     [[nodiscard]] Shine pixel(int x, int y) const {
         Shine sum;
         for (int i = 0; i < samples; ++i) {
             for (int j = 0; j < samples; ++j) {
-                const Shine one = shine(seen_, sphere_, hiders_, rays_.at(x + offset(j), y + offset(i)));
+                const Shine one = shine(seen_, sphere_, hiders_, rays_.at(x + offset(j), y + offset(i)), angle_);
                 sum.light += one.light;
                 sum.share += one.share;
             }
@@ -56,6 +56,8 @@ private:
     const WindowRays& rays_;
     Vec3 towards_;
     double sine_;
+    double pixel_;  ///< angle that a pixel takes on the axis [rad]
+    double angle_;  ///< that a sample takes
 };
 
 std::vector<float> bell(double sigma) {
@@ -120,12 +122,11 @@ Window window_of_all(const TrueCamera& camera, std::span<const Scene> seen, int 
 void sample_sphere(const TrueCamera& camera, const Scene& seen, int sphere, const Window& window,
                    const Window& instant_window, RenderScratch& scratch) {
     const WindowRays rays(camera.lens, instant_window);
-    const SphereSampler sampler(seen, sphere, scratch.hiders, rays);
-    const double pixel = 1.0 / std::min(camera.lens.fx, camera.lens.fy);
+    const SphereSampler sampler(seen, sphere, scratch.hiders, rays, 1.0 / std::min(camera.lens.fx, camera.lens.fy));
     for (int y = instant_window.top; y < instant_window.bottom; ++y) {
         for (int x = instant_window.left; x < instant_window.right; ++x) {
             const Vec3 ray = rays.at(x, y);
-            if (sampler.misses(ray, pixel)) {
+            if (sampler.misses(ray)) {
                 continue;
             }
             const Shine shine = sampler.pixel(x, y);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tracking/synthetic/seen_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/index.hpp"
@@ -18,14 +19,15 @@ double light_left(const Sphere& sphere, const Vec3& normal) {
     return 1.0 + inside * (sphere.worn_left - 1.0);
 }
 
-double share_past(const Scene& seen, const Hiders& hiders, const Vec3& point, double distance, const Vec3& along) {
+double share_past(const Scene& seen, const Hiders& hiders, const Vec3& point, double distance, const Vec3& along,
+                  double angle) {
+    double share = 1.0;
     for (const int other : hiders.spheres) {
-        const Hit nearer = hit(seen.spheres[at(other)], along);
-        if (nearer.met && nearer.distance < distance) {
-            return 0.0;
+        const Hit nearer = hit(seen.spheres[at(other)], along, angle);
+        if (nearer.distance < distance) {
+            share *= 1.0 - nearer.share;
         }
     }
-    double share = 1.0;
     for (const int capsule : hiders.capsules) {
         share *= light_past(seen.capsules[at(capsule)], Vec3::Zero(), point);
     }
@@ -86,26 +88,36 @@ void find_hiders(const Scene& seen, int sphere, Hiders& hiders) {
     }
 }
 
-Hit hit(const Sphere& sphere, const Vec3& along) {
+Hit hit(const Sphere& sphere, const Vec3& along, double angle) {
     const double length2 = along.squaredNorm();
     const double towards = along.dot(sphere.centre);
     const double radius2 = sphere.radius * sphere.radius;
-    const double chord2 = radius2 - sphere.centre.squaredNorm() + towards * towards / length2;
-    if (chord2 < 0.0 || towards <= 0.0) {
+    const double centre2 = sphere.centre.squaredNorm();
+    const double chord2 = radius2 - centre2 + towards * towards / length2;
+    const double soft = angle * std::sqrt(centre2);
+    if (towards <= 0.0 || chord2 < -2.0 * sphere.radius * soft) {
         return {};
     }
-    return {true, towards / length2 - std::sqrt(chord2 / length2), chord2 / radius2};
+    Hit result;
+    result.share = chord2 >= 0.0 ? 1.0 : 0.0;
+    if (std::abs(chord2) < 2.0 * sphere.radius * soft) {
+        const double inside = sphere.radius - std::sqrt(radius2 - chord2);
+        result.share = std::clamp(inside / soft + 0.5, 0.0, 1.0);
+    }
+    result.cosine2 = std::max(0.0, chord2) / radius2;
+    result.distance = towards / length2 - std::sqrt(std::max(0.0, chord2) / length2);
+    return result;
 }
 
-Shine shine(const Scene& seen, int sphere, const Hiders& hiders, const Vec3& along) {
+Shine shine(const Scene& seen, int sphere, const Hiders& hiders, const Vec3& along, double angle) {
     const Sphere& it = seen.spheres[at(sphere)];
-    const Hit met = hit(it, along);
-    if (!met.met) {
+    const Hit met = hit(it, along, angle);
+    if (met.share <= 0.0) {
         return {};
     }
     const Vec3 point = met.distance * along;
     Shine result;
-    result.share = hiders.none() ? 1.0 : share_past(seen, hiders, point, met.distance, along);
+    result.share = met.share * (hiders.none() ? 1.0 : share_past(seen, hiders, point, met.distance, along, angle));
     const double lobe = 1.0 - it.lobe * (1.0 - met.cosine2);
     const Vec3 normal = (point - it.centre) / it.radius;
     // the ring light at the camera is as far as the camera, for the sphere as a whole

@@ -23,14 +23,14 @@ struct Hiders {
 };
 void find_hiders(const Scene& seen, int sphere, Hiders& hiders);
 
-/// Whether the ray to `along` (its length does not matter) meets a sphere; distance to it along the ray and the square
-/// of the cosine of the angle between ray and the sphere's normal there.
+/// Where the ray to `along` (its length does not matter) meets a sphere. The ray stands for a sample as wide as
+/// `angle` [rad]: at the limb the sphere fills a part of it.
 struct Hit {
-    bool met = false;
-    double distance = 0.0;  ///< in lengths of `along`
-    double cosine2 = 0.0;
+    double share = 0.0;     ///< of the sample that it fills; 0: it is not met
+    double distance = 0.0;  ///< to it, in lengths of `along`
+    double cosine2 = 0.0;   ///< square of the cosine between ray and the sphere's normal there
 };
-Hit hit(const Sphere& sphere, const Vec3& along);
+Hit hit(const Sphere& sphere, const Vec3& along, double angle = 0.0);
 
 /// Light of a sphere where a ray meets it, past what hides it, with its distance to the camera; 0 to sphere.light but
 /// for the distance. `share` is what is seen of it there, 0 to 1.
@@ -38,6 +38,6 @@ struct Shine {
     double light = 0.0;
     double share = 0.0;
 };
-Shine shine(const Scene& seen, int sphere, const Hiders& hiders, const Vec3& along);
+Shine shine(const Scene& seen, int sphere, const Hiders& hiders, const Vec3& along, double angle = 0.0);
 
 }  // namespace rhexis::tracking::synthetic
