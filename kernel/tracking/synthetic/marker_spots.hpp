@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// scenes of one exposure -> spots, without an image in between: for studies of a million frames.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/rng.hpp"
+#include "tracking/spot.hpp"
+#include "tracking/synthetic/seen_scene.hpp"
+
+namespace rhexis::tracking::synthetic {
+
+/// How far centroids of images are from where they should be: a normal deviate on each axis with the standard
+/// deviation hypot(floor_px, shot * s), s being that of a light-weighted centroid whose pixels have the sensor's shot,
+/// read and rounding noise.
+struct CentroidNoise {
+    double shot = 1.0;        ///< above 1: pixels about the spot are weighted too
+    double floor_px = 0.002;  ///< what pixels and their unlike response leave, whatever the light
+};
+
+struct SpotOptions {
+    CentroidNoise noise{};
+    double least_light = 20.0;  ///< above the black level [DN]: what is dimmer is no spot
+    double least_share = 0.05;  ///< of a sphere that is seen: what is less is no spot
+    double gap_px = 1.0;        ///< discs that are nearer to each other than this are one spot
+};
+
+struct SpotScratch {
+    std::vector<Scene> seen{};
+    Hiders hiders{};
+    std::vector<int> sphere_of{};  ///< the sphere that most of a spot's light is of, -1: none; in the order of spots
+    struct Part {
+        Spot spot{};
+        double light = 0.0;   ///< sum over its pixels [DN]
+        double radius = 0.0;  ///< [pixels]
+        int sphere = -1;
+    };
+    std::vector<Part> parts{};
+};
+
+/// What a camera makes of a scene, in `spots`: the centre of light of each sphere's true image (an ellipse, its lobe
+/// and the vignetting in it), shifted where it is partly hidden or worn, with noise; those that touch are one; glints
+/// and specks. `instants`: as of render(); places are their mean, what hides is taken from the one in the middle.
+void spots_without_images(const TrueCamera& camera, std::span<const Scene> instants, const SpotOptions& options,
+                          Rng& rng, SpotScratch& scratch, std::vector<Spot>& spots);
+
+/// The outline of a sphere's image in the plane of (X/Z, Y/Z): an ellipse, its longer axis along the radius.
+struct Outline {
+    Vec2 centre = Vec2::Zero();
+    double along = 0.0;   ///< semi-axis towards the image's centre
+    double across = 0.0;  ///< the other
+};
+Outline outline(const Sphere& seen);
+
+/// Centre of a whole sphere's light [pixels], without noise.
+Vec2 centre_of_light(const TrueCamera& camera, const Sphere& seen);
+
+}  // namespace rhexis::tracking::synthetic

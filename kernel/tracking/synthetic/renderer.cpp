@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tracking/synthetic/renderer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/assert.hpp"
+#include "base/index.hpp"
+#include "base/rng.hpp"
+#include "tracking/synthetic/diffuse_light.hpp"
+#include "tracking/synthetic/window_rays.hpp"
+
+namespace rhexis::tracking::synthetic {
+namespace {
+
+constexpr int samples = 8;          ///< across a pixel
+constexpr double blur_reach = 4.0;  ///< standard deviations
+
+/// Of one sphere at one instant, added to the window's light and share.
+class SphereSampler {
+public:
+    SphereSampler(const Scene& seen, int sphere, const Hiders& hiders, const WindowRays& rays, double pixel)
+        : seen_(seen), sphere_(sphere), hiders_(hiders), rays_(rays), pixel_(pixel), angle_(pixel / samples) {
+        const Sphere& it = seen.spheres[at(sphere)];
+        const double distance = it.centre.norm();
+        towards_ = it.centre / distance;
+        sine_ = it.radius / distance;
+    }
+
+    /// Whether no ray of a pixel can meet it.
+    [[nodiscard]] bool misses(const Vec3& ray) const {
+        const Vec3 direction = ray.normalized();
+        return direction.cross(towards_).norm() > sine_ + pixel_;
+    }
+
+    [[nodiscard]] Shine pixel(int x, int y) const {
+        Shine sum;
+        for (int i = 0; i < samples; ++i) {
+            for (int j = 0; j < samples; ++j) {
+                const Shine one = shine(seen_, sphere_, hiders_, rays_.at(x + offset(j), y + offset(i)), angle_);
+                sum.light += one.light;
+                sum.share += one.share;
+            }
+        }
+        constexpr double each = 1.0 / (samples * samples);
+        return {sum.light * each, sum.share * each};
+    }
+
+private:
+    static double offset(int sample) { return (sample + 0.5) / samples - 0.5; }
+
+    const Scene& seen_;
+    int sphere_;
+    const Hiders& hiders_;
+    const WindowRays& rays_;
+    Vec3 towards_;
+    double sine_;
+    double pixel_;  ///< angle that a pixel takes on the axis [rad]
+    double angle_;  ///< that a sample takes
+};
+
+std::vector<float> bell(double sigma) {
+    std::vector<float> weights;
+    double sum = 0.0;
+    const int reach = static_cast<int>(std::ceil(blur_reach * sigma));
+    for (int i = -reach; i <= reach; ++i) {
+        const double weight = std::exp(-0.5 * i * i / (sigma * sigma));
+        weights.push_back(static_cast<float>(weight));
+        sum += weight;
+    }
+    for (float& weight : weights) {
+        weight = static_cast<float>(weight / sum);
+    }
+    return weights;
+}
+
+/// Along one line of `count` values that are `stride` apart; nothing is beyond its ends.
+void blur_line(float* values, int count, std::size_t stride, const std::vector<float>& weights,
+               std::vector<float>& line) {
+    const int reach = static_cast<int>(weights.size()) / 2;
+    line.assign(static_cast<std::size_t>(count + 2 * reach), 0.0F);
+    for (int i = 0; i < count; ++i) {
+        line[static_cast<std::size_t>(i + reach)] = values[static_cast<std::size_t>(i) * stride];
+    }
+    for (int i = 0; i < count; ++i) {
+        float sum = 0.0F;
+        for (std::size_t j = 0; j < weights.size(); ++j) {
+            sum += weights[j] * line[static_cast<std::size_t>(i) + j];
+        }
+        values[static_cast<std::size_t>(i) * stride] = sum;
+    }
+}
+
+void blur(std::vector<float>& values, const Window& window, double sigma, std::vector<float>& line) {
+    const std::vector<float> weights = bell(sigma);
+    const auto width = static_cast<std::size_t>(window.width());
+    for (int y = 0; y < window.height(); ++y) {
+        blur_line(values.data() + static_cast<std::size_t>(y) * width, window.width(), 1, weights, line);
+    }
+    for (int x = 0; x < window.width(); ++x) {
+        blur_line(values.data() + x, window.height(), width, weights, line);
+    }
+}
+
+/// All of the instants' windows; empty: out of the image, or behind the camera.
+Window window_of_all(const TrueCamera& camera, std::span<const Scene> seen, int sphere) {
+    Window all;
+    for (const Scene& instant : seen) {
+        const Window one = window_of(camera, instant.spheres[at(sphere)], 1.0);
+        if (one.empty()) {
+            return {};
+        }
+        all = all.empty() ? one
+                          : Window{std::min(all.left, one.left), std::min(all.top, one.top),
+                                   std::max(all.right, one.right), std::max(all.bottom, one.bottom)};
+    }
+    const Window seen_part = within(all, camera.width, camera.height);
+    return seen_part.empty() ? Window{} : all;
+}
+
+void sample_sphere(const TrueCamera& camera, const Scene& seen, int sphere, const Window& window,
+                   const Window& instant_window, RenderScratch& scratch) {
+    const WindowRays rays(camera.lens, instant_window);
+    const SphereSampler sampler(seen, sphere, scratch.hiders, rays, 1.0 / std::min(camera.lens.fx, camera.lens.fy));
+    for (int y = instant_window.top; y < instant_window.bottom; ++y) {
+        for (int x = instant_window.left; x < instant_window.right; ++x) {
+            const Vec3 ray = rays.at(x, y);
+            if (sampler.misses(ray)) {
+                continue;
+            }
+            const Shine shine = sampler.pixel(x, y);
+            const std::size_t place =
+                static_cast<std::size_t>(y - window.top) * static_cast<std::size_t>(window.width()) +
+                static_cast<std::size_t>(x - window.left);
+            scratch.light[place] += static_cast<float>(shine.light * sensitivity(camera.optics, ray.head<2>()));
+            scratch.share[place] += static_cast<float>(shine.share);
+        }
+    }
+}
+
+/// A window's light over what is in the field already, which the sphere hides.
+void lay_over(const Window& window, double each, const RenderScratch& scratch, LightField& field) {
+    const Window part = within(window, field.width, field.height);
+    for (int y = part.top; y < part.bottom; ++y) {
+        for (int x = part.left; x < part.right; ++x) {
+            const std::size_t place =
+                static_cast<std::size_t>(y - window.top) * static_cast<std::size_t>(window.width()) +
+                static_cast<std::size_t>(x - window.left);
+            float& light = field.light[static_cast<std::size_t>(y) * static_cast<std::size_t>(field.width) +
+                                       static_cast<std::size_t>(x)];
+            const float scale = static_cast<float>(each);
+            light = light * std::max(0.0F, 1.0F - scale * scratch.share[place]) + scale * scratch.light[place];
+        }
+    }
+    field.windows.push_back(part);
+}
+
+void add_sphere(const TrueCamera& camera, int sphere, RenderScratch& scratch) {
+    const Window window = window_of_all(camera, scratch.seen, sphere);
+    if (window.empty()) {
+        return;
+    }
+    const auto count = static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height());
+    scratch.light.assign(count, 0.0F);
+    scratch.share.assign(count, 0.0F);
+    for (const Scene& seen : scratch.seen) {
+        find_hiders(seen, sphere, scratch.hiders);
+        sample_sphere(camera, seen, sphere, window, window_of(camera, seen.spheres[at(sphere)], 1.0), scratch);
+    }
+    const Vec3& middle = scratch.seen[scratch.seen.size() / 2].spheres[at(sphere)].centre;
+    const Vec2 pixel = distorted(camera.lens, middle.head<2>() / middle.z());
+    const double sigma = psf_sigma(camera, pixel, middle.z());
+    blur(scratch.light, window, sigma, scratch.line);
+    blur(scratch.share, window, sigma, scratch.line);
+    lay_over(window, 1.0 / static_cast<double>(scratch.seen.size()), scratch, scratch.field);
+}
+
+}  // namespace
+
+Window window_of(const TrueCamera& camera, const Sphere& seen, double more) {
+    constexpr double widest_blur = 0.9 * blur_reach;
+    if (seen.centre.z() <= 2.0 * seen.radius) {
+        return {};
+    }
+    const Vec2 direction = seen.centre.head<2>() / seen.centre.z();
+    if (direction.squaredNorm() > 1.0) {
+        return {};  // far outside, where the lens's polynomials mean nothing
+    }
+    const Vec2 middle = distorted(camera.lens, direction);
+    const double focal = std::max(camera.lens.fx, camera.lens.fy);
+    const double reach = widest_blur + more + 1.0 +
+                         focal * seen.radius / (seen.centre.z() - seen.radius) * (1.0 + direction.squaredNorm());
+    return {static_cast<int>(std::floor(middle.x() - reach)), static_cast<int>(std::floor(middle.y() - reach)),
+            static_cast<int>(std::ceil(middle.x() + reach)) + 1, static_cast<int>(std::ceil(middle.y() + reach)) + 1};
+}
+
+void render_light(const TrueCamera& camera, std::span<const Scene> instants, std::uint64_t image_seed,
+                  RenderScratch& scratch) {
+    RHEXIS_ASSERT(!instants.empty());
+    scratch.field.clear(camera.width, camera.height);
+    scratch.seen.resize(instants.size());
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+        RHEXIS_ASSERT(instants[i].spheres.size() == instants[0].spheres.size());
+        seen_from(camera.pose, instants[i], scratch.seen[i]);
+    }
+    const Scene& middle = scratch.seen[instants.size() / 2];
+    add_capsules(camera, middle, scratch.field);
+    for (int i = 0; i < static_cast<int>(middle.spheres.size()); ++i) {
+        add_sphere(camera, i, scratch);
+    }
+    add_glints(camera, middle, scratch.field);
+    Rng rng(image_seed, "specks");
+    add_specks(middle.specks, rng, scratch.field);
+}
+
+void render(const TrueCamera& camera, const SensorPattern& pattern, std::span<const Scene> instants,
+            std::uint64_t image_seed, RenderScratch& scratch, Image& image) {
+    RHEXIS_ASSERT(pattern.dark().size() ==
+                  static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+    render_light(camera, instants, image_seed, scratch);
+    expose(camera.sensor, pattern, scratch.field, instants[instants.size() / 2].ambient, image_seed, image);
+}
+
+}  // namespace rhexis::tracking::synthetic

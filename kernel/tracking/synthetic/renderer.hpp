@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// scenes of one exposure -> image of one camera.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracking/synthetic/seen_scene.hpp"
+#include "tracking/synthetic/sensor.hpp"
+
+namespace rhexis::tracking::synthetic {
+
+struct RenderScratch {
+    LightField field{};
+    std::vector<Scene> seen{};  ///< the instants, in the camera's frame
+    Hiders hiders{};
+    std::vector<float> light{};  ///< of one sphere's window
+    std::vector<float> share{};  ///< of each pixel that the sphere fills
+    std::vector<float> line{};
+};
+
+/// One exposure: `instants` (at least one) at even distances in it, each with as many spheres, are added up. Rays meet
+/// each sphere, 8 x 8 in a pixel and instant, and what is before it; diffuse light, that of the middle instant, has a
+/// ray in a pixel and no blur but its own soft edges. `image_seed` draws noise and specks: the same image for the same
+/// seed. `camera` may have another pose and lens than the one that the pattern was drawn for, but not another sensor.
+void render(const TrueCamera& camera, const SensorPattern& pattern, std::span<const Scene> instants,
+            std::uint64_t image_seed, RenderScratch& scratch, Image& image);
+
+/// The same, but without a sensor: light on each pixel, without the ambient one [DN].
+void render_light(const TrueCamera& camera, std::span<const Scene> instants, std::uint64_t image_seed,
+                  RenderScratch& scratch);
+
+/// Where a sphere's light may fall, its blur and `more` pixels with it, perhaps outside the image; empty: behind.
+Window window_of(const TrueCamera& camera, const Sphere& seen, double more);
+
+}  // namespace rhexis::tracking::synthetic
