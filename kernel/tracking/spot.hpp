@@ -19,7 +19,7 @@ struct GreyImage {
 
 struct Spot {
     Vec2 at = Vec2::Zero();  ///< centre, weighted by light [pixels]; the centre of the first pixel is (0, 0)
-    double area = 0.0;       ///< of what is at least half as bright as its peak, from what lies around [pixels]
+    double area = 0.0;       ///< of its outline, which blur widens by about half a pixel each way [pixels]
     double roundness = 1.0;  ///< least by greatest second moment, root: 1 of a disc
     double peak = 0.0;       ///< brightest pixel, 0 to 255
     bool clipped = false;    ///< several pixels are at 255

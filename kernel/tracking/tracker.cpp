@@ -65,8 +65,8 @@ const TrackedBodies& Tracker::step(std::span<const CameraSpots> exposures) {
 
 double Tracker::sigma_of(const Spot& spot, double area, double smear_px) const {
     // What a spot that moves covers: the disc, and its width as far as it went.
-    const double width_px = 2.0 * std::sqrt(area / std::numbers::pi);
-    const double covered = area + smear_px * width_px;
+    const double width_px = 2.0 * (std::sqrt(area / std::numbers::pi) + settings_.blur_px);
+    const double covered = 0.25 * std::numbers::pi * width_px * width_px + smear_px * width_px;
     const double share = spot.area / covered;
     if (spot.at_rim || share < settings_.least_area || share > settings_.most_area ||
         spot.roundness < settings_.least_roundness * width_px / (width_px + smear_px)) {

@@ -2,6 +2,7 @@
 #include "tracking/spots/spot_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rhexis::tracking {
@@ -69,22 +70,60 @@ double light_around(const GreyImage& image, const Window& inner, const Window& o
     return count > 0 ? sum / count : 0.0;
 }
 
-/// Light, centre and spread of a window.
+/// What a region's pixels are measured by.
+struct Brightness {
+    double around = 0.0;  ///< light of no sphere
+    double full = 1.0;    ///< light above it that weighs 1
+    double peak = 0.0;
+    int clipped = 0;
+};
+
+/// The brightness that a tenth of its bright pixels reach: one glaring pixel does not count.
+Brightness brightness_of(const GreyImage& image, const Window& window, double around, int threshold, double level) {
+    std::array<int, 256> counts{};
+    int bright = 0;
+    for (int y = window.top; y < window.bottom; ++y) {
+        const std::uint8_t* line = image.pixels + static_cast<std::ptrdiff_t>(y) * image.stride;
+        for (int x = window.left; x < window.right; ++x) {
+            if (line[x] >= threshold) {
+                ++counts[line[x]];
+                ++bright;
+            }
+        }
+    }
+    Brightness result;
+    result.around = around;
+    result.clipped = counts[255];
+    int above = 0;
+    int high = 255;
+    while (high > threshold && above + counts[static_cast<std::size_t>(high)] <= bright / 10) {
+        above += counts[static_cast<std::size_t>(high)];
+        --high;
+    }
+    for (int light = 255; light > 0 && result.peak == 0.0; --light) {
+        result.peak = counts[static_cast<std::size_t>(light)] > 0 ? light : 0.0;
+    }
+    result.full = std::max(level * (high - around), 1.0);
+    return result;
+}
+
+/// Weight, centre and spread of a window.
 struct Moments {
-    double light = 0.0;
+    double weight = 0.0;
     Vec2 centre = Vec2::Zero();
     double xx = 0.0;
     double yy = 0.0;
     double xy = 0.0;
-    double peak = 0.0;
-    int clipped = 0;
-    int above_half = 0;  ///< pixels
 };
 
-Moments moments_of(const GreyImage& image, const Window& window, double around) {
+Moments moments_of(const GreyImage& image, const Window& window, const Brightness& brightness) {
     Moments result;
     const int middle_x = (window.left + window.right) / 2;
     const int middle_y = (window.top + window.bottom) / 2;
+    std::array<double, 256> weights{};
+    for (std::size_t light = 0; light < weights.size(); ++light) {
+        weights[light] = std::min((static_cast<double>(light) - brightness.around) / brightness.full, 1.0);
+    }
     double sx = 0.0;
     double sy = 0.0;
     for (int y = window.top; y < window.bottom; ++y) {
@@ -94,33 +133,24 @@ Moments moments_of(const GreyImage& image, const Window& window, double around) 
         double row_x = 0.0;
         double row_xx = 0.0;
         for (int x = window.left; x < window.right; ++x) {
-            const double light = line[x] - around;
+            const double weight = weights[line[x]];
             const double dx = x - middle_x;
-            row += light;
-            row_x += light * dx;
-            row_xx += light * dx * dx;
-            result.peak = std::max(result.peak, static_cast<double>(line[x]));
-            result.clipped += line[x] == 255 ? 1 : 0;
+            row += weight;
+            row_x += weight * dx;
+            row_xx += weight * dx * dx;
         }
-        result.light += row;
+        result.weight += row;
         sx += row_x;
         sy += row * dy;
         result.xx += row_xx;
         result.xy += row_x * dy;
         result.yy += row * dy * dy;
     }
-    const Vec2 mean{sx / result.light, sy / result.light};
-    result.xx = result.xx / result.light - mean.x() * mean.x();
-    result.yy = result.yy / result.light - mean.y() * mean.y();
-    result.xy = result.xy / result.light - mean.x() * mean.y();
+    const Vec2 mean{sx / result.weight, sy / result.weight};
+    result.xx = result.xx / result.weight - mean.x() * mean.x();
+    result.yy = result.yy / result.weight - mean.y() * mean.y();
+    result.xy = result.xy / result.weight - mean.x() * mean.y();
     result.centre = {mean.x() + middle_x, mean.y() + middle_y};
-    const double half = 0.5 * (result.peak + around);
-    for (int y = window.top; y < window.bottom; ++y) {
-        const std::uint8_t* line = image.pixels + static_cast<std::ptrdiff_t>(y) * image.stride;
-        for (int x = window.left; x < window.right; ++x) {
-            result.above_half += line[x] >= half ? 1 : 0;
-        }
-    }
     return result;
 }
 
@@ -219,13 +249,15 @@ Spot SpotFinder::measure(const GreyImage& image, const Region& region) const {
     const int margin = region.crowded ? 1 : settings_.margin;
     const Window inner = grown(region.left, region.right, region.top, region.bottom, margin, image);
     const Window outer = grown(region.left, region.right, region.top, region.bottom, 2 * settings_.margin, image);
-    const Moments moments = moments_of(image, inner, light_around(image, inner, outer, settings_.threshold));
+    const Brightness brightness = brightness_of(image, inner, light_around(image, inner, outer, settings_.threshold),
+                                                settings_.threshold, settings_.level);
+    const Moments moments = moments_of(image, inner, brightness);
     Spot spot;
     spot.at = moments.centre;
-    spot.area = moments.above_half;
+    spot.area = moments.weight;
     spot.roundness = roundness_of(moments);
-    spot.peak = moments.peak;
-    spot.clipped = moments.clipped > 3;
+    spot.peak = brightness.peak;
+    spot.clipped = brightness.clipped > 3;
     spot.at_rim = region.left == 0 || region.top == 0 || region.right == image.width || region.bottom == image.height;
     spot.crowded = region.crowded;
     return spot;

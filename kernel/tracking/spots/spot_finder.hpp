@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the images of reflecting spheres: runs of bright pixels are linked to regions, and each region's centre is
-// weighted by its light above what lies around it.
+// Finds the images of reflecting spheres: runs of bright pixels are linked to regions, and each region's centre is that
+// of its outline: pixels weigh as what they have of the sphere, not by how bright it is there.
 #pragma once
 
 #include <vector>
@@ -15,6 +15,9 @@ struct SpotSettings {
     double most_area = 4000.0;  ///< [pixels]; larger ones are no marker
     int most_spots = 256;       ///< of an image; what comes after is left out, and told
     int margin = 3;  ///< pixels around a region that its light may reach, and as many again for what lies around it
+    /// Share of a region's brightness from which on a pixel weighs 1: 1 weighs by light, which a worn patch, the lens's
+    /// shading and the reflector's own lobe draw aside; less takes noise for a rim. 0.1 to 1.
+    double level = 0.35;
 };
 
 struct FoundSpots {
