@@ -52,31 +52,48 @@ struct Moments {
     }
 };
 
-Left what_is_left(const TrueCamera& camera, const Scene& seen, int sphere, const Hiders& hiders) {
-    constexpr int count = 240;
+/// Whether any of its worn patch is on the side that the camera sees.
+bool shows_wear(const Sphere& seen) {
+    constexpr double edge = 0.05;  // the patch's edge is soft
+    const double sine = std::sqrt(std::max(0.0, 1.0 - seen.worn_cosine * seen.worn_cosine)) + edge;
+    return seen.worn_cosine <= 1.0 && -seen.worn_towards.dot(seen.centre.normalized()) > -sine;
+}
+
+/// Samples on a spiral of golden angles.
+void fill_disc(std::vector<Vec2>& disc) {
+    constexpr int count = 200;
     constexpr double golden_turn = 2.39996322972865332;
+    for (int i = 0; i < count; ++i) {
+        const double radius = std::sqrt((i + 0.5) / count);
+        disc.emplace_back(radius * std::cos(i * golden_turn), radius * std::sin(i * golden_turn));
+    }
+}
+
+Left what_is_left(const TrueCamera& camera, const Scene& seen, int sphere, SpotScratch& scratch) {
+    if (scratch.disc.empty()) {
+        fill_disc(scratch.disc);
+    }
     const Sphere& it = seen.spheres[at(sphere)];
-    Sphere whole = it;
-    whole.worn_cosine = 2.0;
     const double distance = it.centre.norm();
+    const double light = it.light * light_at_mm * light_at_mm / (distance * distance);
+    const double sine = it.radius / distance;
     const Vec3 towards = it.centre / distance;
     const Vec3 across = towards.unitOrthogonal();
     const Vec3 down = towards.cross(across);
+    const Vec2 direction = it.centre.head<2>() / it.centre.z();
+    const Mat2 slope = distortion_slope(camera.lens, direction);
     Moments all;
     Moments left;
     double share = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const double sine = std::sqrt((i + 0.5) / count) * it.radius / distance;
-        const double turn = i * golden_turn;
+    for (const Vec2& place : scratch.disc) {
+        const double cosine2 = 1.0 - place.squaredNorm();
         const Vec3 ray =
-            std::sqrt(1.0 - sine * sine) * towards + sine * (std::cos(turn) * across + std::sin(turn) * down);
-        const Vec2 pixel = distorted(camera.lens, ray.head<2>() / ray.z());
-        const double cosine2 = hit(whole, ray).cosine2;
-        const Shine now = shine(seen, sphere, hiders, ray);
-        const double full = 1.0 - it.lobe * (1.0 - cosine2);
-        all.add(pixel, full);
-        left.add(pixel, now.light * distance * distance / (light_at_mm * light_at_mm * it.light));
-        share += now.share / count;
+            std::sqrt(1.0 - sine * sine * (1.0 - cosine2)) * towards + sine * (place.x() * across + place.y() * down);
+        const Vec2 pixel = slope * (ray.head<2>() / ray.z() - direction);
+        const Shine now = shine(seen, sphere, scratch.hiders, ray);
+        all.add(pixel, 1.0 - it.lobe * (1.0 - cosine2));
+        left.add(pixel, now.light / light);
+        share += now.share / static_cast<double>(scratch.disc.size());
     }
     Left result;
     result.share = share;
@@ -150,8 +167,8 @@ void add_sphere(const TrueCamera& camera, int sphere, const SpotOptions& options
     }
     find_hiders(seen, sphere, scratch.hiders);
     Left left;
-    if (!scratch.hiders.none() || it.worn_cosine <= 1.0) {
-        left = what_is_left(camera, seen, sphere, scratch.hiders);
+    if (!scratch.hiders.none() || shows_wear(it)) {
+        left = what_is_left(camera, seen, sphere, scratch);
     }
     const Vec2 direction = it.centre.head<2>() / it.centre.z();
     const double distance2 = it.centre.squaredNorm() / (light_at_mm * light_at_mm);

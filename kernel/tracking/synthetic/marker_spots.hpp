@@ -37,6 +37,7 @@ struct SpotScratch {
         int sphere = -1;
     };
     std::vector<Part> parts{};
+    std::vector<Vec2> disc{};  ///< even samples of a disc of radius 1
 };
 
 /// What a camera makes of a scene, in `spots`: the centre of light of each sphere's true image (an ellipse, its lobe
