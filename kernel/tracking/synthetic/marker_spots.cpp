@@ -143,11 +143,12 @@ bool may_be_seen(const TrueCamera& camera, const std::vector<Scene>& seen, int s
     return pixel.x() > 0.0 && pixel.y() > 0.0 && pixel.x() < camera.width - 1 && pixel.y() < camera.height - 1;
 }
 
-/// Standard deviation of a light-weighted centroid of pixels of this mean and spread [pixels].
-double centroid_sigma(const Sensor& sensor, const CentroidNoise& noise, double light, double spread, double area) {
+/// Standard deviation of a light-weighted centroid [pixels]; `radius` is that of a disc that spreads as the spot does.
+double centroid_sigma(const Sensor& sensor, const CentroidNoise& noise, double light, double radius) {
     constexpr double rounding = 1.0 / 12.0;
     const double variance = sensor.read_noise * sensor.read_noise + light / sensor.electrons + rounding;
-    const double shot = spread * std::sqrt(variance / area) / light;
+    const double wider = 1.0 + noise.rim_px / radius;
+    const double shot = 0.5 * std::sqrt(variance * std::numbers::inv_pi) / light * wider * wider;
     return std::hypot(noise.floor_px, noise.shot * shot);
 }
 
@@ -193,9 +194,9 @@ void add_sphere(const TrueCamera& camera, int sphere, const SpotOptions& options
                               (part.spot.area / (part.spot.area + focal * ellipse.across * moved));
     part.light = mean_light * part.spot.area;
     set_brightness(camera, seen.ambient, middle_light * left.light / left.share, part.spot);
-    const double across_sigma = centroid_sigma(camera.sensor, options.noise, mean_light, least, part.spot.area);
-    part.spot.at =
-        mean_centre(camera, scratch.seen, sphere) + left.shift + across_sigma * Vec2(rng.normal(), rng.normal());
+    const double sigma =
+        centroid_sigma(camera.sensor, options.noise, mean_light, std::sqrt(part.spot.area * std::numbers::inv_pi));
+    part.spot.at = mean_centre(camera, scratch.seen, sphere) + left.shift + sigma * Vec2(rng.normal(), rng.normal());
     scratch.parts.push_back(part);
 }
 
@@ -212,7 +213,7 @@ void add_point(const TrueCamera& camera, const Vec2& middle, double light, doubl
     part.radius = std::sqrt(radius2);
     part.light = 2.0 * std::numbers::pi * sigma * sigma * light;
     set_brightness(camera, ambient, light, part.spot);
-    const double noise = centroid_sigma(camera.sensor, options.noise, 0.5 * light, sigma, part.spot.area);
+    const double noise = centroid_sigma(camera.sensor, options.noise, 0.5 * light, part.radius);
     part.spot.at = middle + noise * Vec2(rng.normal(), rng.normal());
     scratch.parts.push_back(part);
 }

@@ -47,8 +47,9 @@ private:
     [[nodiscard]] Shine mean(int x, int y, int count) const {
         Shine sum;
         for (int i = 0; i < count; ++i) {
+            const WindowRays::Line line = rays_.line(y + (i + 0.5) / count - 0.5);
             for (int j = 0; j < count; ++j) {
-                const Vec3 ray = rays_.at(x + (j + 0.5) / count - 0.5, y + (i + 0.5) / count - 0.5);
+                const Vec3 ray = line.at(x + (j + 0.5) / count - 0.5);
                 const Shine one = shine(seen_, sphere_, hiders_, ray, pixel_ / count);
                 sum.light += one.light;
                 sum.share += one.share;
@@ -132,8 +133,9 @@ void sample_sphere(const TrueCamera& camera, const Scene& seen, int sphere, cons
     const WindowRays rays(camera.lens, instant_window);
     const SphereSampler sampler(seen, sphere, scratch.hiders, rays, 1.0 / std::min(camera.lens.fx, camera.lens.fy));
     for (int y = instant_window.top; y < instant_window.bottom; ++y) {
+        const WindowRays::Line line = rays.line(y);
         for (int x = instant_window.left; x < instant_window.right; ++x) {
-            const Vec3 ray = rays.at(x, y);
+            const Vec3 ray = line.at(x);
             const Shine shine = sampler.pixel(x, y, ray);
             const std::size_t place =
                 static_cast<std::size_t>(y - window.top) * static_cast<std::size_t>(window.width()) +

@@ -13,7 +13,7 @@ namespace {
 
 SpotOptions without_noise() {
     SpotOptions options;
-    options.noise = {0.0, 0.0};
+    options.noise = {0.0, 0.0, 0.0};
     return options;
 }
 
