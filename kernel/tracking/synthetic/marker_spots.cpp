@@ -257,16 +257,30 @@ void merge(SpotScratch::Part& first, const SpotScratch::Part& second) {
     first.light = light;
 }
 
-void merge_touching(double gap, std::vector<SpotScratch::Part>& parts) {
+/// Those that touch get the same group, also by way of others.
+void find_groups(double gap, std::vector<SpotScratch::Part>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (std::size_t j = i + 1; j < parts.size();) {
+        parts[i].group = i;
+        for (std::size_t j = 0; j < i; ++j) {
             const double reach = parts[i].radius + parts[j].radius + gap;
-            if ((parts[i].spot.at - parts[j].spot.at).squaredNorm() < reach * reach) {
+            if ((parts[i].spot.at - parts[j].spot.at).squaredNorm() >= reach * reach) {
+                continue;
+            }
+            const std::size_t from = parts[j].group;
+            for (std::size_t k = 0; k <= i; ++k) {
+                parts[k].group = parts[k].group == from ? parts[i].group : parts[k].group;
+            }
+        }
+    }
+}
+
+void merge_touching(double gap, std::vector<SpotScratch::Part>& parts) {
+    find_groups(gap, parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t j = parts.size() - 1; j > i; --j) {
+            if (parts[j].group == parts[i].group) {
                 merge(parts[i], parts[j]);
                 parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-                j = i + 1;  // it reaches farther now
-            } else {
-                ++j;
             }
         }
     }

@@ -37,6 +37,7 @@ struct SpotScratch {
         double light = 0.0;   ///< sum over its pixels [DN]
         double radius = 0.0;  ///< [pixels]
         int sphere = -1;
+        std::size_t group = 0;  ///< of spots that touch
     };
     std::vector<Part> parts{};
     std::vector<Vec2> disc{};  ///< even samples of a disc of radius 1

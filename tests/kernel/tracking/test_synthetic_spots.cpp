@@ -188,6 +188,12 @@ TEST_CASE("markers out of view or hidden give no spot, markers that touch give o
     CHECK(spots[0].roundness < 0.6);
     scene.spheres[1].centre = {9.0, 0.0, 452.0};
     CHECK(count(scene) == 2);
+    // a glint at one marker's rim does not make it reach the other
+    scene.glints = {{Vec3(-3.5, 0.0, 450.0), 150.0, 1.0}};
+    CHECK(count(scene) == 2);
+    scene.glints = {{Vec3(4.5, 0.0, 450.0), 250.0, 3.0}};
+    CHECK(count(scene) == 1);
+    scene.glints.clear();
     scene.spheres.clear();
     scene.specks = 0.5;
     std::size_t specks = 0;
