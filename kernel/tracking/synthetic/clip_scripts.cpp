@@ -119,23 +119,44 @@ void add_occlusion(Clip& clip) {
     clip.duration_s = time_s;
 }
 
-/// The first two instruments.
+/// Moves the rest of two instruments so that their markers' centres are on one line of sight from an eye.
+void lay_on_one_sight(const Vec3& eye, const MarkerBody& body, const MarkerBody& other, Motion& motion,
+                      Motion& others) {
+    const auto markers = [](const MarkerBody& it, const Motion& its) {
+        return Vec3(its.tip.position + its.tip.orientation * (it.tip.orientation.conjugate() * -it.tip.position));
+    };
+    const Vec3 here = markers(body, motion);
+    const Vec3 there = markers(other, others);
+    const Vec3 sight = (0.5 * (here + there) - eye).normalized();
+    const Vec3 apart = there - here;
+    const Vec3 aside = apart - apart.dot(sight) * sight;
+    motion.tip.position += 0.5 * aside;
+    others.tip.position -= 0.5 * aside;
+}
+
+/// The first two instruments cross before the first camera, twice in two seconds; then all leave.
 void add_crossing(Clip& clip) {
-    constexpr double swing_mm = 60.0;
-    constexpr double away_mm = 320.0;
-    double side = 1.0;
+    constexpr double swing_mm = 40.0;
+    constexpr double away_mm = 420.0;
+    std::vector<std::size_t> instruments;
     for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
-        if (is_head(clip.bodies[i])) {
-            continue;
+        if (!is_head(clip.bodies[i])) {
+            instruments.push_back(i);
+            const Vec3 axis = clip.motions[i].tip.orientation * Vec3::UnitZ();
+            clip.motions[i].trips.push_back({away_mm * axis, 7.0, 10.0, 0.8});
         }
-        Motion& motion = clip.motions[i];
-        const Vec3 axis = motion.tip.orientation * Vec3::UnitZ();
-        const Vec3 across = motion.tip.orientation * Vec3::UnitX();
-        motion.moves.push_back({side * swing_mm * across, 0.5, 0.0});
-        motion.trips.push_back({away_mm * axis, 7.0, 10.0, 0.8});
-        side = -side;
     }
     clip.duration_s = 12.0;
+    if (instruments.size() < 2 || clip.eyes.empty()) {
+        return;
+    }
+    const std::size_t first = instruments[0];
+    const std::size_t second = instruments[1];
+    const Vec3& eye = clip.eyes[0];
+    lay_on_one_sight(eye, clip.bodies[first], clip.bodies[second], clip.motions[first], clip.motions[second]);
+    const Vec3 across = eye.normalized().unitOrthogonal();
+    clip.motions[first].moves.push_back({swing_mm * across, 0.5, 0.7});
+    clip.motions[second].moves.push_back({-swing_mm * across, 0.5, 0.7});
 }
 
 void add_bump(Clip& clip, Rng& rng) {

@@ -85,7 +85,7 @@ struct Clip {
 /// tremor       2 Hz of 0.3 mm, and 50 um of six waves between 6 and 14 Hz; 20 s
 /// insertions   along the axis, to and fro, at up to 0.5 m/s; 10 s
 /// occlusion    four of six cameras blocked in turn, all 15 choices; then each marker in turn; tremor
-/// crossing     two instruments swing through each other's view; then leave the volume together and return; 12 s
+/// crossing     the first two instruments cross before the first camera; all leave the volume and return; 12 s
 /// bump         one camera is turned by 0.1 degrees in the middle; circles; 10 s
 inline constexpr std::array<std::string_view, 7> clip_names{"still",     "circle",   "tremor", "insertions",
                                                             "occlusion", "crossing", "bump"};

@@ -79,9 +79,18 @@ void add_tile(const TrueCamera& camera, const Capsule& capsule, const Scene& see
     if (off > capsule.radius + capsule.soft + tile_mm) {
         return;
     }
+    // no ray is nearer to the rod than to the plane through it and the camera
+    const Vec3 across = capsule.from.cross(capsule.to);
+    const Vec3 side = across.norm() > 1e-9 ? Vec3(across.normalized()) : Vec3::Zero();
+    const double reach = capsule.radius + capsule.soft;
+    const double widest = reach / std::max(std::min(capsule.from.z(), capsule.to.z()) - reach, nearest_mm);
     for (int y = tile.top; y < tile.bottom; ++y) {
+        const WindowRays::Line line = rays.line(y);
         for (int x = tile.left; x < tile.right; ++x) {
-            const Vec3 ray = rays.at(x, y);
+            const Vec3 ray = line.at(x);
+            if (std::abs(side.dot(ray)) > widest) {
+                continue;
+            }
             const double light = capsule_light(capsule, seen, ray) * sensitivity(camera.optics, ray.head<2>());
             float& kept = light_at(field, x, y);
             kept = std::max(kept, static_cast<float>(light));

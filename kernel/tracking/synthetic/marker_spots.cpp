@@ -52,31 +52,48 @@ struct Moments {
     }
 };
 
-Left what_is_left(const TrueCamera& camera, const Scene& seen, int sphere, const Hiders& hiders) {
-    constexpr int count = 240;
+/// Whether any of its worn patch is on the side that the camera sees.
+bool shows_wear(const Sphere& seen) {
+    constexpr double edge = 0.05;  // the patch's edge is soft
+    const double sine = std::sqrt(std::max(0.0, 1.0 - seen.worn_cosine * seen.worn_cosine)) + edge;
+    return seen.worn_cosine <= 1.0 && -seen.worn_towards.dot(seen.centre.normalized()) > -sine;
+}
+
+/// Samples on a spiral of golden angles.
+void fill_disc(std::vector<Vec2>& disc) {
+    constexpr int count = 200;
     constexpr double golden_turn = 2.39996322972865332;
+    for (int i = 0; i < count; ++i) {
+        const double radius = std::sqrt((i + 0.5) / count);
+        disc.emplace_back(radius * std::cos(i * golden_turn), radius * std::sin(i * golden_turn));
+    }
+}
+
+Left what_is_left(const TrueCamera& camera, const Scene& seen, int sphere, SpotScratch& scratch) {
+    if (scratch.disc.empty()) {
+        fill_disc(scratch.disc);
+    }
     const Sphere& it = seen.spheres[at(sphere)];
-    Sphere whole = it;
-    whole.worn_cosine = 2.0;
     const double distance = it.centre.norm();
+    const double light = it.light * light_at_mm * light_at_mm / (distance * distance);
+    const double sine = it.radius / distance;
     const Vec3 towards = it.centre / distance;
     const Vec3 across = towards.unitOrthogonal();
     const Vec3 down = towards.cross(across);
+    const Vec2 direction = it.centre.head<2>() / it.centre.z();
+    const Mat2 slope = distortion_slope(camera.lens, direction);
     Moments all;
     Moments left;
     double share = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const double sine = std::sqrt((i + 0.5) / count) * it.radius / distance;
-        const double turn = i * golden_turn;
+    for (const Vec2& place : scratch.disc) {
+        const double cosine2 = 1.0 - place.squaredNorm();
         const Vec3 ray =
-            std::sqrt(1.0 - sine * sine) * towards + sine * (std::cos(turn) * across + std::sin(turn) * down);
-        const Vec2 pixel = distorted(camera.lens, ray.head<2>() / ray.z());
-        const double cosine2 = hit(whole, ray).cosine2;
-        const Shine now = shine(seen, sphere, hiders, ray);
-        const double full = 1.0 - it.lobe * (1.0 - cosine2);
-        all.add(pixel, full);
-        left.add(pixel, now.light * distance * distance / (light_at_mm * light_at_mm * it.light));
-        share += now.share / count;
+            std::sqrt(1.0 - sine * sine * (1.0 - cosine2)) * towards + sine * (place.x() * across + place.y() * down);
+        const Vec2 pixel = slope * (ray.head<2>() / ray.z() - direction);
+        const Shine now = shine(seen, sphere, scratch.hiders, ray);
+        all.add(pixel, 1.0 - it.lobe * (1.0 - cosine2));
+        left.add(pixel, now.light / light);
+        share += now.share / static_cast<double>(scratch.disc.size());
     }
     Left result;
     result.share = share;
@@ -126,11 +143,12 @@ bool may_be_seen(const TrueCamera& camera, const std::vector<Scene>& seen, int s
     return pixel.x() > 0.0 && pixel.y() > 0.0 && pixel.x() < camera.width - 1 && pixel.y() < camera.height - 1;
 }
 
-/// Standard deviation of a light-weighted centroid of pixels of this mean and spread [pixels].
-double centroid_sigma(const Sensor& sensor, const CentroidNoise& noise, double light, double spread, double area) {
+/// Standard deviation of a light-weighted centroid [pixels]; `radius` is that of a disc that spreads as the spot does.
+double centroid_sigma(const Sensor& sensor, const CentroidNoise& noise, double light, double radius) {
     constexpr double rounding = 1.0 / 12.0;
     const double variance = sensor.read_noise * sensor.read_noise + light / sensor.electrons + rounding;
-    const double shot = spread * std::sqrt(variance / area) / light;
+    const double wider = 1.0 + noise.rim_px / radius;
+    const double shot = 0.5 * std::sqrt(variance * std::numbers::inv_pi) / light * wider * wider;
     return std::hypot(noise.floor_px, noise.shot * shot);
 }
 
@@ -150,8 +168,8 @@ void add_sphere(const TrueCamera& camera, int sphere, const SpotOptions& options
     }
     find_hiders(seen, sphere, scratch.hiders);
     Left left;
-    if (!scratch.hiders.none() || it.worn_cosine <= 1.0) {
-        left = what_is_left(camera, seen, sphere, scratch.hiders);
+    if (!scratch.hiders.none() || shows_wear(it)) {
+        left = what_is_left(camera, seen, sphere, scratch);
     }
     const Vec2 direction = it.centre.head<2>() / it.centre.z();
     const double distance2 = it.centre.squaredNorm() / (light_at_mm * light_at_mm);
@@ -176,9 +194,9 @@ void add_sphere(const TrueCamera& camera, int sphere, const SpotOptions& options
                               (part.spot.area / (part.spot.area + focal * ellipse.across * moved));
     part.light = mean_light * part.spot.area;
     set_brightness(camera, seen.ambient, middle_light * left.light / left.share, part.spot);
-    const double across_sigma = centroid_sigma(camera.sensor, options.noise, mean_light, least, part.spot.area);
-    part.spot.at =
-        mean_centre(camera, scratch.seen, sphere) + left.shift + across_sigma * Vec2(rng.normal(), rng.normal());
+    const double sigma =
+        centroid_sigma(camera.sensor, options.noise, mean_light, std::sqrt(part.spot.area * std::numbers::inv_pi));
+    part.spot.at = mean_centre(camera, scratch.seen, sphere) + left.shift + sigma * Vec2(rng.normal(), rng.normal());
     scratch.parts.push_back(part);
 }
 
@@ -195,7 +213,7 @@ void add_point(const TrueCamera& camera, const Vec2& middle, double light, doubl
     part.radius = std::sqrt(radius2);
     part.light = 2.0 * std::numbers::pi * sigma * sigma * light;
     set_brightness(camera, ambient, light, part.spot);
-    const double noise = centroid_sigma(camera.sensor, options.noise, 0.5 * light, sigma, part.spot.area);
+    const double noise = centroid_sigma(camera.sensor, options.noise, 0.5 * light, part.radius);
     part.spot.at = middle + noise * Vec2(rng.normal(), rng.normal());
     scratch.parts.push_back(part);
 }
@@ -239,16 +257,30 @@ void merge(SpotScratch::Part& first, const SpotScratch::Part& second) {
     first.light = light;
 }
 
-void merge_touching(double gap, std::vector<SpotScratch::Part>& parts) {
+/// Those that touch get the same group, also by way of others.
+void find_groups(double gap, std::vector<SpotScratch::Part>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (std::size_t j = i + 1; j < parts.size();) {
+        parts[i].group = i;
+        for (std::size_t j = 0; j < i; ++j) {
             const double reach = parts[i].radius + parts[j].radius + gap;
-            if ((parts[i].spot.at - parts[j].spot.at).squaredNorm() < reach * reach) {
+            if ((parts[i].spot.at - parts[j].spot.at).squaredNorm() >= reach * reach) {
+                continue;
+            }
+            const std::size_t from = parts[j].group;
+            for (std::size_t k = 0; k <= i; ++k) {
+                parts[k].group = parts[k].group == from ? parts[i].group : parts[k].group;
+            }
+        }
+    }
+}
+
+void merge_touching(double gap, std::vector<SpotScratch::Part>& parts) {
+    find_groups(gap, parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t j = parts.size() - 1; j > i; --j) {
+            if (parts[j].group == parts[i].group) {
                 merge(parts[i], parts[j]);
                 parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
-                j = i + 1;  // it reaches farther now
-            } else {
-                ++j;
             }
         }
     }

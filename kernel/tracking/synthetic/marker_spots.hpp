@@ -11,12 +11,14 @@
 
 namespace rhexis::tracking::synthetic {
 
-/// How far centroids of images are from where they should be: a normal deviate on each axis with the standard
-/// deviation hypot(floor_px, shot * s), s being that of a light-weighted centroid whose pixels have the sensor's shot,
-/// read and rounding noise.
+/// How far centroids of images are from where they should be: a normal deviate on each axis, of the standard deviation
+/// hypot(floor_px, s), where s is that of a light-weighted centroid whose pixels have the sensor's shot, read and
+/// rounding noise, those of the spot and `rim_px` around it. Fitted to threshold-weighted centroids of this folder's
+/// images, of spots of 7 to 24 pixels' width.
 struct CentroidNoise {
-    double shot = 1.0;        ///< above 1: pixels about the spot are weighted too
-    double floor_px = 0.002;  ///< what pixels and their unlike response leave, whatever the light
+    double rim_px = 1.5;
+    double shot = 1.0;        ///< times s
+    double floor_px = 0.003;  ///< what the place within a pixel and pixels of unlike response leave
 };
 
 struct SpotOptions {
@@ -35,8 +37,10 @@ struct SpotScratch {
         double light = 0.0;   ///< sum over its pixels [DN]
         double radius = 0.0;  ///< [pixels]
         int sphere = -1;
+        std::size_t group = 0;  ///< of spots that touch
     };
     std::vector<Part> parts{};
+    std::vector<Vec2> disc{};  ///< even samples of a disc of radius 1
 };
 
 /// What a camera makes of a scene, in `spots`: the centre of light of each sphere's true image (an ellipse, its lobe

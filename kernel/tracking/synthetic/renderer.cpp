@@ -15,40 +15,49 @@ namespace rhexis::tracking::synthetic {
 namespace {
 
 constexpr int samples = 8;          ///< across a pixel
+constexpr int inner_samples = 2;    ///< likewise, where the light changes evenly
 constexpr double blur_reach = 4.0;  ///< standard deviations
 
 /// Of one sphere at one instant, added to the window's light and share.
 class SphereSampler {
 public:
     SphereSampler(const Scene& seen, int sphere, const Hiders& hiders, const WindowRays& rays, double pixel)
-        : seen_(seen), sphere_(sphere), hiders_(hiders), rays_(rays), pixel_(pixel), angle_(pixel / samples) {
+        : seen_(seen),
+          sphere_(sphere),
+          hiders_(hiders),
+          rays_(rays),
+          pixel_(pixel),
+          even_(hiders.none() && seen.spheres[at(sphere)].worn_cosine > 1.0) {
         const Sphere& it = seen.spheres[at(sphere)];
         const double distance = it.centre.norm();
         towards_ = it.centre / distance;
         sine_ = it.radius / distance;
     }
 
-    /// Whether no ray of a pixel can meet it.
-    [[nodiscard]] bool misses(const Vec3& ray) const {
-        const Vec3 direction = ray.normalized();
-        return direction.cross(towards_).norm() > sine_ + pixel_;
+    /// Of a pixel whose middle has this ray.
+    [[nodiscard]] Shine pixel(int x, int y, const Vec3& ray) const {
+        const double off = ray.normalized().cross(towards_).norm();
+        if (off > sine_ + pixel_) {
+            return {};
+        }
+        return mean(x, y, even_ && off < sine_ - 1.5 * pixel_ ? inner_samples : samples);
     }
 
-    [[nodiscard]] Shine pixel(int x, int y) const {
+private:
+    [[nodiscard]] Shine mean(int x, int y, int count) const {
         Shine sum;
-        for (int i = 0; i < samples; ++i) {
-            for (int j = 0; j < samples; ++j) {
-                const Shine one = shine(seen_, sphere_, hiders_, rays_.at(x + offset(j), y + offset(i)), angle_);
+        for (int i = 0; i < count; ++i) {
+            const WindowRays::Line line = rays_.line(y + (i + 0.5) / count - 0.5);
+            for (int j = 0; j < count; ++j) {
+                const Vec3 ray = line.at(x + (j + 0.5) / count - 0.5);
+                const Shine one = shine(seen_, sphere_, hiders_, ray, pixel_ / count);
                 sum.light += one.light;
                 sum.share += one.share;
             }
         }
-        constexpr double each = 1.0 / (samples * samples);
+        const double each = 1.0 / (count * count);
         return {sum.light * each, sum.share * each};
     }
-
-private:
-    static double offset(int sample) { return (sample + 0.5) / samples - 0.5; }
 
     const Scene& seen_;
     int sphere_;
@@ -57,7 +66,7 @@ private:
     Vec3 towards_;
     double sine_;
     double pixel_;  ///< angle that a pixel takes on the axis [rad]
-    double angle_;  ///< that a sample takes
+    bool even_;     ///< neither hidden nor worn
 };
 
 std::vector<float> bell(double sigma) {
@@ -124,12 +133,10 @@ void sample_sphere(const TrueCamera& camera, const Scene& seen, int sphere, cons
     const WindowRays rays(camera.lens, instant_window);
     const SphereSampler sampler(seen, sphere, scratch.hiders, rays, 1.0 / std::min(camera.lens.fx, camera.lens.fy));
     for (int y = instant_window.top; y < instant_window.bottom; ++y) {
+        const WindowRays::Line line = rays.line(y);
         for (int x = instant_window.left; x < instant_window.right; ++x) {
-            const Vec3 ray = rays.at(x, y);
-            if (sampler.misses(ray)) {
-                continue;
-            }
-            const Shine shine = sampler.pixel(x, y);
+            const Vec3 ray = line.at(x);
+            const Shine shine = sampler.pixel(x, y, ray);
             const std::size_t place =
                 static_cast<std::size_t>(y - window.top) * static_cast<std::size_t>(window.width()) +
                 static_cast<std::size_t>(x - window.left);

@@ -115,14 +115,17 @@ Shine shine(const Scene& seen, int sphere, const Hiders& hiders, const Vec3& alo
     if (met.share <= 0.0) {
         return {};
     }
-    const Vec3 point = met.distance * along;
     Shine result;
-    result.share = met.share * (hiders.none() ? 1.0 : share_past(seen, hiders, point, met.distance, along, angle));
-    const double lobe = 1.0 - it.lobe * (1.0 - met.cosine2);
-    const Vec3 normal = (point - it.centre) / it.radius;
+    result.share = met.share;
     // the ring light at the camera is as far as the camera, for the sphere as a whole
     const double distance2 = it.centre.squaredNorm() / (light_at_mm * light_at_mm);
-    result.light = result.share * it.light * lobe * light_left(it, normal) / distance2;
+    double light = it.light * (1.0 - it.lobe * (1.0 - met.cosine2)) / distance2;
+    if (!hiders.none() || it.worn_cosine <= 1.0) {
+        const Vec3 point = met.distance * along;
+        result.share *= share_past(seen, hiders, point, met.distance, along, angle);
+        light *= light_left(it, (point - it.centre) / it.radius);
+    }
+    result.light = result.share * light;
     return result;
 }
 

@@ -14,25 +14,32 @@ class WindowRays {
 public:
     WindowRays(const TrueLens& lens, const Window& window);
 
-    /// (X/Z, Y/Z, 1) of a pixel's point; pixel centres have whole coordinates.
-    [[nodiscard]] Vec3 at(double x, double y) const {
-        const std::array<double, 3> across = weights((x - middle_.x()) / half_.x());
-        const std::array<double, 3> down = weights((y - middle_.y()) / half_.y());
-        Vec3 ray{0.0, 0.0, 1.0};
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t j = 0; j < 3; ++j) {
-                ray.head<2>() += down[i] * across[j] * knots_[3 * i + j];
-            }
+    /// One line of the image, whose points only differ in x.
+    struct Line {
+        Vec2 constant;
+        Vec2 linear;
+        Vec2 square;
+        double middle;
+        double per_half;
+
+        /// (X/Z, Y/Z, 1) of a point; pixel centres have whole coordinates.
+        [[nodiscard]] Vec3 at(double x) const {
+            const double u = (x - middle) * per_half;
+            const Vec2 direction = constant + u * (linear + u * square);
+            return {direction.x(), direction.y(), 1.0};
         }
-        return ray;
+    };
+    [[nodiscard]] Line line(double y) const {
+        const double v = (y - middle_.y()) / half_.y();
+        const auto along = [&](std::size_t i) -> Vec2 { return terms_[i] + v * (terms_[i + 3] + v * terms_[i + 6]); };
+        return {along(0), along(1), along(2), middle_.x(), 1.0 / half_.x()};
     }
+    [[nodiscard]] Vec3 at(double x, double y) const { return line(y).at(x); }
 
 private:
-    static std::array<double, 3> weights(double u) { return {0.5 * u * (u - 1.0), 1.0 - u * u, 0.5 * u * (u + 1.0)}; }
-
     Vec2 middle_;
     Vec2 half_;
-    std::array<Vec2, 9> knots_{};
+    std::array<Vec2, 9> terms_{};  ///< of u^i v^j at i + 3 j, u and v from -1 to 1 over the window
 };
 
 }  // namespace rhexis::tracking::synthetic

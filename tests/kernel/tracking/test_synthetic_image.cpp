@@ -59,8 +59,8 @@ TEST_CASE("a true camera bends light as OpenCV does with thin-prism terms, and b
     for (const TrueCamera& camera : rig.cameras) {
         const TrueLens& lens = camera.lens;
         const cv::Matx33d matrix(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
-        const std::vector<double> bends{lens.k1, lens.k2,   lens.p1,   lens.p2,   lens.k3,  0,
-                                        0,       0,         lens.s[0], lens.s[1], lens.s[2], lens.s[3]};
+        const std::vector<double> bends{lens.k1, lens.k2, lens.p1,   lens.p2,   lens.k3,   0,
+                                        0,       0,       lens.s[0], lens.s[1], lens.s[2], lens.s[3]};
         CHECK(std::abs(lens.s[0]) > 0.0);
         for (int i = 0; i < 40; ++i) {
             const Vec2 pixel(rng.uniform() * camera.width, rng.uniform() * camera.height);
@@ -156,7 +156,8 @@ TEST_CASE("a sphere that is half hidden has its centre of light 0.42 radii from 
         render_light(camera, {&scene, 1}, 1, scratch);
         const LightMoments half = moments_of(scratch.field);
         CHECK(half.sum == doctest::Approx(0.5 * whole.sum).epsilon(0.01));
-        CHECK((half.mean - whole.mean).norm() == doctest::Approx(4.0 / (3.0 * std::numbers::pi) * radius).epsilon(0.01));
+        CHECK((half.mean - whole.mean).norm() ==
+              doctest::Approx(4.0 / (3.0 * std::numbers::pi) * radius).epsilon(0.01));
         // far behind the sphere it hides nothing
         scene.discs[0].centre *= 2.0;
         render_light(camera, {&scene, 1}, 1, scratch);
