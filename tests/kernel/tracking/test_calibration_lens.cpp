@@ -53,7 +53,7 @@ std::vector<BoardView> boards(int count, double slant, double reach = 1.0) {
     return views;
 }
 
-std::string text_of(const std::vector<BoardView>& views, const GridPlan& plan = board) {
+std::string lens_error(const std::vector<BoardView>& views, const GridPlan& plan = board) {
     const Result<LensCalibration> found = calibrate_lens(views, plan);
     return found ? std::string("ok") : found.error().text();
 }
@@ -105,22 +105,22 @@ TEST_CASE("a view that is spoilt is left out, and it alone") {
 }
 
 TEST_CASE("boards that do not determine a lens are refused with what is missing") {
-    CHECK(text_of(boards(12, 0.5)) == "ok");
-    CHECK(text_of(boards(5, 0.5)).find("only 5 views of the board (at least 8)") != std::string::npos);
-    CHECK(text_of(boards(12, 0.02)).find("the focal length is not determined") != std::string::npos);
-    CHECK(text_of(boards(12, 0.5, 0.1)).find("show the board in every corner") != std::string::npos);
+    CHECK(lens_error(boards(12, 0.5)) == "ok");
+    CHECK(lens_error(boards(5, 0.5)).find("only 5 views of the board (at least 8)") != std::string::npos);
+    CHECK(lens_error(boards(12, 0.02)).find("the focal length is not determined") != std::string::npos);
+    CHECK(lens_error(boards(12, 0.5, 0.1)).find("show the board in every corner") != std::string::npos);
 }
 
 TEST_CASE("views that are not of one camera and one board are refused and named") {
     std::vector<BoardView> views = boards(12, 0.5);
     views[3].width = 640;
-    CHECK(text_of(views).find("view 4: the image is 640 x 1024 pixels") != std::string::npos);
+    CHECK(lens_error(views).find("view 4: the image is 640 x 1024 pixels") != std::string::npos);
     views[3].width = 1280;
     views[7].points.pop_back();
-    CHECK(text_of(views).find("view 8: 62 points") != std::string::npos);
-    CHECK(text_of(boards(12, 0.5), {1, 63, 15.0, GridKind::dots}).find("columns is 1") != std::string::npos);
+    CHECK(lens_error(views).find("view 8: 62 points") != std::string::npos);
+    CHECK(lens_error(boards(12, 0.5), {1, 63, 15.0, GridKind::dots}).find("columns is 1") != std::string::npos);
     std::vector<BoardView> points(12, BoardView{"all at one place", 1280, 1024, std::vector<Vec2>(63, Vec2(5, 5))});
-    CHECK(text_of(points) != "ok");
+    CHECK(lens_error(points) != "ok");
 }
 
 TEST_CASE("a board is found in an image of it, and none where there is none") {

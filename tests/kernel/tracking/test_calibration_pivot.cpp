@@ -45,7 +45,7 @@ std::vector<Pose> spun(double most_deg, double wobble) {
     return poses;
 }
 
-std::string text_of(const std::vector<Pose>& poses) {
+std::string pivot_error(const std::vector<Pose>& poses) {
     const Result<PivotCalibration> found = calibrate_pivot(poses);
     return found ? std::string("ok") : found.error().text();
 }
@@ -70,13 +70,13 @@ TEST_CASE("a tip swung about a point is found exactly, and with noise within its
 TEST_CASE("less turning makes the equations worse, and too little is refused with how much is needed") {
     CHECK(calibrate_pivot(swung(20.0, 60, 0.0)).value().condition >
           1.3 * calibrate_pivot(swung(40.0, 60, 0.0)).value().condition);
-    const std::string text = text_of(swung(5.0, 60, 0.0));
+    const std::string text = pivot_error(swung(5.0, 60, 0.0));
     CHECK(text.find("the direction that turned least is spread by") != std::string::npos);
     CHECK(text.find("cone of 40 degrees") != std::string::npos);
 }
 
 TEST_CASE("turning about the shaft alone does not show where the tip is along it") {
-    CHECK(text_of(spun(360.0, 0.0)).find("turned least is spread by 0 degrees") != std::string::npos);
+    CHECK(pivot_error(spun(360.0, 0.0)).find("turned least is spread by 0 degrees") != std::string::npos);
 }
 
 TEST_CASE("a tip that slips, too few poses and poses that are none are refused") {
@@ -84,11 +84,11 @@ TEST_CASE("a tip that slips, too few poses and poses that are none are refused")
     for (std::size_t i = 30; i < 60; ++i) {
         slipped[i].position.x() += 3.0;
     }
-    CHECK(text_of(slipped).find("mm from the pivot") != std::string::npos);
-    CHECK(text_of(swung(30.0, 12, 0.0)).find("12 poses (at least 30)") != std::string::npos);
+    CHECK(pivot_error(slipped).find("mm from the pivot") != std::string::npos);
+    CHECK(pivot_error(swung(30.0, 12, 0.0)).find("12 poses (at least 30)") != std::string::npos);
     std::vector<Pose> broken = swung(30.0, 60, 0.0);
     broken[6].position.y() = std::nan("");
-    CHECK(text_of(broken).find("pose 7 is not") != std::string::npos);
+    CHECK(pivot_error(broken).find("pose 7 is not") != std::string::npos);
 }
 
 TEST_CASE("a shaft turned about itself shows its axis, towards the hand") {

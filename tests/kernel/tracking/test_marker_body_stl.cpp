@@ -14,7 +14,7 @@ namespace {
 using Corner = std::array<float, 3>;
 using Facet = std::array<Corner, 4>;  // normal, then corners
 
-MarkerBody phaco() {
+MarkerBody printed_phaco() {
     MarkerBody body{"phaco", {{0, 40, 0}, {24, 45, 0}, {-8, 62, 8}, {-14, 38, 30}}, 3.0, {}};
     body.tip.position = {0, 0, -120};
     return body;
@@ -67,7 +67,7 @@ std::vector<Shell> shells_of(const std::vector<Facet>& facets) {
     return shells;
 }
 
-std::string text_of(const MarkerBody& body, const MarkerBodyPrint& print = {}) {
+std::string print_error(const MarkerBody& body, const MarkerBodyPrint& print = {}) {
     const Result<std::string> stl = marker_body_stl(body, print);
     return stl ? std::string("ok") : stl.error().text();
 }
@@ -75,7 +75,7 @@ std::string text_of(const MarkerBody& body, const MarkerBodyPrint& print = {}) {
 }  // namespace
 
 TEST_CASE("ring, bar and posts are closed shells of positive volume, with normals outwards") {
-    const Result<std::string> stl = marker_body_stl(phaco());
+    const Result<std::string> stl = marker_body_stl(printed_phaco());
     REQUIRE_MESSAGE(stl.ok(), (stl ? "" : stl.error().text()));
     const std::vector<Facet> facets = read_stl(stl.value());
     const std::vector<Shell> shells = shells_of(facets);
@@ -93,7 +93,7 @@ TEST_CASE("ring, bar and posts are closed shells of positive volume, with normal
 }
 
 TEST_CASE("seats, pins and the ring have the sizes that were asked for") {
-    const MarkerBody body = phaco();
+    const MarkerBody body = printed_phaco();
     MarkerBodyPrint print;
     print.clearance = 0.2;
     const std::vector<Facet> facets = read_stl(marker_body_stl(body, print).value());
@@ -120,19 +120,19 @@ TEST_CASE("seats, pins and the ring have the sizes that were asked for") {
 }
 
 TEST_CASE("a body that cannot be printed so is refused with the marker that is in the way") {
-    CHECK(text_of(phaco()) == "ok");
-    MarkerBody across = phaco();
+    CHECK(print_error(printed_phaco()) == "ok");
+    MarkerBody across = printed_phaco();
     across.markers[1] = {0, -60, 0};
-    CHECK(text_of(across).find("the post of marker 2 meets the shaft") != std::string::npos);
-    MarkerBody hidden = phaco();
+    CHECK(print_error(across).find("the post of marker 2 meets the shaft") != std::string::npos);
+    MarkerBody hidden = printed_phaco();
     hidden.markers = {{0, 70, 0}, {0, 95, 0}, {30, 20, 0}, {-30, 20, 0}};
-    CHECK(text_of(hidden).find("meets the sphere of marker 1") != std::string::npos);
-    MarkerBody middle = phaco();
+    CHECK(print_error(hidden).find("meets the sphere of marker 1") != std::string::npos);
+    MarkerBody middle = printed_phaco();
     middle.markers = {{0, 50, 0}, {20, 50, 0}, {-20, 50, 0}};
-    CHECK(text_of(middle).find("the post of marker 1 has no room") != std::string::npos);
+    CHECK(print_error(middle).find("the post of marker 1 has no room") != std::string::npos);
     MarkerBodyPrint thick;
     thick.post_radius = 2.9;
-    CHECK(text_of(phaco(), thick).find("post_radius is 2.9") != std::string::npos);
+    CHECK(print_error(printed_phaco(), thick).find("post_radius is 2.9") != std::string::npos);
 }
 
 }  // namespace rhexis::tracking
