@@ -211,7 +211,7 @@ TEST_CASE("a wand of two spheres, whose spots are not told apart, finds them fro
     const Rig truth = ring(6);
     Waving waving;
     waving.frames = frames_of_test;
-    const Result<WandCalibration> found = calibrate_wand(guessed(truth, 10.0, 0.03), two, waved(truth, two, waving));
+    const Result<WandCalibration> found = calibrate_wand(guessed(truth, 45.0, 0.1), two, waved(truth, two, waving));
     REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));
     const PointError points = point_error(found.value().rig, truth, waving.prism);
     print_found("two spheres", found.value(), truth, points);
