@@ -74,7 +74,7 @@ Result<PivotCalibration> calibrate_pivot(std::span<const Pose> poses, const Pivo
     if (spread < settings.least_spread_deg) {
         return Error{"the direction that turned least is spread by " + tenths(spread) + " degrees", "pivot",
                      "at least " + tenths(settings.least_spread_deg) + " degrees: swing the hand through a cone of " +
-                         tenths(3.0 * settings.least_spread_deg) + " degrees across or more"};
+                         tenths(5.0 * settings.least_spread_deg) + " degrees across or more"};
     }
     PivotCalibration result = solved_pivot(poses);
     result.spread_deg = spread;

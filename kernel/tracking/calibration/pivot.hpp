@@ -11,7 +11,7 @@ namespace rhexis::tracking {
 
 struct PivotSettings {
     int fewest_poses = 30;
-    double least_spread_deg = 10.0;  ///< of the direction that turned least; see PivotCalibration
+    double least_spread_deg = 8.0;   ///< of the direction that turned least; see PivotCalibration
     double most_residual_mm = 0.5;   ///< beyond, the tip slipped
     double most_residual_deg = 1.0;  ///< beyond, the shaft did not turn about itself
     double least_spin_deg = 60.0;    ///< spread of the directions across the shaft
@@ -24,7 +24,7 @@ struct PivotCalibration {
     double tip_sigma_mm = 0.0;  ///< standard deviation of the tip's place, from the residual
     double condition = 0.0;     ///< greatest by least singular value of the equations
     /// Of all directions of the body, the one that turned least: root mean square of its angle to its mean [degrees].
-    /// About 0.7 of the half angle, when the shaft swings evenly through a cone.
+    /// About half of the half angle, when the shaft swings evenly through a cone.
     double spread_deg = 0.0;
 };
 

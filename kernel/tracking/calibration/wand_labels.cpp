@@ -93,7 +93,7 @@ struct EndsGuess {
 
 /// How far a point's image is from a direction [pixels]; a lot where it is behind the camera.
 double distance_px(const Camera& camera, const Vec3& point, const Vec2& direction) {
-    constexpr double most = 200.0;  // so that one wrong view does not outweigh the others
+    constexpr double most = 600.0;  // so that one wrong view does not outweigh the others
     const Vec3 seen = camera.pose.to_body(point);
     if (seen.z() <= 0.0) {
         return most;

@@ -175,7 +175,7 @@ PointError point_error(const Rig& found, const Rig& truth, double prism) {
 const Wand three{{0.0, 80.0, 130.0}, 0.01};
 const Wand two{{0.0, 130.0}, 0.01};
 
-void print(const char* what, const WandCalibration& found, const Rig& truth, const PointError& points) {
+void print_found(const char* what, const WandCalibration& found, const Rig& truth, const PointError& points) {
     std::cout << what << ": residual " << found.residual_px << " px, cameras within "
               << 1e3 * place_error(found.rig, truth) << " um, points " << 1e3 * points.rms_mm << " um RMS, scale "
               << 100.0 * points.scale << " % (sigma " << 100.0 * found.scale_sigma << " %), camera 2 sigma "
@@ -195,7 +195,7 @@ TEST_CASE("a wand of three spheres finds six cameras to micrometres, whatever th
     const Result<WandCalibration> found = calibrate_wand(guessed(truth, 50.0, 0.3), three, frames);
     REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));
     const PointError points = point_error(found.value().rig, truth, waving.prism);
-    print("three spheres", found.value(), truth, points);
+    print_found("three spheres", found.value(), truth, points);
     CHECK(found.value().rig.calibrated);
     CHECK(found.value().residual_px < 0.06);
     CHECK(found.value().residual_px > 0.03);
@@ -211,10 +211,10 @@ TEST_CASE("a wand of two spheres, whose spots are not told apart, finds them fro
     const Rig truth = ring(6);
     Waving waving;
     waving.frames = frames_of_test;
-    const Result<WandCalibration> found = calibrate_wand(guessed(truth, 10.0, 0.03), two, waved(truth, two, waving));
+    const Result<WandCalibration> found = calibrate_wand(guessed(truth, 45.0, 0.1), two, waved(truth, two, waving));
     REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));
     const PointError points = point_error(found.value().rig, truth, waving.prism);
-    print("two spheres", found.value(), truth, points);
+    print_found("two spheres", found.value(), truth, points);
     CHECK(found.value().residual_px < 0.06);
     CHECK(std::abs(points.scale) < 2e-4);
     CHECK(found.value().frames_dropped < found.value().frames_used / 50);
@@ -233,7 +233,7 @@ TEST_CASE("frames with a wrong spot are dropped and counted, and others are not"
     REQUIRE(clean.ok());
     REQUIRE_MESSAGE(spoilt.ok(), (spoilt ? "" : spoilt.error().text()));
     const PointError points = point_error(spoilt.value().rig, truth, waving.prism);
-    print("5 % outliers", spoilt.value(), truth, points);
+    print_found("5 % outliers", spoilt.value(), truth, points);
     CHECK(clean.value().frames_dropped <= 2);
     CHECK(spoilt.value().frames_dropped >= 2);
     CHECK(spoilt.value().frames_dropped < waving.frames / 10);
@@ -258,7 +258,7 @@ TEST_CASE("lenses that were slightly wrong are put right with the poses") {
     const Result<WandCalibration> refined = calibrate_wand(given, three, frames, settings);
     REQUIRE(kept.ok());
     REQUIRE_MESSAGE(refined.ok(), (refined ? "" : refined.error().text()));
-    print("refined lenses", refined.value(), truth, point_error(refined.value().rig, truth, waving.prism));
+    print_found("refined lenses", refined.value(), truth, point_error(refined.value().rig, truth, waving.prism));
     CHECK(kept.value().residual_px > 0.1);
     CHECK(refined.value().residual_px < 0.06);
     for (const Camera& camera : refined.value().rig.cameras) {
