@@ -72,38 +72,38 @@ double light_around(const GreyImage& image, const Window& inner, const Window& o
 
 /// What a region's pixels are measured by.
 struct Brightness {
-    double around = 0.0;  ///< light of no sphere
-    double full = 1.0;    ///< light above it that weighs 1
+    double none = 0.0;  ///< light up to which a pixel weighs nothing
+    double full = 1.0;  ///< from which on it weighs 1
     double peak = 0.0;
     int clipped = 0;
 };
 
 /// The brightness that a tenth of its bright pixels reach: one glaring pixel does not count.
-Brightness brightness_of(const GreyImage& image, const Window& window, double around, int threshold, double level) {
+Brightness brightness_of(const GreyImage& image, const Window& window, double around, const SpotSettings& settings) {
     std::array<int, 256> counts{};
     int bright = 0;
     for (int y = window.top; y < window.bottom; ++y) {
         const std::uint8_t* line = image.pixels + static_cast<std::ptrdiff_t>(y) * image.stride;
         for (int x = window.left; x < window.right; ++x) {
-            if (line[x] >= threshold) {
+            if (line[x] >= settings.threshold) {
                 ++counts[line[x]];
                 ++bright;
             }
         }
     }
     Brightness result;
-    result.around = around;
     result.clipped = counts[255];
     int above = 0;
     int high = 255;
-    while (high > threshold && above + counts[static_cast<std::size_t>(high)] <= bright / 10) {
+    while (high > settings.threshold && above + counts[static_cast<std::size_t>(high)] <= bright / 10) {
         above += counts[static_cast<std::size_t>(high)];
         --high;
     }
     for (int light = 255; light > 0 && result.peak == 0.0; --light) {
         result.peak = counts[static_cast<std::size_t>(light)] > 0 ? light : 0.0;
     }
-    result.full = std::max(level * (high - around), 1.0);
+    result.none = around + settings.low * (high - around);
+    result.full = std::max(around + settings.high * (high - around), result.none + 1.0);
     return result;
 }
 
@@ -116,13 +116,16 @@ struct Moments {
     double xy = 0.0;
 };
 
-Moments moments_of(const GreyImage& image, const Window& window, const Brightness& brightness) {
+Moments moments_of(const GreyImage& image, const Window& window, const Brightness& brightness,
+                   const SpotSettings& settings) {
     Moments result;
     const int middle_x = (window.left + window.right) / 2;
     const int middle_y = (window.top + window.bottom) / 2;
     std::array<double, 256> weights{};
     for (std::size_t light = 0; light < weights.size(); ++light) {
-        weights[light] = std::min((static_cast<double>(light) - brightness.around) / brightness.full, 1.0);
+        weights[light] =
+            std::clamp((static_cast<double>(light) - brightness.none) / (brightness.full - brightness.none),
+                       settings.low > 0.0 ? 0.0 : -1.0, 1.0);
     }
     double sx = 0.0;
     double sy = 0.0;
@@ -249,9 +252,9 @@ Spot SpotFinder::measure(const GreyImage& image, const Region& region) const {
     const int margin = region.crowded ? 1 : settings_.margin;
     const Window inner = grown(region.left, region.right, region.top, region.bottom, margin, image);
     const Window outer = grown(region.left, region.right, region.top, region.bottom, 2 * settings_.margin, image);
-    const Brightness brightness = brightness_of(image, inner, light_around(image, inner, outer, settings_.threshold),
-                                                settings_.threshold, settings_.level);
-    const Moments moments = moments_of(image, inner, brightness);
+    const double around = light_around(image, inner, outer, settings_.threshold);
+    const Brightness brightness = brightness_of(image, inner, around, settings_);
+    const Moments moments = moments_of(image, inner, brightness, settings_);
     Spot spot;
     spot.at = moments.centre;
     spot.area = moments.weight;

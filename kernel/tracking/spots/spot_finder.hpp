@@ -15,9 +15,11 @@ struct SpotSettings {
     double most_area = 4000.0;  ///< [pixels]; larger ones are no marker
     int most_spots = 256;       ///< of an image; what comes after is left out, and told
     int margin = 3;  ///< pixels around a region that its light may reach, and as many again for what lies around it
-    /// Share of a region's brightness from which on a pixel weighs 1: 1 weighs by light, which a worn patch, the lens's
-    /// shading and the reflector's own lobe draw aside; less takes noise for a rim. 0.1 to 1.
-    double level = 0.35;
+    /// Shares of a region's brightness up to which a pixel weighs nothing, and from which on it weighs 1. Wide apart, a
+    /// worn patch, the lens's shading and light of a hand beside the sphere draw the centre aside; near each other,
+    /// the rim has few shades to tell it by. 0 and 1 weigh by light.
+    double low = 0.15;
+    double high = 0.4;
 };
 
 struct FoundSpots {
