@@ -2,7 +2,6 @@
 #include "net/vrpn_client.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace rhexis::vrpn {
@@ -14,7 +13,7 @@ constexpr double patience_s = 3.0;  ///< with a device that does not answer
 
 /// A payload as a report, of a type that is one.
 template <typename What>
-Status put(Result<What> read, Report& report) {
+Status put(Result<What> read, DeviceReport& report) {
     if (!read) {
         return read.error();
     }
@@ -23,7 +22,7 @@ Status put(Result<What> read, Report& report) {
 }
 
 /// False: the type is none that is heard.
-Result<bool> read_report(std::string_view type, WireSpan payload, Report& report) {
+Result<bool> read_report(std::string_view type, WireSpan payload, DeviceReport& report) {
     Status read = success();
     if (type == pose_type) {
         read = put(read_pose(payload), report);
@@ -53,27 +52,19 @@ Result<ServerPlace> server_place(std::string_view text) {
         place.asks_by_datagram = false;
         rest.remove_prefix(tcp.size());
     }
-    const std::size_t colon = rest.find(':');
-    const std::string_view host = rest.substr(0, colon);
-    place.address.host = host == "localhost" ? "127.0.0.1" : std::string(host);
-    if (colon != std::string_view::npos) {
-        const std::string_view number = rest.substr(colon + 1);
-        const auto [stop, fault] = std::from_chars(number.data(), number.data() + number.size(), place.address.port);
-        if (fault != std::errc() || stop != number.data() + number.size()) {
-            place.address.port = -1;
-        }
-    }
-    if (place.address.port < 1 || place.address.port > 65535 || !is_dotted(place.address.host)) {
+    std::optional<NetAddress> address = read_address(rest, port);
+    if (!address) {
         return Error{"no VRPN server: '" + std::string(text) + "'", "",
                      "ADDRESS, ADDRESS:PORT or tcp://ADDRESS:PORT, the address dotted or localhost"};
     }
+    place.address = *std::move(address);
     return place;
 }
 
 Client::Client(ServerPlace place, std::vector<std::string> devices)
     : place_(std::move(place)), devices_(std::move(devices)), answered_(devices_.size(), false) {}
 
-void Client::turn(double now_s, std::int64_t time_us, std::vector<Report>& reports) {
+void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports) {
     if (!peer_) {
         reach_out(now_s);
     }
@@ -156,7 +147,7 @@ void Client::ping(double now_s, std::int64_t time_us) {
     }
 }
 
-void Client::take(const Message& message, double now_s, std::vector<Report>& reports) {
+void Client::take(const Message& message, double now_s, std::vector<DeviceReport>& reports) {
     const std::string_view type = peer_->names().type(message.type);
     const auto device = std::find(devices_.begin(), devices_.end(), peer_->names().sender(message.sender));
     if (device == devices_.end()) {
@@ -166,7 +157,7 @@ void Client::take(const Message& message, double now_s, std::vector<Report>& rep
         answered_[static_cast<std::size_t>(device - devices_.begin())] = true;
         return;
     }
-    Report report{*device, message.time_us};
+    DeviceReport report{*device, message.time_us};
     const Result<bool> read = read_report(type, message.payload, report);
     if (!read) {
         lose(read.error().text(), now_s);

@@ -30,7 +30,7 @@ ServerPlace place_of(const Server& server, bool asks_by_datagram) {
 struct Bench {
     Server* server = nullptr;
     std::vector<Client*> clients;
-    std::vector<Report> reports{};  ///< of all clients
+    std::vector<DeviceReport> reports{};  ///< of all clients
     double now_s = 0.0;
 
     void turn(double by_s = 0.01) {
@@ -87,7 +87,7 @@ TEST_SUITE("vrpn link") {
         server.tell("pedal", analog_type, analog_payload({0.75}), 4300);
         REQUIRE(bench.until([&] { return bench.reports.size() == 3; }));
         int poses = 0;
-        for (const Report& report : bench.reports) {
+        for (const DeviceReport& report : bench.reports) {
             if (const auto* pose = std::get_if<PoseReport>(&report.what)) {
                 ++poses;
                 CHECK(report.device == "phaco");
@@ -109,7 +109,7 @@ TEST_SUITE("vrpn link") {
         Client client(place_of(server, false), {"pedal"});
         Bench bench{&server, {&client}};
         REQUIRE(bench.until([&] { return bench.reports.size() == 2; }));  // when it came, and for its ping
-        for (const Report& report : bench.reports) {
+        for (const DeviceReport& report : bench.reports) {
             CHECK(std::get<std::vector<bool>>(report.what) == std::vector<bool>{false, true});
         }
     }
