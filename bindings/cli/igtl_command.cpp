@@ -20,11 +20,11 @@ constexpr const char* igtl_help =
     "  rhexis igtl serve runs/groove-expert-1 --address 192.168.1.9    for other computers too";
 
 int listen_igtl(const ListenArguments& given) {
-    Result<NetAddress> address = igtl::server_address(given.server);
+    Result<NetAddress> address = igtlink::server_address(given.server);
     if (!address) {
         return complain(address.error());
     }
-    igtl::Client client(std::move(address).value());
+    igtlink::Client client(std::move(address).value());
     return listen(given, {[&](double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports) {
                               client.turn(now_s, time_us, reports);
                           },
@@ -32,9 +32,9 @@ int listen_igtl(const ListenArguments& given) {
 }
 
 /// Of one step, where the instruments are that are there, and which.
-void tell(igtl::Server& server, const std::vector<std::string>& instruments, const RecordedStep& step, double now_s,
+void tell(igtlink::Server& server, const std::vector<std::string>& instruments, const RecordedStep& step, double now_s,
           std::int64_t time_us) {
-    std::vector<igtl::Tool> tools;
+    std::vector<igtlink::Tool> tools;
     std::string names;
     for (const DeviceSample& sample : step.samples) {
         if (sample.present) {
@@ -42,7 +42,7 @@ void tell(igtl::Server& server, const std::vector<std::string>& instruments, con
             names += (names.empty() ? "" : ", ") + tools.back().name;
         }
     }
-    server.tell_status({igtl::status_ok, 0, "", names.substr(0, igtl::longest_text)}, time_us);
+    server.tell_status({igtlink::status_ok, 0, "", names.substr(0, igtlink::longest_text)}, time_us);
     server.tell(tools, now_s, time_us);
 }
 
@@ -53,16 +53,16 @@ int serve_igtl(const ServeArguments& given) {
     }
     const std::vector<std::string>& instruments = recording.value().header.scene.instruments;
     for (const std::string& instrument : instruments) {
-        if (!igtl::is_name(instrument)) {
+        if (!igtlink::is_name(instrument)) {
             return complain(Error{"an instrument called '" + instrument + "'", given.recording,
-                                  "1 to " + std::to_string(igtl::longest_name) + " characters, printable ASCII"});
+                                  "1 to " + std::to_string(igtlink::longest_name) + " characters, printable ASCII"});
         }
     }
-    Result<igtl::Server> opened = igtl::Server::open({given.address, given.port}, "rhexis");
+    Result<igtlink::Server> opened = igtlink::Server::open({given.address, given.port}, "rhexis");
     if (!opened) {
         return complain(opened.error());
     }
-    igtl::Server& server = opened.value();
+    igtlink::Server& server = opened.value();
     return serve(
         given, recording.value(),
         {instruments, server.port(), [&] { return server.peer_count(); },
@@ -85,7 +85,7 @@ void add_igtl(CLI::App& app, Context& context) {
     hear->callback([heard, &context] { context.status = listen_igtl(*heard); });
     CLI::App* say = command->add_subcommand("serve", "Tell a recording, from when somebody listens");
     auto said = std::make_shared<ServeArguments>();
-    said->port = igtl::port;
+    said->port = igtlink::port;
     add_serve_options(*say, *said);
     say->callback([said, &context] { context.status = serve_igtl(*said); });
 }

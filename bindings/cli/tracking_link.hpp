@@ -18,7 +18,7 @@ struct ListenArguments {
     bool json = false;
 };
 
-/// A client of any protocol, as vrpn::Client and igtl::Client have these.
+/// A client of any protocol, as vrpn::Client and igtlink::Client have these.
 struct Listener {
     std::function<void(double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports)> turn;
     std::function<std::string(double now_s)> trouble;

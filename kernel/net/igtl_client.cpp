@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 namespace {
 
 constexpr double retry_s = 2.0;
@@ -113,4 +113,4 @@ std::string Client::trouble(double now_s) const {
     return refused_ ? "the server refuses to tell where tools are" : "the server tells no pose";
 }
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

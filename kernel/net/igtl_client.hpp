@@ -9,7 +9,7 @@
 #include "net/device_report.hpp"
 #include "net/igtl_peer.hpp"
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 
 /// Of "host" or "host:port"; the host dotted, or localhost; the port is else that of OpenIGTLink.
 Result<NetAddress> server_address(std::string_view text);
@@ -43,4 +43,4 @@ private:
     std::string lost_;
 };
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 namespace {
 
 constexpr std::size_t type_bytes = 12;
@@ -110,7 +110,7 @@ typename Class::Pointer unpacked(const Header& header, WireSpan content) {
     append_u32(0, plain);
     append_u32(static_cast<std::uint32_t>(content.size()), plain);
     plain.resize(header_bytes, 0);
-    ::igtl::MessageHeader::Pointer head = ::igtl::MessageHeader::New();
+    igtl::MessageHeader::Pointer head = igtl::MessageHeader::New();
     head->InitPack();
     std::copy(plain.begin(), plain.end(), static_cast<std::uint8_t*>(head->GetPackPointer()));
     head->Unpack();
@@ -122,7 +122,7 @@ typename Class::Pointer unpacked(const Header& header, WireSpan content) {
     return message;
 }
 
-Result<Pose> pose_of(const ::igtl::Matrix4x4& matrix, const std::string& of) {
+Result<Pose> pose_of(const igtl::Matrix4x4& matrix, const std::string& of) {
     Mat3 turned;
     Pose pose;
     for (int row = 0; row < 3; ++row) {
@@ -150,8 +150,8 @@ Status read_transform(const Header& header, WireSpan content, Message& into) {
     if (content.size() != transform_bytes) {
         return wrong_size(header, content, std::to_string(transform_bytes));
     }
-    ::igtl::Matrix4x4 matrix{};
-    unpacked<::igtl::TransformMessage>(header, content)->GetMatrix(matrix);
+    igtl::Matrix4x4 matrix{};
+    unpacked<igtl::TransformMessage>(header, content)->GetMatrix(matrix);
     Result<Pose> pose = pose_of(matrix, header.device);
     if (!pose) {
         return pose.error();
@@ -165,11 +165,11 @@ Status read_tracking_data(const Header& header, WireSpan content, Message& into)
         return wrong_size(header, content, std::to_string(tool_bytes) + " for each tool");
     }
     TrackingData data;
-    const auto message = unpacked<::igtl::TrackingDataMessage>(header, content);
+    const auto message = unpacked<igtl::TrackingDataMessage>(header, content);
     for (std::size_t i = 0; i < content.size() / tool_bytes; ++i) {
-        ::igtl::TrackingDataElement::Pointer element;
+        igtl::TrackingDataElement::Pointer element;
         message->GetTrackingDataElement(static_cast<int>(i), element);
-        ::igtl::Matrix4x4 matrix{};
+        igtl::Matrix4x4 matrix{};
         element->GetMatrix(matrix);
         const std::string name = text_of(content.subspan(i * tool_bytes, longest_name));
         if (!is_printable(name)) {
@@ -189,7 +189,7 @@ Status read_start(const Header& header, WireSpan content, Message& into) {
     if (content.size() != start_bytes) {
         return wrong_size(header, content, std::to_string(start_bytes));
     }
-    const int period_ms = unpacked<::igtl::StartTrackingDataMessage>(header, content)->GetResolution();
+    const int period_ms = unpacked<igtl::StartTrackingDataMessage>(header, content)->GetResolution();
     if (period_ms < 0) {
         return broken("a period of " + std::to_string(period_ms) + " ms", "0 or more");
     }
@@ -201,8 +201,8 @@ Status read_reply(const Header& header, WireSpan content, Message& into) {
     if (content.size() != reply_bytes) {
         return wrong_size(header, content, std::to_string(reply_bytes));
     }
-    const auto reply = unpacked<::igtl::RTSTrackingDataMessage>(header, content);
-    into.content = StartReply{reply->GetStatus() == ::igtl::RTSTrackingDataMessage::STATUS_SUCCESS};
+    const auto reply = unpacked<igtl::RTSTrackingDataMessage>(header, content);
+    into.content = StartReply{reply->GetStatus() == igtl::RTSTrackingDataMessage::STATUS_SUCCESS};
     return success();
 }
 
@@ -212,7 +212,7 @@ Status read_status(const Header& header, WireSpan content, Message& into) {
     }
     WireBytes ended(content.begin(), content.end());
     ended.push_back(0);  // the library overwrites the last byte by one
-    const auto status = unpacked<::igtl::StatusMessage>(header, ended);
+    const auto status = unpacked<igtl::StatusMessage>(header, ended);
     into.content = DeviceStatus{status->GetCode(), status->GetSubCode(), text_of(content.subspan(10, longest_name)),
                                 std::string(status->GetStatusString())};
     return success();
@@ -239,9 +239,9 @@ Result<Message> message_of(const Header& header, WireSpan content) {
     return read ? Result<Message>(std::move(message)) : Result<Message>(read.error());
 }
 
-void set_matrix(const Pose& pose, ::igtl::Matrix4x4& matrix) {
+void set_matrix(const Pose& pose, igtl::Matrix4x4& matrix) {
     const Mat3 turned = pose.orientation.toRotationMatrix();
-    ::igtl::IdentityMatrix(matrix);
+    igtl::IdentityMatrix(matrix);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             matrix[row][column] = static_cast<float>(turned(row, column));
@@ -252,56 +252,56 @@ void set_matrix(const Pose& pose, ::igtl::Matrix4x4& matrix) {
 
 /// The library's message of a content.
 struct Packed {
-    ::igtl::MessageBase::Pointer operator()(const Transform& transform) const {
-        const auto message = ::igtl::TransformMessage::New();
-        ::igtl::Matrix4x4 matrix{};
+    igtl::MessageBase::Pointer operator()(const Transform& transform) const {
+        const auto message = igtl::TransformMessage::New();
+        igtl::Matrix4x4 matrix{};
         set_matrix(transform.pose, matrix);
         message->SetMatrix(matrix);
         return message.GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const TrackingData& data) const {
-        const auto message = ::igtl::TrackingDataMessage::New();
+    igtl::MessageBase::Pointer operator()(const TrackingData& data) const {
+        const auto message = igtl::TrackingDataMessage::New();
         for (const Tool& tool : data.tools) {
             RHEXIS_ASSERT(tool.name.size() <= longest_name);
-            auto element = ::igtl::TrackingDataElement::New();
-            ::igtl::Matrix4x4 matrix{};
+            auto element = igtl::TrackingDataElement::New();
+            igtl::Matrix4x4 matrix{};
             set_matrix(tool.pose, matrix);
             element->SetName(tool.name.c_str());
-            element->SetType(::igtl::TrackingDataElement::TYPE_6D);
+            element->SetType(igtl::TrackingDataElement::TYPE_6D);
             element->SetMatrix(matrix);
             message->AddTrackingDataElement(element);
         }
         return message.GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const StartTracking& start) const {
+    igtl::MessageBase::Pointer operator()(const StartTracking& start) const {
         RHEXIS_ASSERT(start.coordinates.size() <= longest_coordinates);
-        const auto message = ::igtl::StartTrackingDataMessage::New();
+        const auto message = igtl::StartTrackingDataMessage::New();
         message->SetResolution(start.period_ms);
         message->SetCoordinateName(start.coordinates.c_str());
         return message.GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const StopTracking& /*stop*/) const {
-        return ::igtl::StopTrackingDataMessage::New().GetPointer();
+    igtl::MessageBase::Pointer operator()(const StopTracking& /*stop*/) const {
+        return igtl::StopTrackingDataMessage::New().GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const StartReply& reply) const {
-        using Reply = ::igtl::RTSTrackingDataMessage;
+    igtl::MessageBase::Pointer operator()(const StartReply& reply) const {
+        using Reply = igtl::RTSTrackingDataMessage;
         const auto message = Reply::New();
         message->SetStatus(reply.accepted ? Reply::STATUS_SUCCESS : Reply::STATUS_ERROR);
         return message.GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const DeviceStatus& status) const {
+    igtl::MessageBase::Pointer operator()(const DeviceStatus& status) const {
         RHEXIS_ASSERT(status.error.size() < longest_name && status.text.size() <= longest_text);
-        const auto message = ::igtl::StatusMessage::New();
+        const auto message = igtl::StatusMessage::New();
         message->SetCode(status.code);
         message->SetSubCode(status.subcode);
         message->SetErrorName(status.error.c_str());
         message->SetStatusString(status.text.c_str());
         return message.GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const StatusRequest& /*request*/) const {
-        return ::igtl::GetStatusMessage::New().GetPointer();
+    igtl::MessageBase::Pointer operator()(const StatusRequest& /*request*/) const {
+        return igtl::GetStatusMessage::New().GetPointer();
     }
-    ::igtl::MessageBase::Pointer operator()(const Other& /*other*/) const {
+    igtl::MessageBase::Pointer operator()(const Other& /*other*/) const {
         RHEXIS_ASSERT(false);
         return nullptr;
     }
@@ -311,7 +311,7 @@ struct Packed {
 
 WireBytes bytes_of(const Message& message) {
     RHEXIS_ASSERT(message.device.size() <= longest_name && message.time_us >= 0);
-    const ::igtl::MessageBase::Pointer packed = std::visit(Packed(), message.content);
+    const igtl::MessageBase::Pointer packed = std::visit(Packed(), message.content);
     const std::uint64_t time_us = static_cast<std::uint64_t>(message.time_us);
     // rounded up, so that it is read as it was
     const std::uint64_t fraction = ((time_us % us_per_s << 32) + us_per_s - 1) / us_per_s;
@@ -358,4 +358,4 @@ Result<std::optional<Message>> Stream::next() {
     return std::optional(std::move(message).value());
 }
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

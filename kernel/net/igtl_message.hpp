@@ -15,7 +15,7 @@
 #include "math/types.hpp"
 #include "net/wire_bytes.hpp"
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 
 inline constexpr int port = 18944;
 inline constexpr std::size_t header_bytes = 58;
@@ -98,4 +98,4 @@ private:
     std::size_t taken_ = 0;
 };
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

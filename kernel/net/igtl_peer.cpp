@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 namespace {
 
 constexpr double patience_s = 3.0;             ///< with who does not answer, or stops within a message
@@ -64,4 +64,4 @@ void Peer::send(const WireBytes& message) {
     }
 }
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

@@ -9,7 +9,7 @@
 #include "net/igtl_message.hpp"
 #include "net/socket.hpp"
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 
 class Peer {
 public:
@@ -36,4 +36,4 @@ private:
     WireBytes unsent_;
 };
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

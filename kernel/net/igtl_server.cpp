@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 namespace {
 
 constexpr std::size_t most_guests = 256;
@@ -122,4 +122,4 @@ std::size_t Server::peer_count() const {
         std::count_if(guests_.begin(), guests_.end(), [](const Guest& guest) { return guest.introduced; }));
 }
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

@@ -11,7 +11,7 @@
 
 #include "net/igtl_peer.hpp"
 
-namespace rhexis::igtl {
+namespace rhexis::igtlink {
 
 class Server {
 public:
@@ -62,4 +62,4 @@ private:
 /// Whether it can be the name of a device or a tool: printable ASCII, 1 to longest_name characters.
 bool is_name(std::string_view text);
 
-}  // namespace rhexis::igtl
+}  // namespace rhexis::igtlink

@@ -13,16 +13,16 @@ using namespace rhexis;
 
 namespace {
 
-using rhexis::igtl::bytes_of;
-using rhexis::igtl::Client;
-using rhexis::igtl::DeviceStatus;
-using rhexis::igtl::Message;
-using rhexis::igtl::Server;
-using rhexis::igtl::StartTracking;
-using rhexis::igtl::StatusRequest;
-using rhexis::igtl::StopTracking;
-using rhexis::igtl::Stream;
-using rhexis::igtl::Tool;
+using rhexis::igtlink::bytes_of;
+using rhexis::igtlink::Client;
+using rhexis::igtlink::DeviceStatus;
+using rhexis::igtlink::Message;
+using rhexis::igtlink::Server;
+using rhexis::igtlink::StartTracking;
+using rhexis::igtlink::StatusRequest;
+using rhexis::igtlink::StopTracking;
+using rhexis::igtlink::Stream;
+using rhexis::igtlink::Tool;
 
 constexpr std::int64_t some_time_us = 1790000000123456;
 
@@ -181,16 +181,16 @@ TEST_SUITE("igtl link") {
         slow.raws = {&stops};
         stops.say(StartTracking{0, ""});
         slow.settle();
-        CHECK(stops.count<rhexis::igtl::StartReply>() == 1);
+        CHECK(stops.count<rhexis::igtlink::StartReply>() == 1);
         server.tell(some_tools(), slow.now_s, some_time_us);
         slow.settle();
-        CHECK(stops.count<rhexis::igtl::TrackingData>() == 1);
+        CHECK(stops.count<rhexis::igtlink::TrackingData>() == 1);
         stops.say(StopTracking{});
         slow.settle();
         server.tell(some_tools(), slow.now_s, some_time_us);
         slow.settle();
-        CHECK(stops.count<rhexis::igtl::TrackingData>() == 1);
-        CHECK(stops.count<rhexis::igtl::Transform>() == 0);
+        CHECK(stops.count<rhexis::igtlink::TrackingData>() == 1);
+        CHECK(stops.count<rhexis::igtlink::Transform>() == 0);
     }
 
     TEST_CASE("who asks for nothing is told a transform of each tool") {
@@ -199,10 +199,10 @@ TEST_SUITE("igtl link") {
         Bench bench{&server, {}, {&viewer}};
         join(bench);
         server.tell(some_tools(), bench.now_s, some_time_us);
-        REQUIRE(bench.until([&] { return viewer.count<rhexis::igtl::Transform>() == 2; }));
+        REQUIRE(bench.until([&] { return viewer.count<rhexis::igtlink::Transform>() == 2; }));
         CHECK(viewer.heard[viewer.heard.size() - 2].device == "phaco");
         CHECK(viewer.heard.back().device == "chopper");
-        CHECK(viewer.count<rhexis::igtl::TrackingData>() == 0);
+        CHECK(viewer.count<rhexis::igtlink::TrackingData>() == 0);
     }
 
     TEST_CASE("the status comes at once, on request and when it changes, and else not") {
@@ -263,7 +263,7 @@ TEST_SUITE("igtl link") {
         CHECK(client.trouble(bench.now_s).empty());
         bench.turn(3.1);
         CHECK(client.trouble(bench.now_s) == "the server tells no pose");
-        WireBytes reply = bytes_of({"x", some_time_us, rhexis::igtl::StartReply{false}});
+        WireBytes reply = bytes_of({"x", some_time_us, rhexis::igtlink::StartReply{false}});
         server->write(reply);
         CHECK(bench.until([&] { return client.trouble(bench.now_s) == "the server refuses to tell where tools are"; }));
         WireBytes nonsense(58, 'x');
@@ -278,7 +278,7 @@ TEST_SUITE("igtl link") {
         Client client({"127.0.0.1", server.port()});
         Bench bench{&server, {&client}};
         join(bench);
-        const WireBytes pose = bytes_of({"x", some_time_us, rhexis::igtl::Transform{}});
+        const WireBytes pose = bytes_of({"x", some_time_us, rhexis::igtlink::Transform{}});
         WireBytes other_crc = pose;
         other_crc.back() ^= 1;
         WireBytes large = pose;
@@ -321,10 +321,10 @@ TEST_SUITE("igtl link") {
     }
 
     TEST_CASE("addresses that are none, ports that others have, names that are too long") {
-        CHECK(rhexis::igtl::server_address("localhost").value().port == 18944);
-        CHECK(rhexis::igtl::server_address("10.0.0.7:4000").value() == NetAddress{"10.0.0.7", 4000});
+        CHECK(rhexis::igtlink::server_address("localhost").value().port == 18944);
+        CHECK(rhexis::igtlink::server_address("10.0.0.7:4000").value() == NetAddress{"10.0.0.7", 4000});
         for (const char* text : {"", "tracker", "10.0.0", "10.0.0.7:", "10.0.0.7:0", "10.0.0.7:4x", "tcp://10.0.0.7"}) {
-            CHECK_FALSE(rhexis::igtl::server_address(text).ok());
+            CHECK_FALSE(rhexis::igtlink::server_address(text).ok());
         }
         const Server server = a_server();
         CHECK(Server::open({"127.0.0.1", server.port()}, "x").error().text().find("in use") != std::string::npos);

@@ -20,7 +20,7 @@ using namespace rhexis;
 
 namespace {
 
-namespace ours = rhexis::igtl;
+namespace ours = rhexis::igtlink;
 using ours::Message;
 
 const Quat some_turn(Eigen::AngleAxisd(0.7, Vec3(1.0, -2.0, 0.5).normalized()));
@@ -36,9 +36,9 @@ WireBytes packed(const Packed& message, const char* device) {
     return {bytes, bytes + message->GetPackSize()};
 }
 
-void fill(::igtl::Matrix4x4& matrix, const Vec3& position) {
+void fill(igtl::Matrix4x4& matrix, const Vec3& position) {
     const Mat3 turned = some_turn.toRotationMatrix();
-    ::igtl::IdentityMatrix(matrix);
+    igtl::IdentityMatrix(matrix);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
             matrix[row][column] = static_cast<float>(turned(row, column));
@@ -48,8 +48,8 @@ void fill(::igtl::Matrix4x4& matrix, const Vec3& position) {
 }
 
 WireBytes library_transform(const Vec3& position = Vec3(1.5, -20.25, 300.0), float scale = 1.0F) {
-    const auto message = ::igtl::TransformMessage::New();
-    ::igtl::Matrix4x4 matrix{};
+    const auto message = igtl::TransformMessage::New();
+    igtl::Matrix4x4 matrix{};
     fill(matrix, position);
     matrix[0][0] *= scale;
     message->SetMatrix(matrix);
@@ -57,13 +57,13 @@ WireBytes library_transform(const Vec3& position = Vec3(1.5, -20.25, 300.0), flo
 }
 
 WireBytes library_tracking_data() {
-    const auto message = ::igtl::TrackingDataMessage::New();
+    const auto message = igtl::TrackingDataMessage::New();
     for (const char* name : {"phaco", "a name of 20 letters"}) {
-        auto element = ::igtl::TrackingDataElement::New();
-        ::igtl::Matrix4x4 matrix{};
+        auto element = igtl::TrackingDataElement::New();
+        igtl::Matrix4x4 matrix{};
         fill(matrix, Vec3(name[0], 2.0, 3.0));
         element->SetName(name);
-        element->SetType(::igtl::TrackingDataElement::TYPE_TRACKER);
+        element->SetType(igtl::TrackingDataElement::TYPE_TRACKER);
         element->SetMatrix(matrix);
         message->AddTrackingDataElement(element);
     }
@@ -71,8 +71,8 @@ WireBytes library_tracking_data() {
 }
 
 WireBytes library_status() {
-    const auto message = ::igtl::StatusMessage::New();
-    message->SetCode(::igtl::StatusMessage::STATUS_NOT_READY);
+    const auto message = igtl::StatusMessage::New();
+    message->SetCode(igtl::StatusMessage::STATUS_NOT_READY);
     message->SetSubCode(-128);
     message->SetErrorName("warming up");
     message->SetStatusString("the lamps are cold");
@@ -80,7 +80,7 @@ WireBytes library_status() {
 }
 
 WireBytes library_start(int period_ms) {
-    const auto message = ::igtl::StartTrackingDataMessage::New();
+    const auto message = igtl::StartTrackingDataMessage::New();
     message->SetResolution(period_ms);
     message->SetCoordinateName("Patient");
     return packed(message, "a client");
@@ -93,8 +93,8 @@ WireBytes all_of_the_library() {
     append(library_tracking_data(), all);
     append(library_status(), all);
     append(library_start(20), all);
-    append(packed(::igtl::StopTrackingDataMessage::New(), "a client"), all);
-    append(packed(::igtl::GetStatusMessage::New(), "a client"), all);
+    append(packed(igtl::StopTrackingDataMessage::New(), "a client"), all);
+    append(packed(igtl::GetStatusMessage::New(), "a client"), all);
     return all;
 }
 
@@ -230,7 +230,7 @@ TEST_SUITE("igtl message") {
     }
 
     TEST_CASE("a type that is not read is passed over, and what follows is read") {
-        const auto image = ::igtl::ImageMessage::New();
+        const auto image = igtl::ImageMessage::New();
         image->SetDimensions(8, 8, 1);
         image->SetScalarTypeToUint8();
         image->AllocateScalars();
