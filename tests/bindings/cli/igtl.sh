@@ -43,7 +43,7 @@ times = [l["time_s"] for l in poses]
 assert times == sorted(times)
 P
 
-expect 1 "no OpenIGTLink server has answered yet" "$rhexis" igtl listen "localhost:$port" --seconds 1.2
+expect 1 "nobody answers" "$rhexis" igtl listen "localhost:$port" --seconds 1.2
 expect 2 "no OpenIGTLink server: 'nowhere' (ADDRESS" "$rhexis" igtl listen nowhere
 expect 2 "server is required" "$rhexis" igtl listen
 expect 2 "nowhere.rhx" "$rhexis" igtl serve "$work/nowhere.rhx"
@@ -85,7 +85,7 @@ python3 - "$work/tdata_client.out" "$work/by_ours" <<'P' || fail "their client d
 import json, re, sys
 told = [tuple(json.loads(l)["position_mm"]) for l in open(sys.argv[2]) if '"pose"' in l]
 text = open(sys.argv[1]).read()
-blocks = re.findall(r"Name +: (\S+)\n Type +: (\d)\n Matrix : \n(.*?)\n=====", text, re.S)
+blocks = re.findall(r"Name +: (\S+)\n Type +: (\d)\n Matrix : \n=+\n(.*?)\n=", text, re.S)
 assert blocks and all(name == "probe" and kind == "2" for name, kind, _ in blocks), blocks[:2]
 def column(block):
     rows = [[float(x) for x in re.findall(r"-?\d[\d.e+-]*", line)] for line in block.splitlines()[:3]]
@@ -107,7 +107,7 @@ grep -q "Receiving STATUS" "$work/receiver.out" || fail "their receiver heard no
 serve 2
 theirs tracker_client 127.0.0.1 "$port" 50
 expect 0 "" "$rhexis" igtl listen "localhost:$port" --json --seconds 0.6
-[ "$(grep -c '"pose"' "$work/stdout")" -gt 50 ] || fail "a peer that tells disturbs who hears"
+[ "$(grep -c '"pose"' "$work/stdout")" -gt 10 ] || fail "a peer that tells disturbs who hears"
 served
 
 # Ours asks their servers.
