@@ -104,9 +104,9 @@ grep -q "Receiving TRANSFORM" "$work/receiver.out" || fail "their receiver heard
 grep -q "Receiving STATUS" "$work/receiver.out" || fail "their receiver heard no status"
 
 # Their client that tells transforms to ours disturbs nobody.
-serve 2
+serve 0.5
 theirs tracker_client 127.0.0.1 "$port" 50
-expect 0 "" "$rhexis" igtl listen "localhost:$port" --json --seconds 0.6
+expect 0 "" "$rhexis" igtl listen "localhost:$port" --json --seconds 1
 [ "$(grep -c '"pose"' "$work/stdout")" -gt 10 ] || fail "a peer that tells disturbs who hears"
 served
 
