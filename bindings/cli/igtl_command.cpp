@@ -19,12 +19,12 @@ constexpr const char* igtl_help =
     "  rhexis igtl serve runs/groove-expert-1              a recording in the place of a tracking system, here only\n"
     "  rhexis igtl serve runs/groove-expert-1 --address 192.168.1.9    for other computers too";
 
-int listen_igtl(const ListenArguments& given) {
+int listen_igtl(const ListenArguments& given, int period_ms) {
     Result<NetAddress> address = igtlink::server_address(given.server);
     if (!address) {
         return complain(address.error());
     }
-    igtlink::Client client(std::move(address).value());
+    igtlink::Client client(std::move(address).value(), period_ms);
     return listen(given, {[&](double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports) {
                               client.turn(now_s, time_us, reports);
                           },
@@ -82,7 +82,11 @@ void add_igtl(CLI::App& app, Context& context) {
     auto heard = std::make_shared<ListenArguments>();
     hear->add_option("server", heard->server, "ADDRESS or ADDRESS:PORT; the port is else 18944")->required();
     add_listen_options(*hear, *heard);
-    hear->callback([heard, &context] { context.status = listen_igtl(*heard); });
+    auto period_ms = std::make_shared<int>(0);
+    hear->add_option("--period", *period_ms, "Milliseconds between two poses of a tool, at least, if the server can")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str();
+    hear->callback([heard, period_ms, &context] { context.status = listen_igtl(*heard, *period_ms); });
     CLI::App* say = command->add_subcommand("serve", "Tell a recording, from when somebody listens");
     auto said = std::make_shared<ServeArguments>();
     said->port = igtlink::port;

@@ -118,10 +118,11 @@ theirs tracker_server "$poses" 50
 states=$(free_port)
 theirs status_server "$states"
 sleep 0.5
-expect 0 "" "$rhexis" igtl listen "localhost:$tools" --json --seconds 1
+expect 0 "" "$rhexis" igtl listen "localhost:$tools" --period 20 --json --seconds 1
 python3 - "$work/stdout" <<'P' || fail "their tracking data are not heard: $(head -c 300 "$work/stdout")"
 import json, math, sys
 lines = [json.loads(line) for line in open(sys.argv[1])]
+assert len(lines) <= 3 * 51, len(lines)  # 20 ms apart
 channels = [[l["position_mm"] for l in lines if l["device"] == f"Channel {i}"] for i in range(3)]
 assert min(map(len, channels)) >= 10, list(map(len, channels))
 for i, places in enumerate(channels):  # each goes round by so much more a message
