@@ -10,6 +10,7 @@ namespace {
 constexpr double retry_s = 2.0;
 constexpr double ping_every_s = 1.0;
 constexpr double patience_s = 3.0;  ///< with a device that does not answer
+constexpr double silence_s = 5.0;   ///< in spite of pings, from devices that did answer: nobody is there any more
 
 /// A payload as a report, of a type that is one.
 template <typename What>
@@ -73,6 +74,7 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>&
     }
     std::vector<Message> messages;
     peer_->turn(now_s, messages);
+    last_heard_s_ = messages.empty() ? last_heard_s_ : now_s;
     if (peer_->is_open()) {
         ping(now_s, time_us);
     }
@@ -83,7 +85,14 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>&
     }
     if (peer_ && !peer_->fault().empty()) {
         lose(peer_->fault(), now_s);
+    } else if (peer_ && is_forsaken(now_s)) {
+        lose("nothing has come for " + std::to_string(static_cast<int>(silence_s)) + " s", now_s);
     }
+}
+
+/// A cable that was drawn, or a computer that was switched off, closes no connection.
+bool Client::is_forsaken(double now_s) const {
+    return now_s - last_heard_s_ > silence_s && std::find(answered_.begin(), answered_.end(), true) != answered_.end();
 }
 
 /// Connects, or asks to be connected to and waits for it.
@@ -124,7 +133,7 @@ void Client::reach_out(double now_s) {
     datagrams_->send_to(place_.address, request_datagram({seen, listener_->port()}));
 }
 
-/// Each device once a second, until it answers.
+/// Each device once a second, until it answers, and again while nothing comes.
 void Client::ping(double now_s, std::int64_t time_us) {
     if (!introduced_) {
         introduced_ = true;
@@ -140,8 +149,9 @@ void Client::ping(double now_s, std::int64_t time_us) {
         return;
     }
     next_ping_s_ = now_s + ping_every_s;
+    const bool silent = now_s - last_heard_s_ > ping_every_s;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
-        if (!answered_[i]) {
+        if (!answered_[i] || silent) {
             peer_->send({time_us, static_cast<std::int32_t>(i), 0, {}});
         }
     }

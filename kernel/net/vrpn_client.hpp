@@ -36,6 +36,7 @@ private:
     void reach_out(double now_s);
     void ping(double now_s, std::int64_t time_us);
     void take(const Message& message, double now_s, std::vector<DeviceReport>& reports);
+    [[nodiscard]] bool is_forsaken(double now_s) const;
     void lose(const std::string& why, double now_s);
 
     ServerPlace place_;
@@ -48,6 +49,7 @@ private:
     double next_try_s_ = 0.0;
     double next_ping_s_ = 0.0;
     double open_since_s_ = 0.0;
+    double last_heard_s_ = 0.0;
     std::string lost_;
 };
 

@@ -114,6 +114,27 @@ TEST_SUITE("vrpn link") {
         }
     }
 
+    TEST_CASE("a server from which nothing comes any more is given up; one that only has nothing to tell is not") {
+        for (const bool answers : {true, false}) {
+            Server server = a_server();
+            Client client(place_of(server, false), {"phaco", "pedal"});
+            Bench bench{&server, {&client}};
+            REQUIRE(bench.until([&] { return client.is_connected(); }));
+            for (int i = 0; i < 50; ++i) {
+                bench.turn();
+                std::this_thread::sleep_for(std::chrono::microseconds(300));
+            }
+            bench.server = answers ? &server : nullptr;
+            bool lost = false;
+            for (int i = 0; i < 100; ++i) {
+                bench.turn(0.1);
+                lost = lost || client.trouble(bench.now_s) == "nothing has come for 5 s";
+                std::this_thread::sleep_for(std::chrono::microseconds(500));
+            }
+            CHECK(lost == !answers);
+        }
+    }
+
     TEST_CASE("a server that goes and comes again is found again") {
         std::optional<Server> server(a_server());
         const int port = server->port();
