@@ -23,6 +23,13 @@ add_library(rhexis_cholmod INTERFACE)
 target_include_directories(rhexis_cholmod SYSTEM INTERFACE $<BUILD_INTERFACE:${SUITESPARSE_INCLUDE_DIR}>)
 target_link_libraries(rhexis_cholmod INTERFACE cholmod openblas)
 
+# OpenIGTLink's own configuration for CMake sets flags for whoever uses it.
+find_path(OPENIGTLINK_INCLUDE_DIR igtlMessageBase.h PATH_SUFFIXES openigtlink REQUIRED)
+find_library(OPENIGTLINK_LIBRARY OpenIGTLink REQUIRED)
+add_library(rhexis_igtl INTERFACE)
+target_include_directories(rhexis_igtl SYSTEM INTERFACE $<BUILD_INTERFACE:${OPENIGTLINK_INCLUDE_DIR}>)
+target_link_libraries(rhexis_igtl INTERFACE OpenIGTLink)
+
 # SOCI's Debian package has no configuration for CMake.
 if(RHEXIS_RECORDS)
   find_path(SOCI_INCLUDE_DIR soci/soci.h REQUIRED)

@@ -10,7 +10,7 @@ target_compile_features(rhexis_kernel INTERFACE cxx_std_20)
 target_link_libraries(rhexis_kernel INTERFACE ${kernel_targets})
 add_library(rhexis::kernel ALIAS rhexis_kernel)
 
-install(TARGETS rhexis_kernel rhexis_cholmod ${kernel_targets} EXPORT rhexis-targets)
+install(TARGETS rhexis_kernel rhexis_cholmod rhexis_igtl ${kernel_targets} EXPORT rhexis-targets)
 install(EXPORT rhexis-targets NAMESPACE rhexis:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rhexis)
 install(DIRECTORY kernel/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rhexis FILES_MATCHING PATTERN "*.hpp" PATTERN tracking EXCLUDE)
 install(FILES cmake/rhexis-config.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/rhexis)

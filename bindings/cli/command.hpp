@@ -44,6 +44,7 @@ void add_bench(CLI::App& app, Context& context);  // only in a program built wit
 void add_report(CLI::App& app, Context& context);
 void add_study(CLI::App& app, Context& context);
 void add_vrpn(CLI::App& app, Context& context);
+void add_igtl(CLI::App& app, Context& context);
 // Only in a program built with records.
 void add_records(CLI::App& app, Context& context);
 void add_rate(CLI::App& app, Context& context);

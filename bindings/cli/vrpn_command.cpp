@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis vrpn: what a VRPN server tells, for who sets up tracking; and a recording told as a tracking system would.
-#include <charconv>
-#include <chrono>
-#include <cstdio>
 #include <memory>
-#include <thread>
 
-#include "base/clock.hpp"
 #include "cli/command.hpp"
+#include "cli/tracking_link.hpp"
 #include "net/vrpn_client.hpp"
 #include "net/vrpn_server.hpp"
-#include "nlohmann/json.hpp"
-#include "session/recording.hpp"
 #include "trial/places.hpp"
 
 namespace rhexis::cli {
@@ -28,107 +22,17 @@ constexpr const char* vrpn_help =
 
 constexpr const char* pedal_device = "pedal";
 
-std::int64_t time_of_day_us() {
-    const auto since = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
-}
-
-void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
-
-struct ListenArguments {
-    std::string server;
-    std::vector<std::string> devices;
-    double seconds = 0.0;
-    bool json = false;
-};
-
-/// Kind and value of a report.
-struct ReportLine {
-    nlohmann::json& line;
-    void operator()(const vrpn::PoseReport& pose) const {
-        line["kind"] = "pose";
-        line["sensor"] = pose.sensor;
-        line["position_mm"] = {pose.position.x(), pose.position.y(), pose.position.z()};
-        line["quaternion_xyzw"] = {pose.turned.x(), pose.turned.y(), pose.turned.z(), pose.turned.w()};
-    }
-    void operator()(const vrpn::VelocityReport& velocity) const {
-        line["kind"] = "velocity";
-        line["sensor"] = velocity.sensor;
-        line["mm_per_s"] = {velocity.velocity.x(), velocity.velocity.y(), velocity.velocity.z()};
-    }
-    void operator()(const vrpn::ButtonReport& button) const {
-        line["kind"] = "button";
-        line["button"] = button.button;
-        line["down"] = button.down;
-    }
-    void operator()(const std::vector<bool>& buttons) const {
-        line["kind"] = "buttons";
-        line["down"] = buttons;
-    }
-    void operator()(const std::vector<double>& channels) const {
-        line["kind"] = "analog";
-        line["channels"] = channels;
-    }
-    void operator()(const vrpn::TextReport& text) const {
-        line["kind"] = "text";
-        line["text"] = text.text;
-    }
-};
-
-void print(const vrpn::Report& report, bool as_json) {
-    nlohmann::json line{{"device", report.device}, {"time_s", 1e-6 * static_cast<double>(report.time_us)}};
-    std::visit(ReportLine{line}, report.what);
-    if (as_json) {
-        std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-        return;
-    }
-    std::printf("%.3f %s %s", line["time_s"].get<double>(), report.device.c_str(),
-                line["kind"].get<std::string>().c_str());
-    for (const auto& [name, value] : line.items()) {
-        if (name != "time_s" && name != "device" && name != "kind") {
-            std::printf(" %s=%s", name.c_str(),
-                        value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-        }
-    }
-    std::printf("\n");
-}
-
-int listen(const ListenArguments& given) {
+int listen_vrpn(const ListenArguments& given, const std::vector<std::string>& devices) {
     Result<vrpn::ServerPlace> place = vrpn::server_place(given.server);
     if (!place) {
         return complain(place.error());
     }
-    vrpn::Client client(std::move(place).value(), given.devices);
-    const double begun_s = wall_seconds();
-    std::vector<vrpn::Report> reports;
-    std::string trouble;
-    bool heard = false;
-    for (double now_s = begun_s; given.seconds <= 0.0 || now_s - begun_s < given.seconds; now_s = wall_seconds()) {
-        client.turn(now_s, time_of_day_us(), reports);
-        for (const vrpn::Report& report : reports) {
-            print(report, given.json);
-        }
-        heard = heard || !reports.empty();
-        if (!reports.empty()) {
-            std::fflush(stdout);
-            reports.clear();
-        }
-        const std::string now = client.trouble(now_s);
-        if (now != trouble && !now.empty() && now_s - begun_s > 1.0) {
-            std::fprintf(stderr, "rhexis: %s: %s\n", given.server.c_str(), now.c_str());
-        }
-        trouble = now_s - begun_s > 1.0 ? now : "";
-        wait_a_little();
-    }
-    return heard ? done : found_failures;
+    vrpn::Client client(std::move(place).value(), devices);
+    return listen(given, {[&](double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports) {
+                              client.turn(now_s, time_us, reports);
+                          },
+                          [&](double now_s) { return client.trouble(now_s); }});
 }
-
-struct ServeArguments {
-    std::string recording;
-    std::string address = "127.0.0.1";
-    int port = vrpn::port;
-    double speed = 1.0;
-};
 
 /// Of one step, what has been told of each instrument.
 void tell(vrpn::Server& server, const std::vector<std::string>& instruments, const RecordedStep& step,
@@ -138,30 +42,14 @@ void tell(vrpn::Server& server, const std::vector<std::string>& instruments, con
         server.keep(device, vrpn::buttons_type, vrpn::buttons_payload({sample.present}), time_us);
         server.keep(device, vrpn::analog_type, vrpn::analog_payload({sample.jaw}), time_us);
         server.tell(device, vrpn::pose_type,
-                    vrpn::payload_of(vrpn::PoseReport{0, sample.pose.position, sample.pose.orientation}), time_us);
+                    vrpn::payload_of(PoseReport{0, sample.pose.position, sample.pose.orientation}), time_us);
         if (sample.present) {
             server.keep(pedal_device, vrpn::analog_type, vrpn::analog_payload({sample.pedal}), time_us);
         }
     }
 }
 
-void turn(vrpn::Server& server) {
-    server.turn(wall_seconds(), time_of_day_us());
-    for (const std::string& note : server.take_notes()) {
-        std::fprintf(stderr, "rhexis: a listener: %s\n", note.c_str());
-    }
-    wait_a_little();
-}
-
-/// Until listeners know what the numbers mean, or have the last of them.
-void linger(vrpn::Server& server) {
-    constexpr double enough_s = 0.2;
-    for (const double begun_s = wall_seconds(); wall_seconds() - begun_s < enough_s;) {
-        turn(server);
-    }
-}
-
-int serve(const ServeArguments& given) {
+int serve_vrpn(const ServeArguments& given) {
     const Result<Recording> recording = read_recording(recording_path(given.recording));
     if (!recording) {
         return complain(recording.error());
@@ -174,29 +62,13 @@ int serve(const ServeArguments& given) {
         return complain(opened.error());
     }
     vrpn::Server& server = opened.value();
-    std::printf("at %s:%d: ", given.address.c_str(), server.port());
-    for (const std::string& device : devices) {
-        std::printf("%s%s", device.c_str(), &device == &devices.back() ? "\n" : ", ");
-    }
-    std::fflush(stdout);
-    while (server.peer_count() == 0) {
-        turn(server);
-    }
-    linger(server);
-    const double step_s = recording.value().header.scene.step_s / given.speed;
-    const double begun_s = wall_seconds();
-    std::size_t told = 0;
-    const std::vector<RecordedStep>& steps = recording.value().steps;
-    while (told < steps.size()) {
-        const double now_s = wall_seconds();
-        for (; told < steps.size() && begun_s + step_s * static_cast<double>(told) <= now_s; ++told) {
-            tell(server, instruments, steps[told], time_of_day_us());
-        }
-        turn(server);
-    }
-    linger(server);
-    std::printf("%zu steps told\n", told);
-    return done;
+    return serve(
+        given, recording.value(),
+        {devices, server.port(), [&] { return server.peer_count(); },
+         [&](double now_s, std::int64_t time_us) { server.turn(now_s, time_us); }, [&] { return server.take_notes(); },
+         [&](const RecordedStep& step, double /*now_s*/, std::int64_t time_us) {
+             tell(server, instruments, step, time_us);
+         }});
 }
 
 }  // namespace
@@ -207,19 +79,17 @@ void add_vrpn(CLI::App& app, Context& context) {
     command->require_subcommand(1);
     CLI::App* hear = command->add_subcommand("listen", "Print what devices do");
     auto heard = std::make_shared<ListenArguments>();
+    auto devices = std::make_shared<std::vector<std::string>>();
     hear->add_option("server", heard->server, "ADDRESS, ADDRESS:PORT or tcp://ADDRESS:PORT; the port is else 3883")
         ->required();
-    hear->add_option("device", heard->devices, "Names of devices")->required();
-    hear->add_option("--seconds", heard->seconds, "So long [until it is ended]")->check(CLI::Range(0.0, 1e6));
-    hear->add_flag("--json", heard->json, "A line of JSON each time");
-    hear->callback([heard, &context] { context.status = listen(*heard); });
+    hear->add_option("device", *devices, "Names of devices")->required();
+    add_listen_options(*hear, *heard);
+    hear->callback([heard, devices, &context] { context.status = listen_vrpn(*heard, *devices); });
     CLI::App* say = command->add_subcommand("serve", "Tell a recording, from when somebody listens");
     auto said = std::make_shared<ServeArguments>();
-    say->add_option("recording", said->recording, "A recording (.rhx), or the folder of a run")->required();
-    say->add_option("--address", said->address, "Of this computer, where it is heard")->capture_default_str();
-    say->add_option("--port", said->port, "0: any that is free")->check(CLI::Range(0, 65535))->capture_default_str();
-    say->add_option("--speed", said->speed, "Times as fast")->check(CLI::Range(0.01, 100.0))->capture_default_str();
-    say->callback([said, &context] { context.status = serve(*said); });
+    said->port = vrpn::port;
+    add_serve_options(*say, *said);
+    say->callback([said, &context] { context.status = serve_vrpn(*said); });
 }
 
 }  // namespace rhexis::cli

@@ -2,6 +2,7 @@
 // Where a socket is.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ struct NetAddress {
 
 /// Four numbers of 0 to 255 with dots.
 bool is_dotted(std::string_view text);
+
+/// Of "host" or "host:port", the host dotted or localhost, the port 1 to 65535. Nothing: the text is neither.
+std::optional<NetAddress> read_address(std::string_view text, int usual_port);
 
 }  // namespace rhexis

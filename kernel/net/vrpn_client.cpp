@@ -2,7 +2,6 @@
 #include "net/vrpn_client.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace rhexis::vrpn {
@@ -11,10 +10,11 @@ namespace {
 constexpr double retry_s = 2.0;
 constexpr double ping_every_s = 1.0;
 constexpr double patience_s = 3.0;  ///< with a device that does not answer
+constexpr double silence_s = 5.0;   ///< in spite of pings, from devices that did answer: nobody is there any more
 
 /// A payload as a report, of a type that is one.
 template <typename What>
-Status put(Result<What> read, Report& report) {
+Status put(Result<What> read, DeviceReport& report) {
     if (!read) {
         return read.error();
     }
@@ -23,7 +23,7 @@ Status put(Result<What> read, Report& report) {
 }
 
 /// False: the type is none that is heard.
-Result<bool> read_report(std::string_view type, WireSpan payload, Report& report) {
+Result<bool> read_report(std::string_view type, WireSpan payload, DeviceReport& report) {
     Status read = success();
     if (type == pose_type) {
         read = put(read_pose(payload), report);
@@ -53,27 +53,19 @@ Result<ServerPlace> server_place(std::string_view text) {
         place.asks_by_datagram = false;
         rest.remove_prefix(tcp.size());
     }
-    const std::size_t colon = rest.find(':');
-    const std::string_view host = rest.substr(0, colon);
-    place.address.host = host == "localhost" ? "127.0.0.1" : std::string(host);
-    if (colon != std::string_view::npos) {
-        const std::string_view number = rest.substr(colon + 1);
-        const auto [stop, fault] = std::from_chars(number.data(), number.data() + number.size(), place.address.port);
-        if (fault != std::errc() || stop != number.data() + number.size()) {
-            place.address.port = -1;
-        }
-    }
-    if (place.address.port < 1 || place.address.port > 65535 || !is_dotted(place.address.host)) {
+    std::optional<NetAddress> address = read_address(rest, port);
+    if (!address) {
         return Error{"no VRPN server: '" + std::string(text) + "'", "",
                      "ADDRESS, ADDRESS:PORT or tcp://ADDRESS:PORT, the address dotted or localhost"};
     }
+    place.address = *std::move(address);
     return place;
 }
 
 Client::Client(ServerPlace place, std::vector<std::string> devices)
     : place_(std::move(place)), devices_(std::move(devices)), answered_(devices_.size(), false) {}
 
-void Client::turn(double now_s, std::int64_t time_us, std::vector<Report>& reports) {
+void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports) {
     if (!peer_) {
         reach_out(now_s);
     }
@@ -82,6 +74,7 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<Report>& repor
     }
     std::vector<Message> messages;
     peer_->turn(now_s, messages);
+    last_heard_s_ = messages.empty() ? last_heard_s_ : now_s;
     if (peer_->is_open()) {
         ping(now_s, time_us);
     }
@@ -92,7 +85,14 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<Report>& repor
     }
     if (peer_ && !peer_->fault().empty()) {
         lose(peer_->fault(), now_s);
+    } else if (peer_ && is_forsaken(now_s)) {
+        lose("nothing has come for " + std::to_string(static_cast<int>(silence_s)) + " s", now_s);
     }
+}
+
+/// A cable that was drawn, or a computer that was switched off, closes no connection.
+bool Client::is_forsaken(double now_s) const {
+    return now_s - last_heard_s_ > silence_s && std::find(answered_.begin(), answered_.end(), true) != answered_.end();
 }
 
 /// Connects, or asks to be connected to and waits for it.
@@ -133,7 +133,7 @@ void Client::reach_out(double now_s) {
     datagrams_->send_to(place_.address, request_datagram({seen, listener_->port()}));
 }
 
-/// Each device once a second, until it answers.
+/// Each device once a second, until it answers, and again while nothing comes.
 void Client::ping(double now_s, std::int64_t time_us) {
     if (!introduced_) {
         introduced_ = true;
@@ -149,14 +149,15 @@ void Client::ping(double now_s, std::int64_t time_us) {
         return;
     }
     next_ping_s_ = now_s + ping_every_s;
+    const bool silent = now_s - last_heard_s_ > ping_every_s;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
-        if (!answered_[i]) {
+        if (!answered_[i] || silent) {
             peer_->send({time_us, static_cast<std::int32_t>(i), 0, {}});
         }
     }
 }
 
-void Client::take(const Message& message, double now_s, std::vector<Report>& reports) {
+void Client::take(const Message& message, double now_s, std::vector<DeviceReport>& reports) {
     const std::string_view type = peer_->names().type(message.type);
     const auto device = std::find(devices_.begin(), devices_.end(), peer_->names().sender(message.sender));
     if (device == devices_.end()) {
@@ -166,7 +167,7 @@ void Client::take(const Message& message, double now_s, std::vector<Report>& rep
         answered_[static_cast<std::size_t>(device - devices_.begin())] = true;
         return;
     }
-    Report report{*device, message.time_us};
+    DeviceReport report{*device, message.time_us};
     const Result<bool> read = read_report(type, message.payload, report);
     if (!read) {
         lose(read.error().text(), now_s);

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "net/vrpn_peer.hpp"
@@ -21,19 +20,13 @@ struct ServerPlace {
 /// Of "host", "host:port" or "tcp://host:port"; the host dotted, or localhost.
 Result<ServerPlace> server_place(std::string_view text);
 
-struct Report {
-    std::string device{};
-    std::int64_t time_us = 0;  ///< by the server's clock, since 1970
-    std::variant<PoseReport, VelocityReport, ButtonReport, std::vector<bool>, std::vector<double>, TextReport> what{};
-};
-
 class Client {
 public:
     /// devices: those that it pings and listens to. Connects at the first turn().
     Client(ServerPlace place, std::vector<std::string> devices);
 
     /// What has come is added to `reports`. Never waits.
-    void turn(double now_s, std::int64_t time_us, std::vector<Report>& reports);
+    void turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports);
 
     [[nodiscard]] bool is_connected() const { return peer_ && peer_->is_open(); }
     /// Why it is not connected, or what a device does not answer; empty: all is well.
@@ -42,7 +35,8 @@ public:
 private:
     void reach_out(double now_s);
     void ping(double now_s, std::int64_t time_us);
-    void take(const Message& message, double now_s, std::vector<Report>& reports);
+    void take(const Message& message, double now_s, std::vector<DeviceReport>& reports);
+    [[nodiscard]] bool is_forsaken(double now_s) const;
     void lose(const std::string& why, double now_s);
 
     ServerPlace place_;
@@ -55,6 +49,7 @@ private:
     double next_try_s_ = 0.0;
     double next_ping_s_ = 0.0;
     double open_since_s_ = 0.0;
+    double last_heard_s_ = 0.0;
     std::string lost_;
 };
 

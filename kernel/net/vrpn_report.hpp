@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "math/types.hpp"
+#include "net/device_report.hpp"
 #include "net/vrpn_message.hpp"
 
 namespace rhexis::vrpn {
@@ -23,31 +23,6 @@ inline constexpr std::string_view analog_type = "vrpn_Analog Channel";
 
 inline constexpr int most_buttons = 256;
 inline constexpr int most_channels = 128;
-
-struct PoseReport {
-    int sensor = 0;                  ///< 0 or more
-    Vec3 position = Vec3::Zero();    ///< [mm]
-    Quat turned = Quat::Identity();  ///< unit
-};
-
-struct VelocityReport {
-    int sensor = 0;
-    Vec3 velocity = Vec3::Zero();   ///< [mm/s]
-    Quat turns = Quat::Identity();  ///< within `interval_s`, unit
-    double interval_s = 0.0;
-};
-
-struct ButtonReport {
-    int button = 0;  ///< 0 to most_buttons - 1
-    bool down = false;
-};
-
-enum class Severity : std::uint32_t { normal = 0, warning = 1, error = 2 };
-struct TextReport {
-    Severity severity = Severity::normal;
-    std::uint32_t level = 0;
-    std::string text{};  ///< at most 1023 bytes, without a 0
-};
 
 /// Payloads.
 WireBytes payload_of(const PoseReport& report);

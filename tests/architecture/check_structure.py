@@ -32,7 +32,7 @@ WALLS = {
     r"(sys/socket\.h|netinet/|arpa/)": ["kernel/net/"],
     r"(lua\.h|lua\.hpp|lualib\.h|lauxlib\.h|luaconf\.h)": ["bindings/lua/", "tests/bindings/"],
     r"ceres/": ["kernel/tracking/"],
-    r"(igtl|openigtlink)": ["kernel/net/"],
+    r"(igtl|openigtlink)": ["kernel/net/", "tests/kernel/net/"],
     r"cholmod\.h": ["kernel/math/", "tests/bench/"],
     r"CLI/": ["bindings/cli/"],
     r"(soci/|sqlite3\.h)": ["bindings/records/"],

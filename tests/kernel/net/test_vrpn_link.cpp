@@ -30,7 +30,7 @@ ServerPlace place_of(const Server& server, bool asks_by_datagram) {
 struct Bench {
     Server* server = nullptr;
     std::vector<Client*> clients;
-    std::vector<Report> reports{};  ///< of all clients
+    std::vector<DeviceReport> reports{};  ///< of all clients
     double now_s = 0.0;
 
     void turn(double by_s = 0.01) {
@@ -87,7 +87,7 @@ TEST_SUITE("vrpn link") {
         server.tell("pedal", analog_type, analog_payload({0.75}), 4300);
         REQUIRE(bench.until([&] { return bench.reports.size() == 3; }));
         int poses = 0;
-        for (const Report& report : bench.reports) {
+        for (const DeviceReport& report : bench.reports) {
             if (const auto* pose = std::get_if<PoseReport>(&report.what)) {
                 ++poses;
                 CHECK(report.device == "phaco");
@@ -109,8 +109,29 @@ TEST_SUITE("vrpn link") {
         Client client(place_of(server, false), {"pedal"});
         Bench bench{&server, {&client}};
         REQUIRE(bench.until([&] { return bench.reports.size() == 2; }));  // when it came, and for its ping
-        for (const Report& report : bench.reports) {
+        for (const DeviceReport& report : bench.reports) {
             CHECK(std::get<std::vector<bool>>(report.what) == std::vector<bool>{false, true});
+        }
+    }
+
+    TEST_CASE("a server from which nothing comes any more is given up; one that only has nothing to tell is not") {
+        for (const bool answers : {true, false}) {
+            Server server = a_server();
+            Client client(place_of(server, false), {"phaco", "pedal"});
+            Bench bench{&server, {&client}};
+            REQUIRE(bench.until([&] { return client.is_connected(); }));
+            for (int i = 0; i < 50; ++i) {
+                bench.turn();
+                std::this_thread::sleep_for(std::chrono::microseconds(300));
+            }
+            bench.server = answers ? &server : nullptr;
+            bool lost = false;
+            for (int i = 0; i < 100; ++i) {
+                bench.turn(0.1);
+                lost = lost || client.trouble(bench.now_s) == "nothing has come for 5 s";
+                std::this_thread::sleep_for(std::chrono::microseconds(500));
+            }
+            CHECK(lost == !answers);
         }
     }
 
