@@ -18,10 +18,10 @@ namespace rhexis::tracking {
 struct TrackerSettings {
     double gate_px = 12.0;          ///< from where a marker should be to the spot that is taken for it
     double spot_sigma_px = 0.03;    ///< of a whole, round spot's centre
-    double blur_px = 0.0;            ///< by which a spot is wider each way than the sphere's image
-    double least_area = 0.94;        ///< of what the sphere's image should have: less is half hidden
-    double most_area = 1.1;        ///< more is two in one
-    double least_roundness = 0.95;   ///< of a body that stands still
+    double blur_px = 0.0;           ///< by which a spot is wider each way than the sphere's image
+    double least_area = 0.94;       ///< of what the sphere's image should have: less is half hidden
+    double most_area = 1.1;         ///< more is two in one
+    double least_roundness = 0.95;  ///< of a body that stands still
     double most_residual_px = 0.6;  ///< of a pose that is believed
     double hold_s = 0.1;            ///< that a body is held where it was going when it is not seen
     double distance_mm = 0.5;       ///< that distances between points may be off those of a signature
@@ -46,6 +46,8 @@ public:
     /// exposure before the last step's is left out.
     const TrackedBodies& step(std::span<const CameraSpots> exposures);
 
+    /// Where a body is in the rig, though all are told relative to the head; none: it is lost.
+    [[nodiscard]] std::optional<Pose> in_rig(int body) const;
     /// All sightings of the last step.
     [[nodiscard]] const std::vector<CameraOffset>& offsets() const { return offsets_; }
     [[nodiscard]] const std::vector<MarkerBody>& bodies() const { return bodies_; }
