@@ -8,11 +8,9 @@
 
 #include "base/clock.hpp"
 #include "cli/command.hpp"
+#include "cli/vrpn_serve.hpp"
 #include "net/vrpn_client.hpp"
-#include "net/vrpn_server.hpp"
 #include "nlohmann/json.hpp"
-#include "session/recording.hpp"
-#include "trial/places.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -25,8 +23,6 @@ constexpr const char* vrpn_help =
     "  rhexis vrpn listen tcp://192.168.1.7 phaco --json   through a wall that lets TCP pass only\n"
     "  rhexis vrpn serve runs/groove-expert-1              a recording in the place of a tracking system, here only\n"
     "  rhexis vrpn serve runs/groove-expert-1 --address 192.168.1.9    for other computers too";
-
-constexpr const char* pedal_device = "pedal";
 
 std::int64_t time_of_day_us() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
@@ -123,82 +119,6 @@ int listen(const ListenArguments& given) {
     return heard ? done : found_failures;
 }
 
-struct ServeArguments {
-    std::string recording;
-    std::string address = "127.0.0.1";
-    int port = vrpn::port;
-    double speed = 1.0;
-};
-
-/// Of one step, what has been told of each instrument.
-void tell(vrpn::Server& server, const std::vector<std::string>& instruments, const RecordedStep& step,
-          std::int64_t time_us) {
-    for (const DeviceSample& sample : step.samples) {
-        const std::string& device = instruments[static_cast<std::size_t>(sample.instrument)];
-        server.keep(device, vrpn::buttons_type, vrpn::buttons_payload({sample.present}), time_us);
-        server.keep(device, vrpn::analog_type, vrpn::analog_payload({sample.jaw}), time_us);
-        server.tell(device, vrpn::pose_type,
-                    vrpn::payload_of(vrpn::PoseReport{0, sample.pose.position, sample.pose.orientation}), time_us);
-        if (sample.present) {
-            server.keep(pedal_device, vrpn::analog_type, vrpn::analog_payload({sample.pedal}), time_us);
-        }
-    }
-}
-
-void turn(vrpn::Server& server) {
-    server.turn(wall_seconds(), time_of_day_us());
-    for (const std::string& note : server.take_notes()) {
-        std::fprintf(stderr, "rhexis: a listener: %s\n", note.c_str());
-    }
-    wait_a_little();
-}
-
-/// Until listeners know what the numbers mean, or have the last of them.
-void linger(vrpn::Server& server) {
-    constexpr double enough_s = 0.2;
-    for (const double begun_s = wall_seconds(); wall_seconds() - begun_s < enough_s;) {
-        turn(server);
-    }
-}
-
-int serve(const ServeArguments& given) {
-    const Result<Recording> recording = read_recording(recording_path(given.recording));
-    if (!recording) {
-        return complain(recording.error());
-    }
-    const std::vector<std::string>& instruments = recording.value().header.scene.instruments;
-    std::vector<std::string> devices = instruments;
-    devices.emplace_back(pedal_device);
-    Result<vrpn::Server> opened = vrpn::Server::open({given.address, given.port}, devices);
-    if (!opened) {
-        return complain(opened.error());
-    }
-    vrpn::Server& server = opened.value();
-    std::printf("at %s:%d: ", given.address.c_str(), server.port());
-    for (const std::string& device : devices) {
-        std::printf("%s%s", device.c_str(), &device == &devices.back() ? "\n" : ", ");
-    }
-    std::fflush(stdout);
-    while (server.peer_count() == 0) {
-        turn(server);
-    }
-    linger(server);
-    const double step_s = recording.value().header.scene.step_s / given.speed;
-    const double begun_s = wall_seconds();
-    std::size_t told = 0;
-    const std::vector<RecordedStep>& steps = recording.value().steps;
-    while (told < steps.size()) {
-        const double now_s = wall_seconds();
-        for (; told < steps.size() && begun_s + step_s * static_cast<double>(told) <= now_s; ++told) {
-            tell(server, instruments, steps[told], time_of_day_us());
-        }
-        turn(server);
-    }
-    linger(server);
-    std::printf("%zu steps told\n", told);
-    return done;
-}
-
 }  // namespace
 
 void add_vrpn(CLI::App& app, Context& context) {
@@ -219,7 +139,10 @@ void add_vrpn(CLI::App& app, Context& context) {
     say->add_option("--address", said->address, "Of this computer, where it is heard")->capture_default_str();
     say->add_option("--port", said->port, "0: any that is free")->check(CLI::Range(0, 65535))->capture_default_str();
     say->add_option("--speed", said->speed, "Times as fast")->check(CLI::Range(0.01, 100.0))->capture_default_str();
-    say->callback([said, &context] { context.status = serve(*said); });
+    say->add_option("--from", said->from_s, "Begin at this second of it")
+        ->check(CLI::Range(0.0, 7200.0))
+        ->capture_default_str();
+    say->callback([said, &context] { context.status = serve_recording(*said); });
 }
 
 }  // namespace rhexis::cli

@@ -145,6 +145,37 @@ void draw_meeting_place(const Shown& shown) {
                                               ImGui::ColorConvertFloat4ToU32(to_learn), 0, 2.0F);
 }
 
+/// What each hand has to meet, and from where it has to come.
+void draw_tracked_places(const Shown& shown) {
+    constexpr float from_radius = 3.0F;
+    ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
+    const ImU32 colour = ImGui::ColorConvertFloat4ToU32(to_learn);
+    for (const HandState& hand : shown.hands.hands) {
+        if (hand.instrument < 0) {
+            continue;
+        }
+        const ImVec2 held = in_window(shown, hand.tip);
+        drawn.AddCircle(held, std::max(5.0F, pixels_of(shown, hand.tip, meets_within_mm)), colour, 0, 2.0F);
+        const std::optional<Vec3>& seen = shown.hands.tracked->seen[static_cast<std::size_t>(hand.instrument)];
+        if (seen) {
+            const ImVec2 from = in_window(shown, *seen + shown.hands.tracked->shift);
+            drawn.AddCircleFilled(from, from_radius, colour);
+            drawn.AddLine(from, held, colour, 1.0F);
+        }
+    }
+}
+
+/// How far one hand has to go, which a picture from above does not show.
+std::string way_to(const Shown& shown, const HandState& hand, const Words& words) {
+    const std::optional<Vec3>& seen = shown.hands.tracked->seen[static_cast<std::size_t>(hand.instrument)];
+    if (!seen) {
+        return "";
+    }
+    const Vec3 way = hand.tip - *seen - shown.hands.tracked->shift;
+    const std::string mm = short_number(0.1 * std::round(10.0 * std::abs(way.z())));
+    return words(way.z() > 0.0 ? "%s mm higher" : "%s mm lower", {mm});
+}
+
 /// What a press of a key, a button or an axis says of an input: its name, and -1 where the other way was pushed.
 std::optional<std::pair<std::string, double>> input_of(const UserEvent& event, ControlKind kind) {
     if (event.kind == EventKind::wheel && kind == ControlKind::notch) {
@@ -225,9 +256,27 @@ void Panels::draw_state(const Shown& shown, const DrawingRate& rate) const {
     ImGui::End();
 }
 
+/// Why the clock stands, where instruments are seen by a tracking system.
+void Panels::draw_standstill(const Shown& shown) const {
+    const Standstill& why = shown.hands.tracked->why;
+    if (!why.text.empty()) {
+        ImGui::TextColored(warning, "%s", words_(why.text, {words_.instrument(why.of)}).c_str());
+    }
+    for (const HandState& hand : shown.hands.hands) {
+        if (hand.instrument < 0) {
+            continue;
+        }
+        const std::string name = shown.stand->instruments[static_cast<std::size_t>(hand.instrument)].name;
+        if (const std::string way = way_to(shown, hand, words_); !way.empty()) {
+            ImGui::TextColored(to_learn, "%s: %s", words_.instrument(name).c_str(), way.c_str());
+        }
+    }
+}
+
 void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& next) const {
     const bool noticed = wall_seconds() < notice_until_s_;
-    if (!next && shown.warnings.empty() && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
+    const bool stands = shown.hands.tracked && shown.waits && !shown.hands.paused;
+    if (!next && !stands && shown.warnings.empty() && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();
@@ -238,6 +287,9 @@ void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& ne
     ImGui::PushTextWrapPos(0.3F * io.DisplaySize.x);
     if (next) {
         ImGui::TextColored(to_learn, "%s", next->c_str());
+    }
+    if (stands) {
+        draw_standstill(shown);
     }
     for (const std::string& one : shown.warnings) {
         ImGui::TextColored(warning, "! %s", one.c_str());
@@ -422,8 +474,10 @@ std::vector<UserEvent> Panels::draw(const Shown& shown, const Ghost* ghost, cons
         draw_ghost(shown, *ghost);
     }
     draw_force(shown);
-    if (shown.waits && !shown.hands.paused &&
-        shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)].instrument >= 0) {
+    if (shown.hands.tracked && shown.waits) {
+        draw_tracked_places(shown);
+    } else if (shown.waits && !shown.hands.paused &&
+               shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)].instrument >= 0) {
         draw_meeting_place(shown);
     }
     draw_state(shown, rate);
