@@ -44,7 +44,7 @@ void Hands::take_tracked(const UserEvent& event, const Surroundings& around) {
     const auto i = static_cast<std::size_t>(found - stand_->instruments.begin());
     const bool present = event.value > 0.5;
     if (!state_.tracked->runs) {
-        state_.tracked->seen[i] = present ? std::optional<Vec3>(event.sample.pose.position) : std::nullopt;
+        state_.tracked->seen[i] = present ? std::optional<Pose>(event.sample.pose) : std::nullopt;
         return;
     }
     DeviceSample& given = state_.tracked->given[i];

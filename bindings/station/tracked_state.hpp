@@ -14,7 +14,7 @@ struct TrackedState {
     bool runs = false;                        ///< the clock may go on: what is held has been met
     Standstill why{};                         ///< why it may not
     std::vector<DeviceSample> given{};        ///< by instrument of the stand: what the simulation holds
-    std::vector<std::optional<Vec3>> seen{};  ///< likewise, while the clock stands: where its tip is [mm]
+    std::vector<std::optional<Pose>> seen{};  ///< likewise, while the clock stands: where it is
     Vec3 shift = Vec3::Zero();                ///< of hands in the eye's frame, since the head has moved under them [mm]
 };
 

@@ -145,35 +145,48 @@ void draw_meeting_place(const Shown& shown) {
                                               ImGui::ColorConvertFloat4ToU32(to_learn), 0, 2.0F);
 }
 
-/// What each hand has to meet, and from where it has to come.
+/// Where the instrument of a hand is seen while it waits to be met; none: it is not seen.
+std::optional<Pose> seen_for(const Shown& shown, const HandState& hand) {
+    if (hand.instrument < 0) {
+        return std::nullopt;
+    }
+    std::optional<Pose> seen = shown.hands.tracked->seen[static_cast<std::size_t>(hand.instrument)];
+    if (seen) {
+        seen->position += shown.hands.tracked->shift;
+    }
+    return seen;
+}
+
+/// What each hand has to meet, and where it is: its tip, and its shaft as far as it shows.
 void draw_tracked_places(const Shown& shown) {
-    constexpr float from_radius = 3.0F;
+    constexpr float tip_radius = 3.0F;
+    constexpr double shaft_mm = 6.0;
     ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
     const ImU32 colour = ImGui::ColorConvertFloat4ToU32(to_learn);
     for (const HandState& hand : shown.hands.hands) {
         if (hand.instrument < 0) {
             continue;
         }
-        const ImVec2 held = in_window(shown, hand.tip);
-        drawn.AddCircle(held, std::max(5.0F, pixels_of(shown, hand.tip, meets_within_mm)), colour, 0, 2.0F);
-        const std::optional<Vec3>& seen = shown.hands.tracked->seen[static_cast<std::size_t>(hand.instrument)];
-        if (seen) {
-            const ImVec2 from = in_window(shown, *seen + shown.hands.tracked->shift);
-            drawn.AddCircleFilled(from, from_radius, colour);
-            drawn.AddLine(from, held, colour, 1.0F);
+        drawn.AddCircle(in_window(shown, hand.tip), std::max(5.0F, pixels_of(shown, hand.tip, meets_within_mm)), colour,
+                        0, 2.0F);
+        if (const std::optional<Pose> seen = seen_for(shown, hand)) {
+            drawn.AddCircleFilled(in_window(shown, seen->position), tip_radius, colour);
+            drawn.AddLine(in_window(shown, seen->position), in_window(shown, seen->to_world({0.0, 0.0, shaft_mm})),
+                          colour, 1.5F);
         }
     }
 }
 
-/// How far one hand has to go, which a picture from above does not show.
-std::string way_to(const Shown& shown, const HandState& hand, const Words& words) {
-    const std::optional<Vec3>& seen = shown.hands.tracked->seen[static_cast<std::size_t>(hand.instrument)];
-    if (!seen) {
-        return "";
+/// What a picture from above does not show: how much higher, and how far to turn, the roll included.
+std::string way_to(const HandState& hand, const Pose& seen, const Words& words) {
+    const double higher = hand.tip.z() - seen.position.z();
+    std::string text =
+        words(higher > 0.0 ? "%s mm higher" : "%s mm lower", {short_number(0.1 * std::round(10.0 * std::abs(higher)))});
+    const double turn = degrees_between(hand.orientation, seen.orientation);
+    if (turn > meets_within_deg) {
+        text += ", " + words("%s degrees to turn", {short_number(std::round(turn))});
     }
-    const Vec3 way = hand.tip - *seen - shown.hands.tracked->shift;
-    const std::string mm = short_number(0.1 * std::round(10.0 * std::abs(way.z())));
-    return words(way.z() > 0.0 ? "%s mm higher" : "%s mm lower", {mm});
+    return text;
 }
 
 /// What a press of a key, a button or an axis says of an input: its name, and -1 where the other way was pushed.
@@ -263,12 +276,10 @@ void Panels::draw_standstill(const Shown& shown) const {
         ImGui::TextColored(warning, "%s", words_(why.text, {words_.instrument(why.of)}).c_str());
     }
     for (const HandState& hand : shown.hands.hands) {
-        if (hand.instrument < 0) {
-            continue;
-        }
-        const std::string name = shown.stand->instruments[static_cast<std::size_t>(hand.instrument)].name;
-        if (const std::string way = way_to(shown, hand, words_); !way.empty()) {
-            ImGui::TextColored(to_learn, "%s: %s", words_.instrument(name).c_str(), way.c_str());
+        if (const std::optional<Pose> seen = seen_for(shown, hand)) {
+            const std::string& name = shown.stand->instruments[static_cast<std::size_t>(hand.instrument)].name;
+            ImGui::TextColored(to_learn, "%s: %s", words_.instrument(name).c_str(),
+                               way_to(hand, *seen, words_).c_str());
         }
     }
 }

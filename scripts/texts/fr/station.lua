@@ -120,6 +120,7 @@ return {
     ["%s was seen to leap"] = "%s a été vu faire un saut",
     ["%s is not seen"] = "%s n'est pas vu",
     ["bring %s to where it is shown"] = "%s : ramenez l'instrument là où il est montré",
+    ["%s degrees to turn"] = "tourner de %s degrés",
     ["no instrument is seen"] = "aucun instrument n'est vu",
 
     -- where the tip is to be

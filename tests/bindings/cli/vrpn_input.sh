@@ -50,14 +50,14 @@ expect 0 "" "$rhexis" run navigation --surgeon d --seed 101 --no-pictures --out 
 # Two at once, one that asks by datagram and one that connects.
 serve both --port 0
 both=$port
-"${run[@]}" --input "vrpn://127.0.0.1:$both" --out "$work/asks" >"$work/asks.out" 2>"$work/asks.said" &
+timeout 150 "${run[@]}" --input "vrpn://127.0.0.1:$both" --out "$work/asks" >"$work/asks.out" 2>"$work/asks.said" &
 asks=$!
-"${run[@]}" --input "vrpn+tcp://127.0.0.1:$both" --out "$work/connects" >"$work/connects.out" 2>"$work/connects.said" &
+timeout 150 "${run[@]}" --input "vrpn+tcp://127.0.0.1:$both" --out "$work/connects" >"$work/connects.out" 2>"$work/connects.said" &
 connects=$!
 
 # Meanwhile the server of another is killed and begun again: the clock stands, and goes on when the tip comes by again.
 serve first --port 0
-"${run[@]}" --input "vrpn://localhost:$port" --limit 5 --out "$work/restart" >"$work/restart.out" 2>"$work/restart.said" &
+timeout 150 "${run[@]}" --input "vrpn://localhost:$port" --limit 5 --out "$work/restart" >"$work/restart.out" 2>"$work/restart.said" &
 restart=$!
 recorded "$work/restart" 40000
 kill -9 "$server"
@@ -101,7 +101,7 @@ if ip netns add "$a" 2>"$work/netns" && ip netns add "$b"; then
         ip -n "$a" link set cable up && ip -n "$b" link set cable up
     ip netns exec "$a" "$rhexis" vrpn serve "$work/told" --address 10.83.0.1 >"$work/far" 2>&1 &
     far=$!
-    ip netns exec "$b" "${run[@]}" --input vrpn://10.83.0.1 --limit 4 --out "$work/netns_run" >"$work/netns_run.out" 2>"$work/netns_run.said" &
+    ip netns exec "$b" timeout 100 "${run[@]}" --input vrpn://10.83.0.1 --limit 4 --out "$work/netns_run" >"$work/netns_run.out" 2>"$work/netns_run.said" &
     near=$!
     recorded "$work/netns_run" 40000
     ip -n "$a" link set cable down  # the cable is drawn
