@@ -5,11 +5,6 @@
 #include <utility>
 
 namespace rhexis::cli {
-namespace {
-
-constexpr double gives_up_s = 60.0;  ///< where the clock has stood for so long nobody comes back
-
-}  // namespace
 
 std::string is_tracked_input(const std::string& input) {
     if (!station::is_tracked(input)) {
@@ -39,7 +34,7 @@ Result<std::unique_ptr<HeadlessPerson>> HeadlessPerson::connect(const TrackedArg
     station::TrackedOptions options;
     options.step_s = host.value().scene().step_s;
     options.desk = false;
-    options.gives_up_s = gives_up_s;
+    options.gives_up_s = given.give_up_s;
     options.say = [at = given.input](const std::string& text) {
         std::fprintf(stderr, "rhexis: %s: %s\n", at.c_str(), text.c_str());
     };
@@ -57,7 +52,5 @@ Result<std::unique_ptr<HeadlessPerson>> HeadlessPerson::connect(const TrackedArg
     made->person_ = std::make_unique<station::Person>(std::move(of_person), *made->source_, made->desk_, nullptr);
     return made;
 }
-
-double HeadlessPerson::gave_up_s() const { return source_->over() ? gives_up_s : 0.0; }
 
 }  // namespace rhexis::cli

@@ -23,6 +23,7 @@ struct TrackedArguments {
     std::string input;         ///< "vrpn://HOST"; empty: a virtual surgeon operates, or nobody
     std::string registration;  ///< file; may be empty
     double wait_s = 10.0;      ///< for a server, before anything begins
+    double give_up_s = 60.0;   ///< that the clock may stand: nobody comes back
 };
 
 /// A person without a window, whose instruments are seen by a tracking system: the station as far as it needs no
@@ -33,8 +34,8 @@ public:
     static Result<std::unique_ptr<HeadlessPerson>> connect(const TrackedArguments& given,
                                                            const ExerciseOptions& exercise);
     [[nodiscard]] Guest& guest() { return *person_; }
-    /// The clock stood for so long that the attempt was ended [s]; 0: it was not.
-    [[nodiscard]] double gave_up_s() const;
+    /// The clock stood for so long that the attempt was ended.
+    [[nodiscard]] bool gave_up() const { return source_->over(); }
 
 private:
     HeadlessPerson() = default;

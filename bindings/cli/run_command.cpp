@@ -178,11 +178,12 @@ void begin_as_person(RunOptions& given) {
     }
 }
 
-/// In words, after an attempt that was ended because its clock stood.
-void tell_gave_up(const HeadlessPerson* person) {
-    if (person != nullptr && person->gave_up_s() > 0.0) {
-        std::fprintf(stderr, "rhexis: the clock stood for %.0f s: the attempt was ended there, and is kept\n",
-                     person->gave_up_s());
+/// After an attempt that was ended because its clock stood.
+void tell_gave_up(const HeadlessPerson* person, double give_up_s) {
+    if (person != nullptr && person->gave_up()) {
+        std::fprintf(stderr,
+                     "rhexis: the clock stood for %g s: the attempt was ended there, and its recording is kept\n",
+                     give_up_s);
     }
 }
 
@@ -257,7 +258,7 @@ int run(RunOptions given, const Context& context) {
     }
     options.comparison = kept.value().comparison();
     const Result<AttemptResult> result = attempt(options);
-    tell_gave_up(person.get());
+    tell_gave_up(person.get(), given.tracked.give_up_s);
     if (!result) {
         kept.value().give_up();
         return complain(result.error());
@@ -311,6 +312,11 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--registration", given->tracked.registration, registration_help)->needs(input);
     command->add_option("--wait", given->tracked.wait_s, "With --input: for a server [s]")
         ->check(CLI::Range(0.1, 3600.0))
+        ->needs(input)
+        ->capture_default_str();
+    command
+        ->add_option("--give-up", given->tracked.give_up_s, "With --input: end where the clock has stood so long [s]")
+        ->check(CLI::Range(0.1, 86400.0))
         ->needs(input)
         ->capture_default_str();
     command->add_option("--save-state", given->save_state,

@@ -55,6 +55,42 @@ asks=$!
 timeout 150 "${run[@]}" --input "vrpn+tcp://127.0.0.1:$both" --out "$work/connects" >"$work/connects.out" 2>"$work/connects.said" &
 connects=$!
 
+# On two computers, as far as one can be two: server and client each in a network of its own, with a cable between them.
+across_a_cable() {
+    local a=rhexis_a_$$ b=rhexis_b_$$ far near
+    if ip netns add "$a" 2>"$work/netns" && ip netns add "$b"; then
+        ip -n "$a" link add cable type veth peer name cable netns "$b" &&
+            ip -n "$a" addr add 10.83.0.1/24 dev cable && ip -n "$b" addr add 10.83.0.2/24 dev cable &&
+            ip -n "$a" link set cable up && ip -n "$b" link set cable up
+        ip netns exec "$a" "$rhexis" vrpn serve "$work/told" --address 10.83.0.1 >"$work/far" 2>&1 &
+        far=$!
+        ip netns exec "$b" timeout 100 "${run[@]}" --input vrpn://10.83.0.1 --limit 4 --out "$work/netns_run" >"$work/netns_run.out" 2>"$work/netns_run.said" &
+        near=$!
+        recorded "$work/netns_run" 40000
+        ip -n "$a" link set cable down  # the cable is drawn
+        waits_for netns_run "the clock stands: "
+        sleep 0.5
+        ip -n "$a" link set cable up
+        sleep 1
+        # what was told meanwhile is elsewhere: told again from the beginning the tip comes by
+        kill -9 "$far"
+        wait "$far" 2>/dev/null
+        ip netns exec "$a" "$rhexis" vrpn serve "$work/told" --address 10.83.0.1 >"$work/far" 2>&1 &
+        far=$!
+        wait "$near" || fail "the run across a cable failed: $(cat "$work/netns_run.said")"
+        kill "$far" 2>/dev/null
+        [ "$(of "$work/netns_run" duration_s)" = 4.0 ] || fail "it does not go on to its end"
+        never_leaps netns_run
+    else
+        echo "no network of its own may be made here: $(cat "$work/netns")" >&2
+    fi
+    ip netns del "$a" 2>/dev/null
+    ip netns del "$b" 2>/dev/null
+    return "$failures"
+}
+across_a_cable &
+cable=$!
+
 # Meanwhile the server of another is killed and begun again: the clock stands, and goes on when the tip comes by again.
 serve first --port 0
 timeout 150 "${run[@]}" --input "vrpn://localhost:$port" --limit 5 --out "$work/restart" >"$work/restart.out" 2>"$work/restart.said" &
@@ -71,6 +107,18 @@ told_in restart "rhexis: vrpn://localhost:$port: the clock stands: "
 [ "$(of "$work/restart" duration_s)" = 5.0 ] || fail "it does not go on to its end: $(of "$work/restart" duration_s)"
 never_leaps restart
 expect 0 "" "$rhexis" replay "$work/restart" --verify
+
+# Nobody comes back: it ends, and what was recorded is kept.
+serve gone --port 0
+timeout 60 "${run[@]}" --input "vrpn://127.0.0.1:$port" --give-up 1 --out "$work/gone" >"$work/gone.out" 2>"$work/gone.said" &
+gone=$!
+recorded "$work/gone" 20000
+kill -9 "$server"
+wait "$server" 2>/dev/null
+wait "$gone" || fail "a run whose server has gone fails: $(cat "$work/gone.said")"
+told_in gone "the clock stood for 1 s: the attempt was ended there"
+grep -q "not completed after" "$work/gone.out" || fail "no summary: $(cat "$work/gone.out")"
+expect 0 "" "$rhexis" replay "$work/gone" --verify
 
 # Nobody there, another version, an address that is none: one line, and nothing is left.
 expect 2 "no VRPN server has answered yet" "${run[@]}" --input vrpn://127.0.0.1:9 --wait 0.5 --out "$work/none"
@@ -92,39 +140,8 @@ expect 2 "06.38" "${run[@]}" --input "vrpn+tcp://127.0.0.1:$(cat "$work/old")" -
 kill "$old"
 [ ! -e "$work/none" ] || fail "something is left of a run that never began"
 
-# On two computers, as far as one can be two: the server in a network of its own.
-a=rhexis_a_$$
-b=rhexis_b_$$
-if ip netns add "$a" 2>"$work/netns" && ip netns add "$b"; then
-    ip -n "$a" link add cable type veth peer name cable netns "$b" &&
-        ip -n "$a" addr add 10.83.0.1/24 dev cable && ip -n "$b" addr add 10.83.0.2/24 dev cable &&
-        ip -n "$a" link set cable up && ip -n "$b" link set cable up
-    ip netns exec "$a" "$rhexis" vrpn serve "$work/told" --address 10.83.0.1 >"$work/far" 2>&1 &
-    far=$!
-    ip netns exec "$b" timeout 100 "${run[@]}" --input vrpn://10.83.0.1 --limit 4 --out "$work/netns_run" >"$work/netns_run.out" 2>"$work/netns_run.said" &
-    near=$!
-    recorded "$work/netns_run" 40000
-    ip -n "$a" link set cable down  # the cable is drawn
-    waits_for netns_run "the clock stands: "
-    sleep 0.5
-    ip -n "$a" link set cable up
-    sleep 4
-    # what was told meanwhile is elsewhere: told again from the beginning the tip comes by
-    kill -9 "$far"
-    wait "$far" 2>/dev/null
-    ip netns exec "$a" "$rhexis" vrpn serve "$work/told" --address 10.83.0.1 >"$work/far" 2>&1 &
-    far=$!
-    wait "$near" || fail "the run across a cable failed: $(cat "$work/netns_run.said")"
-    kill "$far" 2>/dev/null
-    [ "$(of "$work/netns_run" duration_s)" = 4.0 ] || fail "it does not go on to its end"
-    never_leaps netns_run
-else
-    echo "no network of its own may be made here: $(cat "$work/netns")" >&2
-fi
-ip netns del "$a" 2>/dev/null
-ip netns del "$b" 2>/dev/null
-
 # As well as who was recorded; and what was recorded of it is simulated again bit for bit.
+wait "$cable" || fail "what was done across a cable failed"
 wait "$asks" || fail "the run that asks failed: $(cat "$work/asks.said")"
 wait "$connects" || fail "the run that connects failed: $(cat "$work/connects.said")"
 for name in asks connects; do
