@@ -16,7 +16,9 @@
 #include "cli/kept_attempt.hpp"
 #include "cli/language.hpp"
 #include "cli/run_folder.hpp"
+#include "cli/station_library.hpp"
 #include "eye/patient.hpp"
+#include "track/track_options.hpp"
 #include "trial/attempt.hpp"
 #include "trial/operation.hpp"
 #include "trial/report_json.hpp"
@@ -56,6 +58,8 @@ struct RunOptions : AttemptArguments {
     bool resume = false;
     bool watch = false;
     TrackedArguments tracked;
+    std::string through;
+    std::string level;
 };
 
 /// FILE, FILE@SECONDS or FILE@CONDITION.
@@ -178,6 +182,18 @@ void begin_as_person(RunOptions& given) {
     }
 }
 
+/// The tracking system that hands go through.
+Result<std::unique_ptr<SampleLink>> open_link(const RunOptions& given) {
+    const Result<void*> opened = load_tracking();
+    if (!opened) {
+        return opened.error();
+    }
+    Result<std::unique_ptr<SampleLink>> link = Error{"nothing was opened", "", ""};
+    entry_of<tracking::ChainEntry>(opened.value(), tracking::chain_entry_name)({given.through, given.level, given.seed},
+                                                                               link);
+    return link;
+}
+
 /// After an attempt that was ended because its clock stood.
 void tell_gave_up(const HeadlessPerson* person, double give_up_s) {
     if (person != nullptr && person->gave_up()) {
@@ -252,6 +268,14 @@ int run(RunOptions given, const Context& context) {
         person = std::move(connected).value();
         options.guest = &person->guest();
     }
+    Result<std::unique_ptr<SampleLink>> link = std::unique_ptr<SampleLink>();
+    if (!given.through.empty()) {
+        link = open_link(given);
+        if (!link) {
+            return complain(link.error());
+        }
+        options.link = link.value().get();
+    }
     Result<KeptAttempt> kept = begin_kept(given, options);
     if (!kept) {
         return complain(kept.error());
@@ -309,6 +333,12 @@ void add_run(CLI::App& app, Context& context) {
                                           "vrpn+tcp://ADDRESS[:PORT], in place of a virtual surgeon")
                              ->check(is_tracked_input)
                              ->excludes(surgeon);
+    CLI::Option* through = command->add_option("--through", given->through,
+                                               "The surgeon's hands as this synthetic rig sees them (rhexis track)");
+    through->excludes(input);
+    command->add_option("--level", given->level, "With --through: by images, or by markers alone, faster [the rig's]")
+        ->check(CLI::IsMember({"images", "markers"}))
+        ->needs(through);
     command->add_option("--registration", given->tracked.registration, registration_help)->needs(input);
     command->add_option("--wait", given->tracked.wait_s, "With --input: for a server [s]")
         ->check(CLI::Range(0.1, 3600.0))

@@ -89,6 +89,7 @@ void add_track(CLI::App& app, Context& context) {
     command->add_flag("--json", given->json, "Poses as lines of JSON");
     command->add_flag("--silent", given->silent, "Tell nobody over the network");
     command->add_flag("--fast", given->as_fast_as_can_be, "Images that are there already, as fast as can be");
+    command->add_option("--keep", given->keep, "Folder for all images, to track them again");
     command->add_option("--picture", given->picture, "PNG file for what the cameras saw in the end");
     add_calibrate(*command, context);
     add_pivot(*command, context);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The functions that the shared object shows.
+#include "track/chain.hpp"
 #include "track/commands.hpp"
 
 extern "C" {
@@ -22,6 +23,16 @@ extern "C" {
 [[gnu::visibility("default")]] void rhexis_tracking_print(const std::string& body, const std::string& stl,
                                                           rhexis::Status& status) {
     status = rhexis::tracking::print_body(body, stl);
+}
+
+[[gnu::visibility("default")]] void rhexis_tracking_chain(const rhexis::tracking::ChainOptions& options,
+                                                          rhexis::Result<std::unique_ptr<rhexis::SampleLink>>& link) {
+    rhexis::Result<std::unique_ptr<rhexis::tracking::Chain>> chain = rhexis::tracking::Chain::open(options);
+    if (chain) {
+        link = std::unique_ptr<rhexis::SampleLink>(std::move(chain).value());
+    } else {
+        link = chain.error();
+    }
 }
 
 }  // extern "C"

@@ -100,6 +100,9 @@ public:
             if (!more.value()) {
                 break;
             }
+            if (const Status kept = keep(); !kept) {
+                return kept;
+            }
             const TrackedBodies& told = tracker_.step(exposures_);
             rate_.note(wall_seconds(), thread_cpu_seconds() - work_began_s);
             wait_until(begun_s + told.time_s);
@@ -122,6 +125,12 @@ private:
             }
             std::this_thread::sleep_for(std::chrono::microseconds(500));
         } while (asked_to_end == 0);
+    }
+
+    Status keep() {
+        return options_.keep.empty() || source_->images() == nullptr
+                   ? success()
+                   : keep_frames(options_.keep, setup_.rig, *source_->images(), kept_++);
     }
 
     void turn() {
@@ -207,6 +216,7 @@ private:
     std::string warning_{};
     std::vector<CameraSpots> exposures_{};
     double shown_s_ = -1.0;
+    std::uint64_t kept_ = 0;
 };
 
 }  // namespace

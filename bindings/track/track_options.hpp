@@ -2,9 +2,12 @@
 // What the command line asks of the shared object with cameras and calibration, which only its commands load.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 
 #include "base/result.hpp"
+#include "trial/sample_link.hpp"
 
 namespace rhexis::tracking {
 
@@ -15,6 +18,7 @@ struct TrackOptions {
     bool json = false;               ///< each set of poses as a line on standard output
     bool silent = false;             ///< tells nobody over the network
     bool as_fast_as_can_be = false;  ///< a synthetic rig, or a folder of images, does not keep to the clock
+    std::string keep;                ///< folder for all images, to track them again; empty: they are not kept
     std::string picture;             ///< PNG file for what the cameras saw in the end, with what was made of it
 };
 
@@ -34,6 +38,24 @@ struct PivotOptions {
     double seconds = 10.0;
 };
 
+/// rhexis run EXERCISE --through CONFIG
+struct ChainOptions {
+    std::string setup;
+    std::string level;       ///< "images", "markers"; empty: as the setup has it
+    std::uint64_t seed = 1;  ///< of noise
+};
+
+/// How hands came through.
+struct ChainFigures {
+    std::int64_t steps = 0;
+    std::int64_t stood = 0;    ///< steps in which the clock would have stood
+    std::int64_t present = 0;  ///< samples of instruments in a hand
+    std::int64_t unseen = 0;   ///< of those, told as absent
+    double farthest_mm = 0.0;  ///< of a tip from where the hand had it then, delay and all
+};
+
+inline constexpr const char* chain_entry_name = "rhexis_tracking_chain";
+using ChainEntry = void(const ChainOptions& options, Result<std::unique_ptr<SampleLink>>& link);
 inline constexpr const char* track_entry_name = "rhexis_tracking_track";
 using TrackEntry = void(const TrackOptions& options, Status& status);
 inline constexpr const char* calibrate_entry_name = "rhexis_tracking_calibrate";

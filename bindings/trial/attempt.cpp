@@ -199,9 +199,11 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
     LiveTimeline timeline(session);
     VirtualSurgeon surgeon(host);
     Operator& whoever = options.guest != nullptr ? static_cast<Operator&>(*options.guest) : surgeon;
+    std::optional<LinkedOperator> linked;
+    Operator& hands = options.link != nullptr ? linked.emplace(whoever, *options.link) : whoever;
     CaughtUp exercise(host, options.going_on);
     const Result<TrialOutcome> outcome =
-        Trial(timeline, &exercise, whoever, std::move(observers), {options.limit_s}).run();
+        Trial(timeline, &exercise, hands, std::move(observers), {options.limit_s}).run();
     if (!outcome) {
         return outcome.error();
     }

@@ -11,6 +11,7 @@
 #include "lua/exercise_host.hpp"
 #include "trial/attempt_facts.hpp"
 #include "trial/going_on.hpp"
+#include "trial/sample_link.hpp"
 #include "trial/starts.hpp"
 #include "trial/state_keeper.hpp"
 
@@ -51,6 +52,7 @@ struct AttemptOptions {
     nlohmann::json comparison = nlohmann::json::object();  ///< fields to add to the report: "history", "cohort"
     const GoingOn* going_on = nullptr;                     ///< outlives the attempt; null: it begins
     Guest* guest = nullptr;                                ///< null: the virtual surgeon of the exercise, or nobody
+    SampleLink* link = nullptr;                            ///< that hands go through; null: none
     bool watch = false;  ///< the exercise is read again between two steps when its files have changed
 };
 

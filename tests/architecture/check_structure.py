@@ -19,7 +19,8 @@ MAY_INCLUDE["session"] = BELOW_STAGES + STAGES + ["session"]
 # Likewise of bindings/: the command line and the station are two users of trials; the station knows nothing of the
 # command line, which loads it.
 BINDINGS = {"lua": ["lua"], "records": ["records"], "trial": ["lua", "trial"],
-            "station": ["lua", "trial", "station"], "cli": ["lua", "records", "trial", "station", "cli"]}
+            "station": ["lua", "trial", "station"], "track": ["lua", "trial", "track"],
+            "cli": ["lua", "records", "trial", "station", "track", "cli"]}
 
 # A library may be included only where these prefixes say.
 WALLS = {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tracking/sources/folder_source.hpp"
 
+#include <array>
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 
+#include "base/output_file.hpp"
 #include "tracking/sources/grey.hpp"
 
 namespace rhexis::tracking {
@@ -109,6 +112,25 @@ Result<std::unique_ptr<FrameSource>> open_folder(const FolderPlan& plan, const R
         }
     }
     return std::unique_ptr<FrameSource>(std::make_unique<FolderSource>(rig, std::move(images), plan.rate_hz));
+}
+
+Status keep_frames(const std::string& folder, const Rig& rig, const FrameSet& set, std::uint64_t number) {
+    std::array<char, 24> name{};
+    std::snprintf(name.data(), name.size(), "%06llu.png", static_cast<unsigned long long>(number));
+    for (const CameraFrame& frame : set.frames) {
+        const fs::path place = fs::path(folder) / rig.cameras[static_cast<std::size_t>(frame.camera)].name;
+        std::error_code ignored;  // what cannot be made cannot be written into, which is told
+        fs::create_directories(place, ignored);
+        const cv::Mat grey(frame.height, frame.width, CV_8UC1, const_cast<std::uint8_t*>(frame.pixels.data()));
+        std::vector<std::uint8_t> png;
+        cv::imencode(".png", grey, png);
+        if (const Status written =
+                write_file((place / name.data()).string(), {reinterpret_cast<const char*>(png.data()), png.size()});
+            !written) {
+            return written;
+        }
+    }
+    return success();
 }
 
 }  // namespace rhexis::tracking

@@ -18,4 +18,7 @@ struct FolderPlan {
 /// before anything is read.
 Result<std::unique_ptr<FrameSource>> open_folder(const FolderPlan& plan, const Rig& rig);
 
+/// Writes exposures as open_folder() reads them, "FOLDER/CAMERA/000017.png". Makes the folders.
+Status keep_frames(const std::string& folder, const Rig& rig, const FrameSet& set, std::uint64_t number);
+
 }  // namespace rhexis::tracking

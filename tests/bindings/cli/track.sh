@@ -1,0 +1,94 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tracking computer as its users meet it: begun, calibrated, tracked, heard over the network, wrong files.
+set -u
+program=$1
+work=$(mktemp -d)
+trap 'kill $(jobs -p) 2> /dev/null; rm -rf "$work"' EXIT
+failed=0
+wrong() { echo "WRONG: $*"; failed=1; }
+# refused WHAT WORDS...: the command fails with 2 and one line that has these words
+refused() {
+  local words=$1; shift
+  "$@" > "$work/out" 2> "$work/err"
+  local status=$?
+  [ $status = 2 ] || wrong "$* ends with $status, not 2"
+  [ "$(wc -l < "$work/err")" = 1 ] || wrong "$* says: $(cat "$work/err")"
+  grep -q -- "$words" "$work/err" || wrong "$* does not say '$words' but: $(cat "$work/err")"
+}
+cd "$work" || exit 1
+
+"$program" track begin rig > begun || wrong "begin fails"
+grep -q "track calibrate rig/track.json" begun || wrong "begin does not say what is next"
+refused "cannot be begun in" "$program" track begin rig
+refused "not calibrated" "$program" track rig/track.json
+sed -i 's/"clip": "tremor"/"clip": "tremor", "level": "markers"/; s/"vrpn": 3883/"vrpn": 0/' rig/track.json
+
+"$program" track calibrate rig/track.json > calibrated || wrong "calibrate fails"
+residual=$(sed -n 's/.*residual \([0-9.]*\) pixels.*/\1/p' calibrated)
+awk "BEGIN { exit !($residual > 0 && $residual < 0.05) }" || wrong "calibrated to $residual pixels"
+grep -q "<svg" rig/calibration.html || wrong "no page of the calibration"
+grep -q '"calibrated": true' rig/rig.json || wrong "the rig does not say that it is calibrated"
+
+"$program" track rig/track.json --seconds 0.5 --fast --silent --json > poses 2> lines || wrong "track fails"
+tail -1 poses | python3 -c '
+import json, sys
+bodies = json.load(sys.stdin)["bodies"]
+assert len(bodies) == 4 and all(b["seen"] == "seen" and b["cameras"] >= 5 for b in bodies.values()), bodies
+' || wrong "not all bodies are seen"
+grep -q "phaco is seen" lines || wrong "it does not say what is seen"
+"$program" track rig/track.json --seconds 0.1 --fast --silent --picture seen.png 2> /dev/null || wrong "no picture"
+[ "$(head -c 8 seen.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || wrong "the picture is no PNG"
+
+# Heard by another process, and a second server at the same place is refused.
+"$program" track rig/track.json --seconds 6 2> told &
+for _ in $(seq 50); do grep -q "told at" told && break; sleep 0.1; done
+port=$(sed -n 's/.*127.0.0.1:\([0-9]*\) (VRPN).*/\1/p' told)
+"$program" vrpn listen "tcp://127.0.0.1:$port" phaco chopper --seconds 2 --json > heard 2> /dev/null
+[ "$(grep -c '"kind":"pose"' heard)" -gt 100 ] || wrong "heard only $(grep -c pose heard) poses"
+sed "s/\"vrpn\": 0/\"vrpn\": $port/" rig/track.json > rig/same.json
+refused "$port" "$program" track rig/same.json --seconds 1
+wait
+
+# Images are kept, and tracked again to the same poses.
+sed 's/"markers"/"images"/' rig/track.json > rig/images.json
+"$program" track rig/images.json --seconds 0.03 --fast --silent --json --keep shots > first 2> /dev/null || wrong "images are not kept"
+sed 's/"source": {[^}]*}/"source": {"kind": "folder", "path": "..\/shots"}/' rig/track.json > rig/folder.json
+"$program" track rig/folder.json --fast --silent --json > again 2> /dev/null || wrong "kept images are not tracked"
+python3 - <<'P' || wrong "kept images give other poses"
+import json
+first, again = ([json.loads(line)["bodies"] for line in open(name)] for name in ("first", "again"))
+assert len(first) == len(again) >= 3
+for a, b in zip(first, again):
+    for name in a:
+        off = max(abs(x - y) for x, y in zip(a[name]["tip_mm"], b[name]["tip_mm"]))
+        assert off < 0.02, (name, off)  # the clock of the folder is not that of the rig to the microsecond
+P
+rm -rf shots/camera3
+refused "camera3" "$program" track rig/folder.json --silent
+mkdir shots/camera3
+printf 'P5\n8 8\n255\n%064d' 0 > shots/camera3/000000.pgm
+refused "8 x 8" "$program" track rig/folder.json --silent
+refused "cannot be opened" "$program" track <(sed 's/"source": {[^}]*}/"source": {"kind": "cameras", "devices": ["97","98","99","94","95","96"]}/; s|"rig.json"|"'"$work"'/rig/rig.json"|; s|"\([a-z_]*\).json"|"'"$work"'/rig/\1.json"|g' rig/track.json) --silent
+
+# Files that are wrong.
+refused "does not exist" "$program" track nowhere.json
+refused "nothing to track" "$program" track
+change() { sed "$1" rig/track.json > rig/wrong.json; }
+change 's/"head": "head"/"head": "nobody"/'; refused "nobody" "$program" track rig/wrong.json
+change 's/"serve"/"sevre"/'; refused "did you mean serve" "$program" track rig/wrong.json
+change 's/127.0.0.1/0.0.0.0/'; refused "others_may_hear" "$program" track rig/wrong.json
+change 's/"tremor"/"trembling"/'; refused "trembling" "$program" track rig/wrong.json
+change 's/"chopper.json"/"chopper.json", "twin.json"/'
+sed 's/"chopper"/"twin"/' rig/chopper.json > rig/twin.json
+refused "twin" "$program" track rig/wrong.json
+change 's/"rig.json"/"two.json"/'
+python3 -c 'import json; r = json.load(open("rig/rig.json")); r["cameras"] = r["cameras"][:1]; json.dump(r, open("rig/two.json", "w"))'
+refused "1 cameras" "$program" track rig/wrong.json
+refused "no body" "$program" track pivot rig/track.json scalpel
+
+"$program" track print rig/phaco.json phaco.stl || wrong "nothing to print"
+[ "$(wc -c < phaco.stl)" -gt 10000 ] || wrong "an empty shape"
+
+[ $failed = 0 ] && echo "all as it should be"
+exit $failed
