@@ -73,6 +73,9 @@ double Tracker::sigma_of(const Spot& spot, double area, double smear_px) const {
         return 0.0;
     }
     const double least = settings_.spot_sigma_px * (1.0 + 0.1 * smear_px);
+    if (spot.sigma_px > 0.0) {
+        return std::hypot(spot.sigma_px, least);
+    }
     return spot.crowded ? 5.0 * least : least;
 }
 

@@ -18,9 +18,9 @@ namespace rhexis::tracking {
 struct TrackerSettings {
     double gate_px = 12.0;          ///< from where a marker should be to the spot that is taken for it
     double spot_sigma_px = 0.03;    ///< of a whole, round spot's centre
-    double blur_px = 0.0;            ///< by which a spot is wider each way than the sphere's image
-    double least_area = 0.94;        ///< of what the sphere's image should have: less is half hidden
-    double most_area = 1.1;        ///< more is two in one
+    double blur_px = -0.19;          ///< by which a spot is wider each way than the sphere's image
+    double least_area = 0.96;        ///< of what the sphere's image should have: less is half hidden
+    double most_area = 1.06;        ///< more is two in one
     double least_roundness = 0.95;   ///< of a body that stands still
     double most_residual_px = 0.6;  ///< of a pose that is believed
     double hold_s = 0.1;            ///< that a body is held where it was going when it is not seen
