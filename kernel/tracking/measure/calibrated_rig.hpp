@@ -11,13 +11,13 @@
 namespace rhexis::tracking {
 
 struct CalibrationPlan {
-    std::uint64_t seed = 1;         ///< of the boards' places, the wand's way and all noise
-    int boards = 36;                ///< views of a board of 9 x 7 points for each camera, at least 8
-    double board_sigma_px = 0.02;   ///< noise of a board's points in an image, each way
-    int wand_frames = 600;          ///< at least 50
-    double wand_rate_hz = 20.0;     ///< exposures a second
-    bool images = false;            ///< the wand is rendered and its spots are found; else spots without images
-    double wand_error_mm = 0.0;     ///< by which the wand is longer than the solver believes
+    std::uint64_t seed = 1;        ///< of the boards' places, the wand's way and all noise
+    int boards = 36;               ///< views of a board of 9 x 7 points for each camera, at least 8
+    double board_sigma_px = 0.02;  ///< noise of a board's points in an image, each way
+    int wand_frames = 600;         ///< at least 50
+    double wand_rate_hz = 20.0;    ///< exposures a second
+    bool images = false;           ///< the wand is rendered and its spots are found; else spots without images
+    double wand_error_mm = 0.0;    ///< by which the wand is longer than the solver believes
 };
 
 struct SyntheticCalibration {

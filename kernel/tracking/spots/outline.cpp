@@ -142,7 +142,9 @@ public:
     }
 
 private:
-    [[nodiscard]] double off(std::size_t ray) const { return rims_[ray] < 0.0 ? 0.0 : rims_[ray] - shape_.dot(rays[ray]); }
+    [[nodiscard]] double off(std::size_t ray) const {
+        return rims_[ray] < 0.0 ? 0.0 : rims_[ray] - shape_.dot(rays[ray]);
+    }
 
     /// The circle through three rims, of some, that most rims lie near.
     bool begin() {
@@ -227,7 +229,7 @@ Rims rims_about(const GreyImage& image, const Vec2& about, double radius, double
 }  // namespace
 
 std::optional<FittedOutline> fit_outline(const GreyImage& image, const Vec2& about, double radius, double bright,
-                                   const OutlineSettings& settings) {
+                                         const OutlineSettings& settings) {
     constexpr double least_radius = 2.5;
     constexpr double settled_px = 0.2;
     constexpr int passes = 3;

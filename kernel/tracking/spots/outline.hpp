@@ -17,7 +17,8 @@ struct FittedOutline {
     double radius = 0.0;         ///< mean of its semi-axes [pixels]
     double stretch = 0.0;        ///< half their difference [pixels]
     double share = 0.0;          ///< of the rays whose rim lies on it, 0 to 1
-    double sigma_px = 0.0;       ///< standard deviation of the centre each way, by what the rim is off and how much of it counts
+    double sigma_px =
+        0.0;  ///< standard deviation of the centre each way, by what the rim is off and how much of it counts
 };
 
 struct OutlineSettings {
@@ -32,7 +33,7 @@ struct OutlineSettings {
 /// least squares with weights that fall with the residual [Beaton1974]. None: radius below 2.5 pixels, or too few rays
 /// agree. `bright`: the spot's brightness above what is around [digital numbers].
 std::optional<FittedOutline> fit_outline(const GreyImage& image, const Vec2& about, double radius, double bright,
-                                   const OutlineSettings& settings);
+                                         const OutlineSettings& settings);
 
 /// What centre and spread of the centre follow from, when only some rays show the rim: trace of the centre's part of
 /// the inverse normal matrix, halved; times the variance of one ray's rim it is sigma_px squared. 0: too few rays.

@@ -36,8 +36,8 @@ Rim rim_of(const TrueCamera& camera, const Scene& seen, int sphere, const Hiders
     Rim rim;
     for (std::size_t i = 0; i < rim.shown.size(); ++i) {
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / outline_rays;
-        const Vec3 ray = std::sqrt(1.0 - sine * sine) * towards +
-                         sine * (std::cos(angle) * across + std::sin(angle) * down);
+        const Vec3 ray =
+            std::sqrt(1.0 - sine * sine) * towards + sine * (std::cos(angle) * across + std::sin(angle) * down);
         const Shine shine_there = shine(seen, sphere, hiders, ray);
         const double left = shine_there.light / (light * whole);
         const Vec2 direction = (slope * (ray.head<2>() / ray.z() - middle)).normalized();
@@ -74,7 +74,9 @@ std::optional<MarkerOutline> marker_outline(const TrueCamera& camera, const Scen
         // A rim that is nearly as bright as the rest is found where it is.
         const double wear = std::max(0.0, 0.8 - seen.spheres[at(sphere)].worn_left) / 0.5;
         const double moved = noise.worn_px * wear * wear * std::min(1.0, rim.worn.norm() / fifth);
-        result.shift -= moved * rim.worn.normalized();
+        // In images it depends on how much of the patch's rim the fit leaves out: another way in each view.
+        const double angle = 17.0 * (rim.worn.x() + 2.0 * rim.worn.y());
+        result.shift += moved * Vec2(std::cos(angle), std::sin(angle));
     }
     return result;
 }

@@ -52,7 +52,8 @@ struct SpotScratch {
 
 /// What a camera makes of a scene, in `spots`: the centre of light of each sphere's true image (an ellipse, its lobe
 /// and the vignetting in it), shifted where it is partly hidden or worn, with noise; or that of its outline, where
-/// enough of that is seen; those that touch are one; glints and specks. `instants`: as of render(); places are their mean, what hides is taken from the one in the middle.
+/// enough of that is seen; those that touch are one; glints and specks. `instants`: as of render(); places are their
+/// mean, what hides is taken from the one in the middle.
 void spots_without_images(const TrueCamera& camera, std::span<const Scene> instants, const SpotOptions& options,
                           Rng& rng, SpotScratch& scratch, std::vector<Spot>& spots);
 
