@@ -18,9 +18,11 @@ struct GreyImage {
 };
 
 struct Spot {
-    Vec2 at = Vec2::Zero();  ///< centre, weighted by light [pixels]; the centre of the first pixel is (0, 0)
-    double area = 0.0;       ///< of its outline, which blur widens by about half a pixel each way [pixels]
-    double roundness = 1.0;  ///< least by greatest second moment, root: 1 of a disc
+    Vec2 at = Vec2::Zero();  ///< centre of its outline [pixels]; the centre of the first pixel is (0, 0)
+    double area = 0.0;       ///< of its outline [pixels]
+    double roundness = 1.0;  ///< least by greatest semi-axis, or by greatest second moment, root: 1 of a disc
+    double sigma_px = 0.0;   ///< standard deviation of `at` each way; 0: its outline was not told apart
+    double whole = 1.0;      ///< share of the outline that was
     double peak = 0.0;       ///< brightest pixel, 0 to 255
     bool clipped = false;    ///< several pixels are at 255
     bool at_rim = false;     ///< it touches the image's rim

@@ -17,11 +17,11 @@ enum class Seen : std::uint8_t {
 
 struct TrackedBody {
     Seen seen = Seen::lost;
-    Pose pose{};          ///< of the body's frame, in the head body's frame where one is tracked, else in the rig [mm]
-    Pose tip{};           ///< of the instrument's tip, in the same frame
-    double time_s = 0.0;  ///< of the exposures that it comes from
-    int cameras = 0;      ///< that saw at least one of its markers
-    int markers = 0;      ///< that were seen by at least one camera
+    Pose pose{};             ///< of the body's frame, in the eye's where a head is tracked, else in the rig [mm]
+    Pose tip{};              ///< of the instrument's tip, in the same frame
+    double time_s = 0.0;     ///< of the exposures that it comes from
+    int cameras = 0;         ///< that saw at least one of its markers
+    int markers = 0;         ///< that were seen by at least one camera
     double residual_px = 0;  ///< root mean square over what it was fitted to
 };
 

@@ -31,7 +31,7 @@ double middle_time(std::span<const CameraSpots> exposures) {
 }  // namespace
 
 Tracker::Tracker(Rig rig, std::vector<MarkerBody> bodies, std::optional<int> head, const TrackerSettings& settings)
-    : rig_(std::move(rig)), bodies_(std::move(bodies)), head_(head), settings_(settings) {
+    : rig_(std::move(rig)), bodies_(std::move(bodies)), head_(head), settings_(settings), resting_head_(settings.head) {
     tracks_.assign(bodies_.size(), Track{Seen::lost, MotionFilter(settings.filter), 0.0, Pose{}, Fit{}});
     told_.bodies.resize(bodies_.size());
 }
@@ -73,6 +73,9 @@ double Tracker::sigma_of(const Spot& spot, double area, double smear_px) const {
         return 0.0;
     }
     const double least = settings_.spot_sigma_px * (1.0 + 0.1 * smear_px);
+    if (spot.sigma_px > 0.0) {
+        return std::hypot(spot.sigma_px, least);
+    }
     return spot.crowded ? 5.0 * least : least;
 }
 
@@ -240,10 +243,25 @@ std::optional<Pose> Tracker::in_rig(int body) const {
     return track.seen == Seen::lost ? std::nullopt : std::optional<Pose>(track.shown);
 }
 
+/// Called once in a step.
+Pose Tracker::head_frame() {
+    if (!head_) {
+        return {};
+    }
+    const Track& track = tracks_[static_cast<std::size_t>(*head_)];
+    if (track.seen == Seen::lost) {
+        resting_head_.forget();
+    } else if (track.seen == Seen::seen) {
+        return resting_head_.take(track.fit, time_s_);
+    }
+    return resting_head_.mean().value_or(track.shown);
+}
+
 void Tracker::tell() {
     told_.time_s = time_s_;
     const bool relative = head_.has_value();
-    const Pose frame = relative ? tracks_[static_cast<std::size_t>(*head_)].shown : Pose{};
+    // The eye is where the head body has its tip.
+    const Pose frame = relative ? times(head_frame(), bodies_[static_cast<std::size_t>(*head_)].tip) : Pose{};
     const Seen head_seen = relative ? tracks_[static_cast<std::size_t>(*head_)].seen : Seen::seen;
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         const Track& track = tracks_[i];

@@ -10,6 +10,7 @@
 #include "tracking/bodies/rigid_fit.hpp"
 #include "tracking/motion_filter.hpp"
 #include "tracking/points/matching.hpp"
+#include "tracking/resting_pose.hpp"
 #include "tracking/rig.hpp"
 #include "tracking/tracked.hpp"
 
@@ -17,16 +18,17 @@ namespace rhexis::tracking {
 
 struct TrackerSettings {
     double gate_px = 12.0;          ///< from where a marker should be to the spot that is taken for it
-    double spot_sigma_px = 0.03;    ///< of a whole, round spot's centre
-    double blur_px = 0.0;           ///< by which a spot is wider each way than the sphere's image
-    double least_area = 0.94;       ///< of what the sphere's image should have: less is half hidden
-    double most_area = 1.1;         ///< more is two in one
+    double spot_sigma_px = 0.03;    ///< of a spot's centre, with what its own says in squares
+    double blur_px = -0.19;         ///< by which a spot is wider each way than the sphere's image
+    double least_area = 0.96;       ///< of what the sphere's image should have: less is half hidden
+    double most_area = 1.06;        ///< more is two in one
     double least_roundness = 0.95;  ///< of a body that stands still
     double most_residual_px = 0.6;  ///< of a pose that is believed
     double hold_s = 0.1;            ///< that a body is held where it was going when it is not seen
     double distance_mm = 0.5;       ///< that distances between points may be off those of a signature
     double exposure_s = 0.0005;     ///< in which a moving spot smears
     FilterSettings filter{};
+    RestingSettings head{};  ///< what others are told relative to; its own pose is told as it was seen
     FitSettings fit{};
     MatchingSettings matching{};
 };
@@ -39,7 +41,8 @@ struct CameraOffset {
 
 class Tracker {
 public:
-    /// head: index of the body that all others are told relative to; none: all are told in the rig.
+    /// head: index of the body whose tip is the eye, which all others are told relative to; none: all are told in the
+    /// rig.
     Tracker(Rig rig, std::vector<MarkerBody> bodies, std::optional<int> head, const TrackerSettings& settings);
 
     /// One exposure of each camera that has come, at most one of each, of about the same time. Times go forward; an
@@ -79,6 +82,7 @@ private:
     void add_candidates(int body, const Pose& at_time, const Motion& motion, double gate_px);
     void assign();
     [[nodiscard]] std::vector<Sighting> sightings_of(int body) const;
+    [[nodiscard]] Pose head_frame();
     [[nodiscard]] double sigma_of(const Spot& spot, double area, double smear_px) const;
     void tell();
 
@@ -88,6 +92,7 @@ private:
     TrackerSettings settings_;
 
     std::vector<Track> tracks_;
+    RestingPose resting_head_;
     std::optional<double> last_s_;
 
     // Of one step.

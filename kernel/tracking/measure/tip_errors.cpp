@@ -65,7 +65,7 @@ void add_samples(const synthetic::Clip& clip, const TrackedBodies& told, std::op
         TipSample sample;
         sample.time_s = told.time_s;
         sample.seen = body.seen == Seen::seen;
-        sample.is = head && !itself ? relative(pose_at(clip, *head, told.time_s), tip) : tip;
+        sample.is = head && !itself ? relative(tip_at(clip, *head, told.time_s), tip) : tip;
         sample.told = body.tip;
         sample.cameras = body.cameras;
         run.wrong += sample.seen && (sample.is.position - sample.told.position).norm() > wrong_mm ? 1 : 0;
@@ -116,17 +116,50 @@ ErrorFigures figures_of(std::vector<double> errors, std::int64_t frames) {
 
 Result<ClipRun> track_clip(const synthetic::SyntheticRig& rig, const Rig& solver, const synthetic::Clip& clip,
                            const ClipPlan& plan) {
-    Result<std::unique_ptr<SpotSource>> source = source_of(rig, clip, plan);
+    const Result<std::unique_ptr<SpotSource>> source = source_of(rig, clip, plan);
     if (!source) {
         return source.error();
     }
+    return track_spots(*source.value(), solver, clip, plan);
+}
+
+Result<std::vector<std::vector<CameraSpots>>> record_spots(const synthetic::SyntheticRig& rig,
+                                                           const synthetic::Clip& clip, const ClipPlan& plan) {
+    const Result<std::unique_ptr<SpotSource>> source = source_of(rig, clip, plan);
+    if (!source) {
+        return source.error();
+    }
+    std::vector<std::vector<CameraSpots>> recorded;
+    std::vector<CameraSpots> exposures;
+    for (;;) {
+        const Result<bool> more = source.value()->next(exposures);
+        if (!more) {
+            return more.error();
+        }
+        if (!more.value()) {
+            return recorded;
+        }
+        recorded.push_back(exposures);
+    }
+}
+
+Result<bool> RecordedSpots::next(std::vector<CameraSpots>& exposures) {
+    exposures.clear();
+    if (next_ == exposures_.size()) {
+        return false;
+    }
+    exposures = exposures_[next_++];
+    return true;
+}
+
+Result<ClipRun> track_spots(SpotSource& source, const Rig& solver, const synthetic::Clip& clip, const ClipPlan& plan) {
     const std::optional<int> head = head_of(clip.bodies);
     Tracker tracker(solver, clip.bodies, head, plan.tracker);
     ClipRun run;
     run.traces.resize(clip.bodies.size());
     std::vector<CameraSpots> exposures;
     for (;;) {
-        const Result<bool> more = source.value()->next(exposures);
+        const Result<bool> more = source.next(exposures);
         if (!more) {
             return more.error();
         }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "tracking/sources/spot_source.hpp"
 #include "tracking/spots/spot_finder.hpp"
 #include "tracking/synthetic/clips.hpp"
 #include "tracking/tracker.hpp"
@@ -55,6 +56,29 @@ struct ClipPlan {
 /// Tracks a clip with `solver`, what calibration made of the rig. The error is that of the synthetic rig.
 Result<ClipRun> track_clip(const synthetic::SyntheticRig& rig, const Rig& solver, const synthetic::Clip& clip,
                            const ClipPlan& plan);
+
+/// Likewise of spots that come from elsewhere; `plan` says which cameras and what tracker.
+Result<ClipRun> track_spots(SpotSource& source, const Rig& solver, const synthetic::Clip& clip, const ClipPlan& plan);
+
+/// The spots of a clip, exposure by exposure, to be tracked again and again.
+Result<std::vector<std::vector<CameraSpots>>> record_spots(const synthetic::SyntheticRig& rig,
+                                                           const synthetic::Clip& clip, const ClipPlan& plan);
+
+/// Spots that were recorded, once more.
+class RecordedSpots final : public SpotSource {
+public:
+    /// `exposures` outlives it.
+    RecordedSpots(const std::vector<std::vector<CameraSpots>>& exposures, double rate_hz)
+        : exposures_(exposures), rate_hz_(rate_hz) {}
+
+    Result<bool> next(std::vector<CameraSpots>& exposures) override;
+    [[nodiscard]] double rate_hz() const override { return rate_hz_; }
+
+private:
+    const std::vector<std::vector<CameraSpots>>& exposures_;
+    double rate_hz_;
+    std::size_t next_ = 0;
+};
 
 /// Millimetres from where a tip was to where it was told; after the first `after_s`.
 ErrorFigures tip_errors(const TipTrace& trace, double after_s = 0.1);

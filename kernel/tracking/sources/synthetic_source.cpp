@@ -112,7 +112,9 @@ public:
         for (const Shot& shot : cameras_.take()) {
             Rng rng(cameras_.seed_of(shot), "spots");
             CameraSpots exposure{shot.camera, shot.time_s, {}};
-            spots_without_images(cameras_.camera_of(shot), cameras_.instants_of(shot), {}, rng, scratch_,
+            SpotOptions options;
+            options.centre = SpotCentre::outline;
+            spots_without_images(cameras_.camera_of(shot), cameras_.instants_of(shot), options, rng, scratch_,
                                  exposure.spots);
             exposures.push_back(std::move(exposure));
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace rhexis::tracking {
 namespace {
@@ -263,7 +264,22 @@ Spot SpotFinder::measure(const GreyImage& image, const Region& region) const {
     spot.clipped = brightness.clipped > 3;
     spot.at_rim = region.left == 0 || region.top == 0 || region.right == image.width || region.bottom == image.height;
     spot.crowded = region.crowded;
+    if (settings_.outlines) {
+        take_outline(image, brightness.peak - around, spot);
+    }
     return spot;
+}
+
+void SpotFinder::take_outline(const GreyImage& image, double bright, Spot& spot) const {
+    const double radius = std::sqrt(spot.area / std::numbers::pi);
+    const std::optional<FittedOutline> outline = fit_outline(image, spot.at, radius, bright, settings_.outline);
+    if (outline) {
+        spot.at = outline->centre;
+        spot.area = std::numbers::pi * (outline->radius - outline->stretch) * (outline->radius + outline->stretch);
+        spot.roundness = (outline->radius - outline->stretch) / (outline->radius + outline->stretch);
+        spot.sigma_px = outline->sigma_px;
+        spot.whole = outline->share;
+    }
 }
 
 const FoundSpots& SpotFinder::find(const GreyImage& image) {

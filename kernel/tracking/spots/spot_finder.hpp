@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracking/spot.hpp"
+#include "tracking/spots/outline.hpp"
 
 namespace rhexis::tracking {
 
@@ -20,6 +21,8 @@ struct SpotSettings {
     /// the rim has few shades to tell it by. 0 and 1 weigh by light.
     double low = 0.15;
     double high = 0.4;
+    bool outlines = true;  ///< centres are then those of fitted outlines, where they can be told
+    OutlineSettings outline{};
 };
 
 struct FoundSpots {
@@ -57,6 +60,7 @@ private:
     void gather();
     void find_crowded();
     [[nodiscard]] Spot measure(const GreyImage& image, const Region& region) const;
+    void take_outline(const GreyImage& image, double bright, Spot& spot) const;
 
     SpotSettings settings_;
     std::vector<Run> runs_{};

@@ -130,6 +130,14 @@ Vec2 mean_centre(const TrueCamera& camera, const std::vector<Scene>& seen, int s
     return sum / static_cast<double>(seen.size());
 }
 
+Vec2 mean_outline(const TrueCamera& camera, const std::vector<Scene>& seen, int sphere) {
+    Vec2 sum = Vec2::Zero();
+    for (const Scene& instant : seen) {
+        sum += distorted(camera.lens, outline(instant.spheres[at(sphere)]).centre);
+    }
+    return sum / static_cast<double>(seen.size());
+}
+
 bool may_be_seen(const TrueCamera& camera, const std::vector<Scene>& seen, int sphere) {
     for (const Scene& instant : seen) {
         const Vec3& centre = instant.spheres[at(sphere)].centre;
@@ -177,6 +185,14 @@ void add_sphere(const TrueCamera& camera, int sphere, const SpotOptions& options
     if (left.share < options.least_share || middle_light * left.light / left.share < options.least_light) {
         return;
     }
+    std::optional<MarkerOutline> fitted;
+    if (options.centre == SpotCentre::outline) {
+        fitted = marker_outline(camera, seen, sphere, scratch.hiders, middle_light, options.outline);
+    }
+    if (fitted) {
+        left.share = left.least = left.greatest = 1.0;
+        left.light = std::max(left.light, fitted->share);
+    }
     const Outline ellipse = outline(it);
     const Mat2 slope = distortion_slope(camera.lens, direction);
     const double focal = std::sqrt(slope.determinant());
@@ -196,7 +212,16 @@ void add_sphere(const TrueCamera& camera, int sphere, const SpotOptions& options
     set_brightness(camera, seen.ambient, middle_light * left.light / left.share, part.spot);
     const double sigma =
         centroid_sigma(camera.sensor, options.noise, mean_light, std::sqrt(part.spot.area * std::numbers::inv_pi));
-    part.spot.at = mean_centre(camera, scratch.seen, sphere) + left.shift + sigma * Vec2(rng.normal(), rng.normal());
+    const Vec2 normal{rng.normal(), rng.normal()};
+    if (fitted) {
+        part.spot.at = mean_outline(camera, scratch.seen, sphere) + fitted->shift + fitted->sigma_px * normal;
+        part.spot.sigma_px = fitted->sigma_px;
+        part.spot.whole = fitted->share;
+        const double narrower = 1.0 - options.outline.inside_px / std::sqrt(part.spot.area * std::numbers::inv_pi);
+        part.spot.area *= narrower * narrower;
+    } else {
+        part.spot.at = mean_centre(camera, scratch.seen, sphere) + left.shift + sigma * normal;
+    }
     scratch.parts.push_back(part);
 }
 
@@ -249,6 +274,7 @@ void merge(SpotScratch::Part& first, const SpotScratch::Part& second) {
                             share * (1.0 - share) * apart.squaredNorm();
     first.sphere = share > 0.5 ? second.sphere : first.sphere;
     first.spot.at += share * apart;
+    first.spot.sigma_px = 0.0;
     first.spot.roundness = std::min({first.spot.roundness, second.spot.roundness, std::sqrt(least / greatest)});
     first.spot.area = area;
     first.spot.peak = std::max(first.spot.peak, second.spot.peak);

@@ -2,11 +2,13 @@
 // scenes of one exposure -> spots, without an image in between: for studies of a million frames.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/rng.hpp"
 #include "tracking/spot.hpp"
+#include "tracking/synthetic/marker_outline.hpp"
 #include "tracking/synthetic/seen_scene.hpp"
 
 namespace rhexis::tracking::synthetic {
@@ -14,15 +16,20 @@ namespace rhexis::tracking::synthetic {
 /// How far centroids of images are from where they should be: a normal deviate on each axis, of the standard deviation
 /// hypot(floor_px, s), where s is that of a light-weighted centroid whose pixels have the sensor's shot, read and
 /// rounding noise, those of the spot and `rim_px` around it. Fitted to threshold-weighted centroids of this folder's
-/// images, of spots of 7 to 24 pixels' width.
+/// images, of spots of 7 to 24 pixels' width. Of centres of light only.
 struct CentroidNoise {
     double rim_px = 1.5;
     double shot = 1.0;        ///< times s
     double floor_px = 0.003;  ///< what the place within a pixel and pixels of unlike response leave
 };
 
+/// What the detector makes of a spot: the centre of light, or of the outline that spots/outline.hpp fits.
+enum class SpotCentre : std::uint8_t { light, outline };
+
 struct SpotOptions {
     CentroidNoise noise{};
+    SpotCentre centre = SpotCentre::light;
+    OutlineNoise outline{};
     double least_light = 20.0;  ///< above the black level [DN]: what is dimmer is no spot
     double least_share = 0.05;  ///< of a sphere that is seen: what is less is no spot
     double gap_px = 1.0;        ///< discs that are nearer to each other than this are one spot
@@ -44,8 +51,9 @@ struct SpotScratch {
 };
 
 /// What a camera makes of a scene, in `spots`: the centre of light of each sphere's true image (an ellipse, its lobe
-/// and the vignetting in it), shifted where it is partly hidden or worn, with noise; those that touch are one; glints
-/// and specks. `instants`: as of render(); places are their mean, what hides is taken from the one in the middle.
+/// and the vignetting in it), shifted where it is partly hidden or worn, with noise; or that of its outline, where
+/// enough of that is seen; those that touch are one; glints and specks. `instants`: as of render(); places are their
+/// mean, what hides is taken from the one in the middle.
 void spots_without_images(const TrueCamera& camera, std::span<const Scene> instants, const SpotOptions& options,
                           Rng& rng, SpotScratch& scratch, std::vector<Spot>& spots);
 

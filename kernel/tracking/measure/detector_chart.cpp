@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tracking/measure/detector_chart.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "base/clock.hpp"
+#include "tracking/measure/other_detectors.hpp"
+#include "tracking/sources/synthetic_source.hpp"
+#include "tracking/synthetic/bodies.hpp"
+
+namespace rhexis::tracking {
+namespace {
+
+struct Detector {
+    std::string name{};
+    std::function<std::vector<Spot>(const GreyImage&)> find{};
+    TrackerSettings tracker{};
+};
+
+/// Of detectors whose spots are less sure than outlines, and as wide as the threshold makes them.
+TrackerSettings lenient() {
+    TrackerSettings settings;
+    settings.blur_px = 0.0;
+    settings.least_area = 0.85;
+    settings.most_area = 1.15;
+    settings.least_roundness = 0.93;
+    settings.fit.floor_px = 0.1;
+    return settings;
+}
+
+Detector ours(const char* name, bool outlines, double low, double high) {
+    SpotSettings settings;
+    settings.outlines = outlines;
+    settings.low = low;
+    settings.high = high;
+    auto finder = std::make_shared<SpotFinder>(settings);
+    return {name, [finder](const GreyImage& image) { return finder->find(image).spots; },
+            outlines ? TrackerSettings{} : lenient()};
+}
+
+std::vector<Detector> all_detectors() {
+    const int threshold = SpotSettings{}.threshold;
+    return {ours("fitted outlines", true, 0.15, 0.4),
+            ours("moments of the outline", false, 0.15, 0.4),
+            ours("moments of light", false, 0.0, 1.0),
+            {"OpenCV contours, binary moments",
+             [threshold](const GreyImage& image) { return contour_spots(image, threshold); }, lenient()},
+            {"OpenCV connected components",
+             [threshold](const GreyImage& image) { return component_spots(image, threshold); }, lenient()}};
+}
+
+Result<std::vector<FrameSet>> frames_of(const synthetic::SyntheticRig& rig, const synthetic::Clip& clip,
+                                        std::uint64_t seed, int exposures) {
+    synthetic::Stage stage;
+    stage.scene = [&clip](double time_s, synthetic::Scene& scene) { scene_at(clip, time_s, scene); };
+    synthetic::Film film;
+    film.seed = seed;
+    film.frames = exposures;
+    const Result<std::unique_ptr<FrameSource>> source = film_images(rig, stage, film);
+    if (!source) {
+        return source.error();
+    }
+    std::vector<FrameSet> frames;
+    FrameSet set;
+    for (;;) {
+        const Result<bool> more = source.value()->next(set);
+        if (!more) {
+            return more.error();
+        }
+        if (!more.value()) {
+            return frames;
+        }
+        frames.push_back(set);
+    }
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Spots of all images; seconds for one image of each camera.
+std::vector<std::vector<CameraSpots>> detect(const std::vector<FrameSet>& frames, const Detector& detector,
+                                             std::vector<double>& seconds) {
+    std::vector<std::vector<CameraSpots>> recorded;
+    seconds.clear();
+    for (const FrameSet& set : frames) {
+        std::vector<CameraSpots> exposures;
+        const double begun_s = thread_cpu_seconds();
+        for (const CameraFrame& frame : set.frames) {
+            exposures.push_back({frame.camera, frame.time_s, detector.find(frame.view())});
+        }
+        seconds.push_back((thread_cpu_seconds() - begun_s) /
+                          static_cast<double>(std::max<std::size_t>(set.frames.size(), 1)));
+        recorded.push_back(std::move(exposures));
+    }
+    return recorded;
+}
+
+/// Every instrument with its first markers only; the others still stand before the cameras.
+synthetic::Clip with_markers(synthetic::Clip clip, std::size_t markers) {
+    for (MarkerBody& body : clip.bodies) {
+        if (body.name != "head") {
+            body.markers.resize(std::min(body.markers.size(), markers));
+        }
+    }
+    return clip;
+}
+
+std::vector<TipTrace> instruments_of(const ClipRun& run, const synthetic::Clip& clip) {
+    std::vector<TipTrace> traces;
+    for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
+        if (clip.bodies[i].name != "head") {
+            traces.push_back(run.traces[i]);
+        }
+    }
+    return traces;
+}
+
+}  // namespace
+
+Result<std::vector<ChartRow>> detector_chart(const synthetic::SyntheticRig& rig, const Rig& solver, std::uint64_t seed,
+                                             int exposures) {
+    // Two that face each other would see the same side; these are a third of the ring apart.
+    const std::vector<std::vector<int>> cameras{{0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 4}, {0, 1, 3, 4}, {0, 2, 4}, {0, 2}};
+    const std::vector<MarkerBody> bodies = synthetic::standard_bodies();
+    const Result<synthetic::Clip> clip = synthetic::make_clip("still", seed, bodies, rig.nominal);
+    if (!clip) {
+        return clip.error();
+    }
+    const Result<std::vector<FrameSet>> frames = frames_of(rig, clip.value(), seed, exposures);
+    if (!frames) {
+        return frames.error();
+    }
+    std::vector<ChartRow> rows;
+    for (const Detector& detector : all_detectors()) {
+        std::vector<double> seconds;
+        const std::vector<std::vector<CameraSpots>> recorded = detect(frames.value(), detector, seconds);
+        for (const std::vector<int>& used : cameras) {
+            for (const std::size_t markers : {std::size_t{4}, std::size_t{3}}) {
+                const synthetic::Clip seen = with_markers(clip.value(), markers);
+                ClipPlan plan;
+                plan.cameras = used;
+                plan.tracker = detector.tracker;
+                RecordedSpots source(recorded, plan.delivery.rate_hz);
+                const Result<ClipRun> run = track_spots(source, solver, seen, plan);
+                if (!run) {
+                    return run.error();
+                }
+                rows.push_back({detector.name, static_cast<int>(used.size()), static_cast<int>(markers),
+                                tip_errors_of(instruments_of(run.value(), seen)),
+                                median(seconds) * static_cast<double>(used.size()), median(run.value().seconds)});
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace rhexis::tracking
