@@ -336,7 +336,7 @@ void add_run(CLI::App& app, Context& context) {
     CLI::Option* through = command->add_option("--through", given->through,
                                                "The surgeon's hands as this synthetic rig sees them (rhexis track)");
     through->excludes(input);
-    command->add_option("--level", given->level, "With --through: by images, or by markers alone, faster [the rig's]")
+    command->add_option("--cameras", given->level, "With --through: images, or markers alone, faster [as the rig says]")
         ->check(CLI::IsMember({"images", "markers"}))
         ->needs(through);
     command->add_option("--registration", given->tracked.registration, registration_help)->needs(input);
