@@ -102,7 +102,7 @@ synthetic::Film film_of(const SyntheticPlan& plan, double seconds) {
     synthetic::Film film;
     film.seed = plan.seed;
     film.delivery.rate_hz = plan.rate_hz;
-    film.frames = static_cast<int>(std::ceil(seconds * plan.rate_hz));
+    film.frames = std::llround(std::ceil(seconds * plan.rate_hz));
     return film;
 }
 
@@ -130,7 +130,7 @@ Result<std::unique_ptr<SpotSource>> open_synthetic(const SyntheticPlan& plan, co
     stage.camera = [play, duration_s](int camera, double time_s) {
         return camera_at(play->clip, play->rig, camera, std::fmod(time_s, duration_s));
     };
-    constexpr double as_long_as_one_likes_s = 3600.0;
+    constexpr double as_long_as_one_likes_s = 1e9;
     const synthetic::Film film = film_of(plan, plan.seconds > 0.0 ? plan.seconds : as_long_as_one_likes_s);
     if (!plan.images) {
         return film_markers(play->rig, std::move(stage), film);

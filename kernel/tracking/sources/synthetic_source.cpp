@@ -11,19 +11,33 @@
 namespace rhexis::tracking::synthetic {
 namespace {
 
-/// Shots exposure by exposure, in the order of frames: one that comes later than half an exposure's time after it could
-/// have is not waited for.
-std::vector<std::vector<Shot>> by_frame(const std::vector<Shot>& all, const Film& film) {
-    std::vector<std::vector<Shot>> sorted(static_cast<std::size_t>(film.frames));
+constexpr std::int64_t at_once = 600;  ///< frames whose shots are drawn together
+
+/// Shots of some frames, exposure by exposure: one that comes later than half an exposure's time after it could have is
+/// not waited for.
+Result<std::vector<std::vector<Shot>>> shots_from(const SyntheticRig& rig, const Film& film, std::int64_t first) {
+    const std::int64_t count = std::min(at_once, film.frames - first);
+    const Result<std::vector<Shot>> all =
+        shots(rig, film.delivery, static_cast<int>(count), film.seed + static_cast<std::uint64_t>(first));
+    if (!all) {
+        return all.error();
+    }
+    std::vector<std::vector<Shot>> sorted(static_cast<std::size_t>(count));
     const double patience_s = film.delivery.delay_s + 0.5 / film.delivery.rate_hz;
-    for (const Shot& shot : all) {
+    const double begun_s = static_cast<double>(first) / film.delivery.rate_hz;
+    for (Shot shot : all.value()) {
         if (shot.arrives_s - shot.exposed_s > patience_s) {
             continue;
         }
-        sorted[static_cast<std::size_t>(shot.frame)].push_back(shot);
+        std::vector<Shot>& frame = sorted[static_cast<std::size_t>(shot.frame)];
+        shot.frame += first;
+        shot.exposed_s += begun_s;
+        shot.time_s += begun_s;
+        shot.arrives_s += begun_s;
+        frame.push_back(shot);
     }
-    for (std::vector<Shot>& shots : sorted) {
-        std::stable_sort(shots.begin(), shots.end(), [](const Shot& a, const Shot& b) { return a.camera < b.camera; });
+    for (std::vector<Shot>& frame : sorted) {
+        std::stable_sort(frame.begin(), frame.end(), [](const Shot& a, const Shot& b) { return a.camera < b.camera; });
     }
     return sorted;
 }
@@ -34,9 +48,18 @@ public:
     Cameras(const SyntheticRig& rig, Stage stage, const Film& film, std::vector<std::vector<Shot>> shots)
         : rig_(rig), stage_(std::move(stage)), film_(film), shots_(std::move(shots)) {}
 
-    [[nodiscard]] bool over() const { return next_ == shots_.size(); }
-    const std::vector<Shot>& take() {
-        const std::vector<Shot>& shots = shots_[next_++];
+    [[nodiscard]] bool over() const { return next_ == film_.frames; }
+    Result<std::vector<Shot>> take() {
+        if (next_ - first_ == static_cast<std::int64_t>(shots_.size())) {
+            Result<std::vector<std::vector<Shot>>> more = shots_from(rig_, film_, next_);
+            if (!more) {
+                return more.error();
+            }
+            shots_ = std::move(more).value();
+            first_ = next_;
+        }
+        std::vector<Shot> shots = shots_[static_cast<std::size_t>(next_ - first_)];
+        ++next_;
         lost_ += rig_.cameras.size() - shots.size();
         return shots;
     }
@@ -67,7 +90,8 @@ private:
     Film film_;
     std::vector<std::vector<Shot>> shots_;
     std::vector<Scene> instants_{};
-    std::size_t next_ = 0;
+    std::int64_t first_ = 0;  ///< frame of the first of `shots_`
+    std::int64_t next_ = 0;
     std::uint64_t lost_ = 0;
 };
 
@@ -83,7 +107,11 @@ public:
         if (cameras_.over()) {
             return false;
         }
-        for (const Shot& shot : cameras_.take()) {
+        const Result<std::vector<Shot>> shots = cameras_.take();
+        if (!shots) {
+            return shots.error();
+        }
+        for (const Shot& shot : shots.value()) {
             render(cameras_.camera_of(shot), patterns_[static_cast<std::size_t>(shot.camera)],
                    cameras_.instants_of(shot), cameras_.seed_of(shot), scratch_, image_);
             set.frames.push_back({shot.camera, shot.time_s, image_.width, image_.height, image_.pixels});
@@ -109,7 +137,11 @@ public:
         if (cameras_.over()) {
             return false;
         }
-        for (const Shot& shot : cameras_.take()) {
+        const Result<std::vector<Shot>> shots = cameras_.take();
+        if (!shots) {
+            return shots.error();
+        }
+        for (const Shot& shot : shots.value()) {
             Rng rng(cameras_.seed_of(shot), "spots");
             CameraSpots exposure{shot.camera, shot.time_s, {}};
             SpotOptions options;
@@ -129,11 +161,11 @@ private:
 };
 
 Result<Cameras> cameras_of(const SyntheticRig& rig, Stage stage, const Film& film) {
-    const Result<std::vector<Shot>> all = shots(rig, film.delivery, film.frames, film.seed);
-    if (!all) {
-        return all.error();
+    Result<std::vector<std::vector<Shot>>> first = shots_from(rig, film, 0);
+    if (!first) {
+        return first.error();
     }
-    return Cameras(rig, std::move(stage), film, by_frame(all.value(), film));
+    return Cameras(rig, std::move(stage), film, std::move(first).value());
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Stage {
 struct Film {
     std::uint64_t seed = 1;  ///< of noise and of what is lost
     Delivery delivery{};
-    int frames = 1200;
+    std::int64_t frames = 1200;  ///< for each camera; as many as one likes
 };
 
 /// Images, of which a tracker finds the spots itself. The error is that of shots().
