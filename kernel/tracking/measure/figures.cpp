@@ -92,8 +92,8 @@ void add_calibration(const Samples& samples, std::vector<Figure>& figures) {
 void add_figures(const Samples& samples, std::vector<Figure>& figures) {
     const auto waves = static_cast<std::int64_t>(samples.gains.size());
     const auto frames = static_cast<std::int64_t>(samples.frame_seconds.size());
-    add_tips("six cameras", tip_errors_of(samples.images.traces), 20, 40, 100, "20 (CatAR, one marker, 2017), 24 a marker (Bi 2021, Sensors 21:2528)",
-             "images", figures);
+    add_tips("six cameras", tip_errors_of(samples.images.traces), 20, 40, 100,
+             "20 (CatAR, one marker, 2017), 24 a marker (Bi 2021, Sensors 21:2528)", "images", figures);
     add_tips("six cameras", tip_errors_of(samples.markers.traces), 20, 40, 100, "", "markers", figures);
     add_tips("three cameras left", tip_errors_of(samples.subsets[1].traces), 20, 40, 100, "", "images", figures);
     add_tips("two cameras left", tip_errors_of(samples.subsets[0].traces), 30, 60, 0, "", "images", figures);

@@ -95,9 +95,9 @@ std::string figures_markdown(const TrackingFigures& figures) {
                 "|---|---|---|---|---|---|---|---|---|---|---|\n";
     }
     for (const ChartRow& entry : figures.chart) {
-        text +=
-            row({entry.detector, std::to_string(entry.cameras), std::to_string(entry.markers), tip_cells(entry.tip),
-                 number(valid_percent(entry.tip)), number(to_ms * entry.detect_p50_s), number(to_ms * entry.track_p50_s)});
+        text += row({entry.detector, std::to_string(entry.cameras), std::to_string(entry.markers), tip_cells(entry.tip),
+                     number(valid_percent(entry.tip)), number(to_ms * entry.detect_p50_s),
+                     number(to_ms * entry.track_p50_s)});
     }
     return text;
 }
