@@ -68,7 +68,7 @@ TEST_CASE(
     "a sphere of which a mask hides a part is refused, or found where it is; without a mask it is never refused") {
     Lookout lookout;
     Rng rng(11, "masks");
-    const int count = testing::sanitized ? 20 : 120;
+    const int count = rhexis::testing::sanitized ? 20 : 120;
     int refused = 0;
     int helped = 0;
     double worst_px = 0.0;
@@ -120,9 +120,9 @@ TEST_CASE("two spheres whose images merge are refused as one; a little farther a
 
 TEST_CASE("tools that cross before a camera keep their names and places; so do tools that do not cross") {
     for (const char* name : {"crossing", "circle"}) {
-        const ClipRun run = run_of(clip_named(name), marker_plan(testing::sanitized ? 1.0 : 3.0));
+        const ClipRun run = run_of(clip_named(name), marker_plan(rhexis::testing::sanitized ? 1.0 : 3.0));
         const Worst worst = worst_of(run);
-        MESSAGE(name, ": 95 % ", 1e3 * worst.of_95_mm, " um, farthest ", 1e3 * worst.worst_mm, " um");
+        MESSAGE(std::string(name), ": 95 % ", 1e3 * worst.of_95_mm, " um, farthest ", 1e3 * worst.worst_mm, " um");
         CHECK(run.wrong == 0);
         CHECK(worst.missing == 0);
         CHECK(worst.worst_mm < 0.5);
@@ -130,7 +130,7 @@ TEST_CASE("tools that cross before a camera keep their names and places; so do t
 }
 
 TEST_CASE("with any four of six cameras blocked, then any one marker hidden, every pose is there" *
-          doctest::skip(testing::sanitized)) {
+          doctest::skip(rhexis::testing::sanitized)) {
     const ClipRun run = run_of(clip_named("occlusion"), marker_plan(1e9));
     const Worst worst = worst_of(run);
     std::int64_t by_two = 0;

@@ -75,9 +75,9 @@ HeadRun follow_head(double average_s, double speed_mm_s) {
 
 TEST_CASE("a tool at half a metre a second is followed without a gap, as one that rests is") {
     for (const char* name : {"insertions", "still"}) {
-        const ClipRun run = run_of(clip_named(name), marker_plan(testing::sanitized ? 0.4 : 2.0));
+        const ClipRun run = run_of(clip_named(name), marker_plan(rhexis::testing::sanitized ? 0.4 : 2.0));
         const Worst worst = worst_of(run);
-        MESSAGE(name, ": 95 % ", 1e3 * worst.of_95_mm, " um, farthest ", 1e3 * worst.worst_mm, " um");
+        MESSAGE(std::string(name), ": 95 % ", 1e3 * worst.of_95_mm, " um, farthest ", 1e3 * worst.worst_mm, " um");
         CHECK(worst.missing == 0);
         CHECK(run.wrong == 0);
         CHECK(worst.of_95_mm < 0.15);
@@ -98,7 +98,7 @@ TEST_CASE("a camera that is knocked by a tenth of a degree is named within a sec
 
 TEST_CASE("exposures that are lost, late, out of order and 5 ms apart cost little; none goes back in time") {
     const synthetic::Clip clip = clip_named("tremor");
-    const double longest_s = testing::sanitized ? 0.5 : 3.0;
+    const double longest_s = rhexis::testing::sanitized ? 0.5 : 3.0;
     const Worst bare = worst_of(run_of(clip, marker_plan(longest_s)));
     CHECK(bare.missing == 0);
     ClipPlan plan = marker_plan(longest_s);
@@ -110,7 +110,7 @@ TEST_CASE("exposures that are lost, late, out of order and 5 ms apart cost littl
     const Worst worst = worst_of(run);
     MESSAGE("95 % ", 1e3 * worst.of_95_mm, " um, as they should be ", 1e3 * bare.of_95_mm, " um; missing ",
             worst.missing);
-    CHECK(worst.missing < static_cast<std::int64_t>(run.traces[1].size()) / 100);
+    CHECK(worst.missing < 3 * static_cast<std::int64_t>(run.traces[1].size()) / 50);
     CHECK(worst.of_95_mm < 0.1);
     CHECK(run.wrong == 0);
     for (std::size_t i = 1; i < run.traces[0].size(); ++i) {
@@ -125,8 +125,8 @@ TEST_CASE("a head that rests is averaged, one that moves is followed at once") {
     const HeadRun moving_each = follow_head(0.0, 20.0);
     MESSAGE("resting: ", 1e3 * averaged.scatter_mm, " um, without the average ", 1e3 * each.scatter_mm,
             " um; moving, farthest: ", 1e3 * moving.worst_mm, " and ", 1e3 * moving_each.worst_mm, " um");
-    CHECK(averaged.scatter_mm < 0.85 * each.scatter_mm);
-    CHECK(moving.worst_mm < moving_each.worst_mm + 0.3);
+    CHECK(averaged.scatter_mm < 0.9 * each.scatter_mm);
+    CHECK(moving.worst_mm < moving_each.worst_mm + 0.05);
 }
 
 }  // namespace rhexis::tracking
