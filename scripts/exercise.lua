@@ -106,7 +106,7 @@ local exercise_rules = {
     mode = { kind = "text", default = "teaching", choices = { "teaching", "exam" } },
     levels = { kind = "table", default = {} },     -- easy = { patient, settings, goals, ... }: see level_rules
     handedness = { kind = "text", default = "right", choices = { "right", "left" } },  -- hand of the main instrument
-    input = { kind = "text", default = "hands", choices = { "hands", "mouse", "gamepad" } },  -- what it is done with
+    input = { kind = "text", default = "hands", choices = { "hands", "mouse", "gamepad", "vrpn" } },  -- done with
     texts = { kind = "table", default = {} },      -- fr = { ["English text"] = "French text" }
     surgeon = { kind = "text", default = "surgeon" },  -- the plan that virtual surgeons follow: a file beside this one
     step_s = { kind = "number", default = 0.01, from = 0.001, to = 0.02 },

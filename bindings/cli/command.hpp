@@ -43,6 +43,7 @@ void add_fold(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);  // only in a program built with the tests
 void add_report(CLI::App& app, Context& context);
 void add_study(CLI::App& app, Context& context);
+void add_track(CLI::App& app, Context& context);
 void add_vrpn(CLI::App& app, Context& context);
 void add_igtl(CLI::App& app, Context& context);
 // Only in a program built with records.

@@ -32,13 +32,13 @@ int listen_igtl(const ListenArguments& given, int period_ms) {
 }
 
 /// Of one step, where the instruments are that are there, and which.
-void tell(igtlink::Server& server, const std::vector<std::string>& instruments, const RecordedStep& step, double now_s,
+void tell(igtlink::Server& server, const std::vector<std::string>& instruments, const SeenStep& step, double now_s,
           std::int64_t time_us) {
     std::vector<igtlink::Tool> tools;
     std::string names;
-    for (const DeviceSample& sample : step.samples) {
-        if (sample.present) {
-            tools.push_back({instruments[static_cast<std::size_t>(sample.instrument)], sample.pose});
+    for (const std::optional<DeviceSample>& sample : step) {
+        if (sample && sample->present) {
+            tools.push_back({instruments[static_cast<std::size_t>(sample->instrument)], sample->pose});
             names += (names.empty() ? "" : ", ") + tools.back().name;
         }
     }
@@ -67,7 +67,7 @@ int serve_igtl(const ServeArguments& given) {
         given, recording.value(),
         {instruments, server.port(), [&] { return server.peer_count(); },
          [&](double now_s, std::int64_t time_us) { server.turn(now_s, time_us); }, [&] { return server.take_notes(); },
-         [&](const RecordedStep& step, double now_s, std::int64_t time_us) {
+         [&](const SeenStep& step, double now_s, std::int64_t time_us) {
              tell(server, instruments, step, now_s, time_us);
          }});
 }

@@ -160,7 +160,7 @@ int run_program(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     for (auto* add : {add_run, add_train, add_monitor, add_lua, add_check, add_words, add_test, add_replay, add_report,
-                      add_fold, add_study, add_vrpn, add_igtl}) {
+                      add_fold, add_study, add_track, add_vrpn, add_igtl}) {
         add(app, context);
     }
 #ifdef RHEXIS_WITH_RECORDS

@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "cli/attempt_arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/input_option.hpp"
 #include "cli/kept_attempt.hpp"
 #include "cli/language.hpp"
 #include "cli/run_folder.hpp"
@@ -34,6 +35,7 @@ constexpr const char* run_help =
     "  rhexis run groove --save-state \"half.rhxs@groove.depth_share > 0.3\"\n"
     "  rhexis run groove --surgeon novice --start half.rhxs\n"
     "  rhexis run iol_injection --opening runs/capsulorhexis-expert-101\n"
+    "  rhexis run groove --input vrpn://192.168.1.7    by whom a tracking system sees, as fast as the clock goes\n"
     "  rhexis run full_operation                  all its parts, one after the other\n"
     "  rhexis run full_operation --from capsulorhexis --to capsulorhexis\n"
     "  rhexis run full_operation --resume         without the parts that are there already\n"
@@ -53,6 +55,7 @@ struct RunOptions : AttemptArguments {
     std::string to;
     bool resume = false;
     bool watch = false;
+    TrackedArguments tracked;
 };
 
 /// FILE, FILE@SECONDS or FILE@CONDITION.
@@ -164,8 +167,32 @@ AttemptOptions run_options(const RunOptions& given, std::map<std::string, std::s
     return options;
 }
 
+/// By a person, whom nobody can be beside.
+void begin_as_person(RunOptions& given) {
+    given.surgeon = "none";
+    given.set.emplace_back(std::string("input=") + station::tracked_device);
+    given.keep.input = station::tracked_device;
+    if (given.out.empty()) {
+        const std::string who = given.keep.trainee.empty() ? "person" : given.keep.trainee;
+        given.out = "runs/" + folder_name_of(exercise_name(given.curriculum), who);
+    }
+}
+
+/// After an attempt that was ended because its clock stood.
+void tell_gave_up(const HeadlessPerson* person, double give_up_s) {
+    if (person != nullptr && person->gave_up()) {
+        std::fprintf(stderr,
+                     "rhexis: the clock stood for %g s: the attempt was ended there, and its recording is kept\n",
+                     give_up_s);
+    }
+}
+
 int run(RunOptions given, const Context& context) {
     given.keep.root = context.root;
+    const bool by_person = !given.tracked.input.empty();
+    if (by_person) {
+        begin_as_person(given);
+    }
     Status status = check_attempt_arguments(given);
     if (!status) {
         return complain(status.error());
@@ -182,6 +209,10 @@ int run(RunOptions given, const Context& context) {
     status = check_folder(given.out, given.resume);
     if (!status) {
         return complain(status.error());
+    }
+    if (operation.value() && by_person) {
+        return complain(
+            {"--input is for exercises, and " + given.curriculum + " is an operation", "", "its parts, one by one"});
     }
     if (operation.value()) {
         AttemptOptions whole = run_options(given, std::move(set).value(), context.root);
@@ -212,12 +243,22 @@ int run(RunOptions given, const Context& context) {
         return complain(start.error());
     }
     options.start = std::move(start).value();
+    std::unique_ptr<HeadlessPerson> person;
+    if (by_person) {
+        Result<std::unique_ptr<HeadlessPerson>> connected = HeadlessPerson::connect(given.tracked, options.exercise);
+        if (!connected) {
+            return complain(connected.error());
+        }
+        person = std::move(connected).value();
+        options.guest = &person->guest();
+    }
     Result<KeptAttempt> kept = begin_kept(given, options);
     if (!kept) {
         return complain(kept.error());
     }
     options.comparison = kept.value().comparison();
     const Result<AttemptResult> result = attempt(options);
+    tell_gave_up(person.get(), given.tracked.give_up_s);
     if (!result) {
         kept.value().give_up();
         return complain(result.error());
@@ -230,7 +271,7 @@ int run(RunOptions given, const Context& context) {
     if (given.json) {
         std::cout << report.dump(2) << '\n';
     } else {
-        print_summary(given, given.surgeon, options.folder, result.value());
+        print_summary(given, by_person ? "person" : given.surgeon, options.folder, result.value());
         if (result.value().saved) {
             std::printf("  state      %s\n", options.save.path.c_str());
         }
@@ -258,8 +299,25 @@ void add_run(CLI::App& app, Context& context) {
     command->footer(run_help);
     auto given = std::make_shared<RunOptions>();
     command->add_option("curriculum", given->curriculum, "Folder, file, or name of one in curricula/")->required();
+    CLI::Option* surgeon = command
+                               ->add_option("--surgeon", given->surgeon,
+                                            "Who operates: expert, novice, a, b, c, d, none or random [expert]")
+                               ->capture_default_str();
+    CLI::Option* input = command
+                             ->add_option("--input", given->tracked.input,
+                                          "Operated by whom a tracking system sees, at vrpn://ADDRESS[:PORT] or "
+                                          "vrpn+tcp://ADDRESS[:PORT], in place of a virtual surgeon")
+                             ->check(is_tracked_input)
+                             ->excludes(surgeon);
+    command->add_option("--registration", given->tracked.registration, registration_help)->needs(input);
+    command->add_option("--wait", given->tracked.wait_s, "With --input: for a server [s]")
+        ->check(CLI::Range(0.1, 3600.0))
+        ->needs(input)
+        ->capture_default_str();
     command
-        ->add_option("--surgeon", given->surgeon, "Who operates: expert, novice, a, b, c, d, none or random [expert]")
+        ->add_option("--give-up", given->tracked.give_up_s, "With --input: end where the clock has stood so long [s]")
+        ->check(CLI::Range(0.1, 86400.0))
+        ->needs(input)
         ->capture_default_str();
     command->add_option("--save-state", given->save_state,
                         "Keep the state at the end to start from, or FILE@SECONDS, or FILE@CONDITION");

@@ -9,11 +9,8 @@
 namespace rhexis::cli {
 namespace {
 
-constexpr const char* library = "rhexis-window.so";
-
-}  // namespace
-
-Result<void*> load_station() {
+/// what: it is, for errors.
+Result<void*> load(const char* library, const std::string& what) {
     std::error_code unknown;
     const std::filesystem::path folder = std::filesystem::canonical(program_path(), unknown).parent_path();
     std::string tried;
@@ -25,13 +22,18 @@ Result<void*> load_station() {
         }
         void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (opened == nullptr) {
-            return Error{std::string("the window cannot be loaded: ") + ::dlerror(), path.string(),
-                         "the Debian packages of deps.txt"};
+            return Error{what + " cannot be loaded: " + ::dlerror(), path.string(), "the Debian packages of deps.txt"};
         }
         return opened;
     }
-    return Error{"this program comes without its window", tried, std::string(library) + " in one of these places"};
+    return Error{"this program comes without " + what, tried, std::string(library) + " in one of these places"};
 }
+
+}  // namespace
+
+Result<void*> load_station() { return load("rhexis-window.so", "its window"); }
+
+Result<void*> load_tracking() { return load("rhexis-track.so", "its tracking"); }
 
 void add_window_size(CLI::App& command, int& width, int& height) {
     command.add_option("--width", width, "Of the window [pixels]")->check(CLI::Range(160, 4096))->capture_default_str();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shared object with everything that opens a window, loaded by the commands that need it.
+// Shared objects that the commands which need them load: one with everything that opens a window, one with cameras and
+// calibration.
 #pragma once
 
 #include <dlfcn.h>
@@ -11,9 +12,10 @@
 
 namespace rhexis::cli {
 
-/// From beside the program, or from where it is installed. It stays loaded: threads of its libraries may not end with
-/// it.
+/// From beside the program, or from where it is installed. They stay loaded: threads of their libraries may not end
+/// with them.
 Result<void*> load_station();
+Result<void*> load_tracking();
 
 /// The options --width and --height of a command with a window. They hold what they are if not given.
 void add_window_size(CLI::App& command, int& width, int& height);

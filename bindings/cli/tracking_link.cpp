@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/tracking_link.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
 
 #include "base/clock.hpp"
+#include "base/numbers.hpp"
 #include "cli/command.hpp"
 #include "nlohmann/json.hpp"
 
@@ -86,16 +88,51 @@ void linger(const Teller& teller) {
     }
 }
 
-void tell_in_time(const std::vector<RecordedStep>& steps, double step_s, const Teller& teller) {
+/// What cameras would see of a recording. An instrument that is not used yet lies where it will be taken up, and one
+/// that is used no more where it was put down.
+std::vector<SeenStep> as_seen(const Recording& recording) {
+    std::vector<DeviceSample> now(recording.header.scene.instruments.size());
+    std::vector<SeenStep> seen;
+    for (const RecordedStep& step : recording.steps) {
+        for (const DeviceSample& sample : step.samples) {
+            DeviceSample& one = now[static_cast<std::size_t>(sample.instrument)];
+            const Pose lies = one.pose;
+            one = sample;
+            one.pose = sample.present ? sample.pose : lies;
+        }
+        seen.emplace_back(now.begin(), now.end());
+    }
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        std::optional<Pose> taken_up;
+        for (std::size_t step = seen.size(); step-- > 0;) {
+            DeviceSample& sample = *seen[step][i];
+            if (sample.present) {
+                taken_up = sample.pose;
+            } else if (taken_up) {
+                sample.pose = *taken_up;
+            }
+        }
+        if (!taken_up) {
+            std::for_each(seen.begin(), seen.end(), [i](SeenStep& step) { step[i].reset(); });
+        }
+    }
+    return seen;
+}
+
+/// How many were told.
+std::size_t tell_in_time(const std::vector<SeenStep>& steps, std::size_t first, double step_s, const Teller& teller) {
     const double begun_s = wall_seconds();
+    const std::int64_t begun_us = time_of_day_us();
     std::size_t told = 0;
-    while (told < steps.size()) {
+    while (first + told < steps.size()) {
         const double now_s = wall_seconds();
-        for (; told < steps.size() && begun_s + step_s * static_cast<double>(told) <= now_s; ++told) {
-            teller.tell(steps[told], now_s, time_of_day_us());
+        for (; first + told < steps.size() && begun_s + step_s * static_cast<double>(told) <= now_s; ++told) {
+            const auto since_us = static_cast<std::int64_t>(1e6 * step_s * static_cast<double>(told));
+            teller.tell(steps[first + told], now_s, begun_us + since_us);
         }
         turn(teller);
     }
+    return told;
 }
 
 }  // namespace
@@ -135,9 +172,19 @@ void add_serve_options(CLI::App& command, ServeArguments& given) {
     command.add_option("--address", given.address, "Of this computer, where it is heard")->capture_default_str();
     command.add_option("--port", given.port, "0: any that is free")->check(CLI::Range(0, 65535))->capture_default_str();
     command.add_option("--speed", given.speed, "Times as fast")->check(CLI::Range(0.01, 100.0))->capture_default_str();
+    command.add_option("--from", given.from_s, "Begin at this second of it")
+        ->check(CLI::Range(0.0, 7200.0))
+        ->capture_default_str();
 }
 
 int serve(const ServeArguments& given, const Recording& recording, const Teller& teller) {
+    const double recorded_s = recording.header.scene.step_s;
+    const std::vector<SeenStep> steps = as_seen(recording);
+    if (const Status there = check_range("--from", given.from_s, 0.0, recorded_s * static_cast<double>(steps.size()),
+                                         given.recording, " s");
+        !there) {
+        return complain(there.error());
+    }
     std::printf("at %s:%d: ", given.address.c_str(), teller.port);
     for (const std::string& device : teller.devices) {
         std::printf("%s%s", device.c_str(), &device == &teller.devices.back() ? "\n" : ", ");
@@ -147,9 +194,10 @@ int serve(const ServeArguments& given, const Recording& recording, const Teller&
         turn(teller);
     }
     linger(teller);
-    tell_in_time(recording.steps, recording.header.scene.step_s / given.speed, teller);
+    const std::size_t told =
+        tell_in_time(steps, static_cast<std::size_t>(given.from_s / recorded_s), recorded_s / given.speed, teller);
     linger(teller);
-    std::printf("%zu steps told\n", recording.steps.size());
+    std::printf("%zu steps told\n", told);
     return done;
 }
 

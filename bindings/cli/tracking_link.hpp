@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,11 @@ struct ServeArguments {
     std::string address = "127.0.0.1";
     int port = 0;
     double speed = 1.0;
+    double from_s = 0.0;  ///< where in the recording it begins
 };
+
+/// Of one step: a sample of each instrument, or none of one that is never used.
+using SeenStep = std::vector<std::optional<DeviceSample>>;
 
 /// A server of any protocol.
 struct Teller {
@@ -44,12 +49,13 @@ struct Teller {
     std::function<std::size_t()> peer_count;
     std::function<void(double now_s, std::int64_t time_us)> turn;
     std::function<std::vector<std::string>()> take_notes;
-    std::function<void(const RecordedStep& step, double now_s, std::int64_t time_us)> tell;
+    /// time_us: of the moment that the step is of, not of when it is told.
+    std::function<void(const SeenStep& step, double now_s, std::int64_t time_us)> tell;
 };
 
-/// The argument of the recording, and --address, --port (else given.port) and --speed.
+/// The argument of the recording, and --address, --port (else given.port), --speed and --from.
 void add_serve_options(CLI::App& command, ServeArguments& given);
-/// Tells the steps of a recording, from when somebody listens, and gives the status of the command.
+/// Tells the steps of a recording as cameras would see them, from when somebody listens. The status of the command.
 int serve(const ServeArguments& given, const Recording& recording, const Teller& teller);
 
 }  // namespace rhexis::cli

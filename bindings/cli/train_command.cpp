@@ -16,6 +16,7 @@
 #include "cli/attempt_arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/course_file.hpp"
+#include "cli/input_option.hpp"
 #include "cli/language.hpp"
 #include "cli/station_library.hpp"
 #include "station/event_source.hpp"
@@ -38,6 +39,7 @@ constexpr const char* train_help =
     "  rhexis train --events mine.jsonl --again           the same done again, step by step\n"
     "  rhexis train --resume runs/groove-person-20261128-101500    on with an attempt that was cut short\n"
     "  rhexis train groove --input gamepad                with two sticks and triggers\n"
+    "  rhexis train groove --input vrpn://192.168.1.7     with instruments that a tracking system sees\n"
     "  rhexis train surge --monitor                       with the theatre's monitor, at which an instructor sits\n"
     "\n"
     "F1 shows what each key and button does; E takes an instrument, the cursor moves its tip, the wheel lifts it,\n"
@@ -53,6 +55,7 @@ struct TrainOptions : AttemptArguments {
     bool again = false;
     std::string by;
     std::string input = "mouse";
+    std::string registration;
     bool live = false;
     bool typed = false;
     int width = 1280;
@@ -220,12 +223,17 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     if (!status) {
         return complain(status.error());
     }
+    if (!given.by.empty() && station::is_tracked(given.input)) {
+        return complain({"--by works a mouse or a gamepad, and not " + given.input, "",
+                         "rhexis vrpn serve RUN, which tells a recording as a tracking system would"});
+    }
     Result<std::map<std::string, std::string>> set = given_settings(given, context.root);
     if (!set) {
         return complain(set.error());
     }
-    set.value().insert_or_assign("input", given.input);
-    given.keep.input = given.input;
+    const std::string device = station::is_tracked(given.input) ? station::tracked_device : given.input;
+    set.value().insert_or_assign("input", device);
+    given.keep.input = device;
     station::StationOptions options;
     options.attempt = attempt_options(given, set.value(), context.root);
     if (given.out.empty()) {
@@ -238,7 +246,10 @@ int train_once(TrainOptions given, void* opened, const Context& context) {
     options.events = given.events;
     options.again = given.again;
     options.by = given.by;
-    options.pad = given.input == "gamepad";
+    options.pad = device == "gamepad";
+    options.tracked = device == station::tracked_device;
+    options.tracked_at = given.input;
+    options.registration = given.registration;
     options.live = given.live;
     options.typed = given.typed;
     options.screenshot = given.screenshot;
@@ -368,9 +379,13 @@ void add_train(CLI::App& app, Context& context) {
                         "What each key and button does [assets/station/mouse.json, or gamepad.json]");
     CLI::Option* events = command->add_option("--events", given->events, "File to keep what you do in, event by event");
     command->add_flag("--again", given->again, "Do what that file holds again, step by step")->needs(events);
-    command->add_option("--input", given->input, "What you operate with")
-        ->check(CLI::IsMember({"mouse", "gamepad"}))
+    command
+        ->add_option("--input", given->input,
+                     "What you operate with: mouse, gamepad, or a tracking system, vrpn://ADDRESS[:PORT] or "
+                     "vrpn+tcp://ADDRESS[:PORT]")
+        ->check(is_input)
         ->capture_default_str();
+    command->add_option("--registration", given->registration, registration_help);
     CLI::Option* by =
         command->add_option("--by", given->by, "A virtual surgeon works the devices in your place: a, b, c or d");
     CLI::Option* live = command->add_flag("--live", given->live, "With --by: by the wall clock")->needs(by);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis vrpn: what a VRPN server tells, for who sets up tracking; and a recording told as a tracking system would.
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.hpp"
 #include "cli/tracking_link.hpp"
+#include "input/tracked_hands.hpp"
 #include "net/vrpn_client.hpp"
 #include "net/vrpn_server.hpp"
 #include "trial/places.hpp"
@@ -20,8 +22,6 @@ constexpr const char* vrpn_help =
     "  rhexis vrpn serve runs/groove-expert-1              a recording in the place of a tracking system, here only\n"
     "  rhexis vrpn serve runs/groove-expert-1 --address 192.168.1.9    for other computers too";
 
-constexpr const char* pedal_device = "pedal";
-
 int listen_vrpn(const ListenArguments& given, const std::vector<std::string>& devices) {
     Result<vrpn::ServerPlace> place = vrpn::server_place(given.server);
     if (!place) {
@@ -34,19 +34,21 @@ int listen_vrpn(const ListenArguments& given, const std::vector<std::string>& de
                           [&](double now_s) { return client.trouble(now_s); }});
 }
 
-/// Of one step, what has been told of each instrument.
-void tell(vrpn::Server& server, const std::vector<std::string>& instruments, const RecordedStep& step,
+void tell(vrpn::Server& server, const std::vector<std::string>& instruments, const SeenStep& seen,
           std::int64_t time_us) {
-    for (const DeviceSample& sample : step.samples) {
-        const std::string& device = instruments[static_cast<std::size_t>(sample.instrument)];
-        server.keep(device, vrpn::buttons_type, vrpn::buttons_payload({sample.present}), time_us);
-        server.keep(device, vrpn::analog_type, vrpn::analog_payload({sample.jaw}), time_us);
-        server.tell(device, vrpn::pose_type,
-                    vrpn::payload_of(PoseReport{0, sample.pose.position, sample.pose.orientation}), time_us);
-        if (sample.present) {
-            server.keep(pedal_device, vrpn::analog_type, vrpn::analog_payload({sample.pedal}), time_us);
+    double pedal = 0.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (!seen[i]) {
+            continue;
         }
+        const DeviceSample& sample = *seen[i];
+        server.keep(instruments[i], vrpn::buttons_type, vrpn::buttons_payload({sample.present}), time_us);
+        server.keep(instruments[i], vrpn::analog_type, vrpn::analog_payload({sample.jaw}), time_us);
+        server.tell(instruments[i], vrpn::pose_type,
+                    vrpn::payload_of(PoseReport{0, sample.pose.position, sample.pose.orientation}), time_us);
+        pedal = sample.present ? std::max(pedal, sample.pedal) : pedal;
     }
+    server.keep(pedal_device, vrpn::analog_type, vrpn::analog_payload({pedal}), time_us);
 }
 
 int serve_vrpn(const ServeArguments& given) {
@@ -66,7 +68,7 @@ int serve_vrpn(const ServeArguments& given) {
         given, recording.value(),
         {devices, server.port(), [&] { return server.peer_count(); },
          [&](double now_s, std::int64_t time_us) { server.turn(now_s, time_us); }, [&] { return server.take_notes(); },
-         [&](const RecordedStep& step, double /*now_s*/, std::int64_t time_us) {
+         [&](const SeenStep& step, double /*now_s*/, std::int64_t time_us) {
              tell(server, instruments, step, time_us);
          }});
 }

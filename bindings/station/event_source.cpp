@@ -16,7 +16,6 @@ namespace {
 
 constexpr double may_catch_up_s = 0.05;  ///< what runs later than that slows the clock
 constexpr double away_s = 0.5;           ///< without running, after which the clock stands
-constexpr double waits_s = 0.05;         ///< between two looks for events while the clock stands
 constexpr double smoothing = 0.02;       ///< of the rate that is shown
 constexpr double bears_steal = 0.01;     ///< share of a second, of one core
 constexpr const char* version = "rhexis_events";
@@ -39,8 +38,9 @@ Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const 
     const double now = wall_seconds();
     bool away = was_away(now);
     if (waits) {
-        desk_.wait_for_event(now + waits_s);
-        away = away || wall_seconds() - now > waits_s + away_s;
+        desk_.wait_for_event(now + looks_every_s_);
+        now_s_ = wall_seconds();
+        away = away || now_s_ - now > looks_every_s_ + away_s;
         due_s_ = 0.0;
     } else {
         const double begun = due_s_ == 0.0 || away ? now : due_s_;
@@ -50,7 +50,8 @@ Result<std::vector<UserEvent>> WallClock::take(std::uint64_t, bool waits, const 
             away = wall_seconds() - begun > away_s;
         }
         const double lost = late > may_catch_up_s ? late - may_catch_up_s : 0.0;
-        due_s_ = begun + lost + step_s_;
+        now_s_ = begun + lost;
+        due_s_ = now_s_ + step_s_;
         note(std::max(0.0, late), lost);
         slowed_ += smoothing * (step_s_ / (step_s_ + lost) - slowed_);
     }

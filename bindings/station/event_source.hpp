@@ -37,12 +37,16 @@ public:
 /// The wall clock: a step each time that one is due. What runs late by more than a moment is not caught up.
 class WallClock final : public EventSource {
 public:
-    WallClock(Desk& desk, double step_s) : desk_(desk), step_s_(step_s) {}
+    /// looks_every_s: for events, while the clock stands.
+    WallClock(Desk& desk, double step_s, double looks_every_s = 0.05)
+        : desk_(desk), step_s_(step_s), looks_every_s_(looks_every_s) {}
     Result<std::vector<UserEvent>> take(std::uint64_t step, bool waits, const Hands& hands, const Surroundings& around,
                                         const Session& session) override;
     [[nodiscard]] double slowed() const override { return slowed_; }
     [[nodiscard]] std::uint64_t last_number() const override { return number_; }
     [[nodiscard]] std::optional<Pace> pace() const override;
+    /// The moment that the last step stands for, or, while the clock stands, of the last look [s].
+    [[nodiscard]] double now_s() const { return now_s_; }
 
 private:
     void note(double late_s, double lost_s);
@@ -50,6 +54,7 @@ private:
 
     Desk& desk_;
     double step_s_;
+    double looks_every_s_;
     std::vector<float> late_steps_{};  ///< of each step, left out those of seconds with steal
     std::vector<float> this_second_{};
     double second_began_s_ = 0.0;
@@ -57,6 +62,7 @@ private:
     int steal_s_ = 0;
     double lost_s_ = 0.0;
     double lost_this_second_s_ = 0.0;
+    double now_s_ = 0.0;
     double due_s_ = 0.0;       ///< of the next step; 0: as soon as it is asked for
     double left_s_ = 0.0;      ///< when the clock was asked last; 0: not yet
     double left_cpu_s_ = 0.0;  ///< of the process, by then

@@ -15,6 +15,9 @@ bool has_pedal(const Stand& stand) { return !stand.dials.empty(); }
 }  // namespace
 
 std::optional<std::string> Guide::next(const HandsState& hands, const Stand& stand, const Words& words) {
+    if (hands.tracked) {
+        return std::nullopt;  // there is no key to be learnt for what real instruments do
+    }
     const Mapping& mapping = *hands.mapping;
     const HandState& hand = hands.hands[static_cast<std::size_t>(hands.moving)];
     const bool holds = hand.instrument >= 0;

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "flow/microscope.hpp"
 #include "station/wound_way.hpp"
 
 namespace rhexis::station {
@@ -23,8 +21,6 @@ constexpr double most_light = 2.0;
 constexpr double edge_of_field_mm = 6.6;  ///< a little within it, at rest
 constexpr double just_outside_mm = 0.5;
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-
 constexpr double fully_pushed = 0.98;  ///< of a stick: it may be held there
 constexpr double stuck_after_s = 2.0;  ///< [s]
 constexpr double down = 0.5;           ///< from which a button or trigger is pressed
@@ -36,6 +32,12 @@ Vec3 in_view(const Vec3& wound, const Vec3& place) {
     const double end = place.head<2>().norm();
     const double farthest = std::max(edge_of_field_mm, begin + just_outside_mm);
     return end > farthest ? Vec3(wound + (farthest - begin) / (end - begin) * (place - wound)) : place;
+}
+
+/// What keys and buttons do in the place of a hand.
+bool is_of_hands(ControlId id) {
+    return id == ControlId::depth || id == ControlId::swap || id == ControlId::next_instrument ||
+           id == ControlId::put_down || id == ControlId::meet || id == ControlId::take_instrument;
 }
 
 double step_towards(double value, double goal, double most) { return value + std::clamp(goal - value, -most, most); }
@@ -89,11 +91,19 @@ void Hands::choose_wound(const Surroundings& around, HandState& hand) const {
 }
 
 bool Hands::met() const {
+    if (state_.tracked) {
+        return state_.tracked->runs;
+    }
     const HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
     return hand.instrument < 0 || !state_.cursor_moves || state_.cursor.has_value();
 }
 
-void Hands::lose() { state_.cursor.reset(); }
+void Hands::lose() {
+    state_.cursor.reset();
+    if (state_.tracked) {
+        state_.tracked->runs = false;
+    }
+}
 
 double Hands::level(ControlId id) const {
     double sum = 0.0;
@@ -128,6 +138,12 @@ void Hands::take(const UserEvent& given, const Surroundings& around) {
             if (const Control* chosen = find_control(event.name)) {
                 press(chosen->id, event.value, around);
             }
+            break;
+        case EventKind::tracking:
+            take_tracking(event);
+            break;
+        case EventKind::tracked:
+            take_tracked(event, around);
             break;
         case EventKind::staff:
             break;  // of the instructor, not of these hands
@@ -230,6 +246,9 @@ void Hands::let_go_of_stuck_sticks(double dt) {
 
 /// The cursor leads: the tip goes as far as it does, from where they met.
 void Hands::follow_cursor(const Cursor& cursor, const Surroundings& around) {
+    if (state_.tracked) {
+        return;
+    }
     HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
     state_.cursor_moves = true;
     state_.last_cursor = cursor;
@@ -251,6 +270,9 @@ void Hands::follow_cursor(const Cursor& cursor, const Surroundings& around) {
 }
 
 void Hands::press(ControlId id, double notches, const Surroundings& around) {
+    if (state_.tracked && is_of_hands(id)) {
+        return;  // it is seen what they hold, and where
+    }
     HandState& hand = state_.hands[static_cast<std::size_t>(state_.moving)];
     const int dials = static_cast<int>(stand_->dials.size());
     const int requests = static_cast<int>(stand_->requests.size());
@@ -347,6 +369,9 @@ void Hands::shift(const Vec3& way) {
     for (HandState& hand : state_.hands) {
         hand.tip += way;
         hand.wanted += way;
+    }
+    if (state_.tracked) {
+        state_.tracked->shift += way;
     }
 }
 
@@ -445,7 +470,7 @@ void Hands::squeeze(int which, double dt) {
 
 Status Hands::move(int which, const Surroundings& around, double dt) {
     HandState& hand = state_.hands[static_cast<std::size_t>(which)];
-    if (hand.instrument < 0) {
+    if (hand.instrument < 0 || state_.tracked) {
         return success();
     }
     const bool first = which == leading;
@@ -517,76 +542,6 @@ Status Hands::advance(const Surroundings& around, double dt) {
         }
     }
     return success();
-}
-
-Status Hands::take_over(const Session& session, const Surroundings& around) {
-    for (std::size_t i = 0; i < session.tools().size(); ++i) {
-        const ToolState& tool = session.tools()[i];
-        if (!tool.present) {
-            continue;
-        }
-        const int instrument = static_cast<int>(i);
-        int which = through_side_port(instrument) ? other : leading;
-        which = state_.hands[static_cast<std::size_t>(which)].instrument < 0 ? which : 1 - which;
-        take_up(which, instrument, around);
-        HandState& hand = state_.hands[static_cast<std::size_t>(which)];
-        const WorldState& world = session.state();
-        const Pose pose = world.globe ? to_room(*session.world().globe, *world.globe, tool.pose) : tool.pose;
-        hand.tip = hand.wanted = pose.position;
-        hand.orientation = pose.orientation;
-        hand.jaw = tool.jaw;
-        hand.wound = wound_on_shaft(around, wounds_[i], pose);
-        const std::optional<Vec3> wound = landmark(around, hand.wound);
-        hand.inside = wound && leads_inside(hand.wound) && is_behind(*wound, hand.tip);
-        const Result<Quat> unrolled = holds_->orientation(tool_name(instrument), wound, hand.tip, 0.0);
-        if (!unrolled) {
-            return unrolled.error();
-        }
-        const Quat turn = unrolled.value().conjugate() * pose.orientation;
-        hand.roll = std::remainder(2.0 * std::atan2(turn.z(), turn.w()) * degrees, 360.0);
-        state_.pedal = std::max(state_.pedal, tool.pedal);
-    }
-    const std::map<std::string, double>& settings = session.settings();
-    for (std::size_t i = 0; i < stand_->dials.size(); ++i) {
-        state_.dials[i] = settings.at(stand_->dials[i].setting);
-    }
-    return success();
-}
-
-std::vector<DeviceSample> Hands::samples(const Surroundings& around, double dt) const {
-    std::vector<DeviceSample> list(stand_->instruments.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        list[i].instrument = static_cast<int>(i);
-    }
-    for (const HandState& hand : state_.hands) {
-        if (hand.instrument >= 0) {
-            DeviceSample& sample = list[static_cast<std::size_t>(hand.instrument)];
-            sample.present = true;
-            sample.pose = {hand.tip, hand.orientation};
-            sample.jaw = hand.jaw;
-            sample.pedal = state_.pedal;
-        }
-    }
-    if (around.microscope) {
-        DeviceSample& sample = list.back();
-        const Vec3 way(level(ControlId::microscope_x), level(ControlId::microscope_y),
-                       level(ControlId::microscope_focus));
-        sample.present = !way.isZero();
-        sample.pose.position = *around.microscope + microscope_mm_s * speed_share() * dt * way;
-    }
-    return list;
-}
-
-std::vector<Command> Hands::take_commands() {
-    std::vector<Command> commands;
-    for (const int request : std::exchange(state_.requests, {})) {
-        commands.push_back({CommandKind::request, stand_->requests[static_cast<std::size_t>(request)].id, 0.0, ""});
-    }
-    for (const int dial : std::exchange(state_.turned, {})) {
-        commands.push_back({CommandKind::adjust, stand_->dials[static_cast<std::size_t>(dial)].setting,
-                            state_.dials[static_cast<std::size_t>(dial)], ""});
-    }
-    return commands;
 }
 
 }  // namespace rhexis::station

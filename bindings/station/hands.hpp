@@ -16,6 +16,7 @@
 #include "station/mapping.hpp"
 #include "station/sight.hpp"
 #include "station/stand.hpp"
+#include "station/tracked_state.hpp"
 
 namespace rhexis::station {
 
@@ -52,6 +53,7 @@ struct HandsState {
     std::array<HandState, 2> hands{};
     std::optional<Cursor> cursor;  ///< none: it has not met its instrument
     Cursor last_cursor = Cursor::Zero();
+    std::optional<TrackedState> tracked{};    ///< none: devices on the desk move the hands
     std::shared_ptr<const Mapping> mapping;   ///< never null
     std::map<std::string, double> held;       ///< by source, what is down or pushed
     std::map<std::string, double> unmoved_s;  ///< by stick that is pushed: since it moved last
@@ -91,6 +93,8 @@ public:
     Hands(HandsState state, const Stand& stand, HoldScript& holds);
 
     void take(const UserEvent& event, const Surroundings& around);
+    /// From here on a tracking system sees the hands: no cursor, stick or key moves them.
+    void track();
     /// Holds what the session's instruments show to be held, where they are; dials as they are set.
     Status take_over(const Session& session, const Surroundings& around);
     /// Time goes on by dt [s]. Fails where the scripts that say how instruments are held do.
@@ -124,6 +128,9 @@ public:
 
 private:
     void take_device(const UserEvent& event);
+    void take_tracking(const UserEvent& event);
+    void take_tracked(const UserEvent& event, const Surroundings& around);
+    void hold_tracked(int instrument, const Surroundings& around);
     void rebind(const UserEvent& event);
     void take_input(const UserEvent& event, const Surroundings& around);
     void hold(const std::string& source, const Binding& binding, const UserEvent& event);

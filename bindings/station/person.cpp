@@ -67,6 +67,9 @@ Status Person::begin(Timeline& timeline) {
     exam_ = stands.value().value("mode", "") == "exam";
     stand_ = std::make_shared<const Stand>(make_stand(*timeline.session(), requests.value()));
     hands_.emplace(options_.mapping, *stand_, *holds_);
+    if (options_.device == tracked_device) {
+        hands_->track();
+    }
     hands_->state().warns = options_.warns && !exam_;
     if (host_ != nullptr) {
         Result<Instructor> instructor = Instructor::create(*host_, timeline.session()->world().microscope.has_value());

@@ -16,9 +16,12 @@
 
 namespace rhexis::station {
 
+/// A tracking system, among devices that a person operates with.
+inline constexpr const char* tracked_device = "vrpn";
+
 struct PersonOptions {
     Mapping mapping;
-    std::string device;              ///< "mouse", "gamepad"
+    std::string device;              ///< "mouse", "gamepad", tracked_device
     std::string root;                ///< folder of scripts/
     std::uint64_t show_every = 1;    ///< steps per picture
     bool wait_for_pictures = false;  ///< each is drawn before the next step: stepped

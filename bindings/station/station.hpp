@@ -20,6 +20,9 @@ struct StationOptions {
     std::string ghost;             ///< run or recording whose way is shown on request; empty: none
     std::string by;                ///< virtual surgeon who works the devices in a person's place; empty: a person does
     bool pad = false;              ///< with pad and pedal, not with mouse and keys
+    bool tracked = false;          ///< with instruments that a tracking system sees
+    std::string tracked_at;        ///< its address, "vrpn://HOST"; empty: what it told is in `events`
+    std::string registration;      ///< file, see read_registration(); empty: its frame is that of the eye
     bool live = false;             ///< that surgeon keeps to the wall clock
     bool typed = false;            ///< and what it does goes through the X server
     int width = 1280;              ///< of the window [pixels]

@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "base/near_names.hpp"
 #include "base/numbers.hpp"
+#include "input/tracked_hands.hpp"
 
 namespace rhexis::station {
 namespace {
 
-constexpr std::array kind_names = {"key",     "pointer", "button", "wheel",  "axis",  "press",
-                                   "control", "bind",    "focus",  "device", "staff", "quit"};
+constexpr std::array kind_names = {"key",  "pointer", "button", "wheel", "axis", "press",    "control",
+                                   "bind", "focus",   "device", "staff", "quit", "tracking", "tracked"};
 constexpr double farthest = 1000.0;  ///< of a number beyond is no device's and no tuning's
 
 Result<double> number_in(const nlohmann::json& json, const char* field) {
@@ -29,6 +31,44 @@ Result<double> number_in(const nlohmann::json& json, const char* field) {
     return number;
 }
 
+/// As many numbers as the list has places; left out: they stay.
+Status read_numbers(const nlohmann::json& json, const char* field, std::span<double> list) {
+    if (!json.contains(field)) {
+        return success();
+    }
+    const nlohmann::json& given = json.at(field);
+    bool fits = given.is_array() && given.size() == list.size();
+    for (std::size_t i = 0; fits && i < list.size(); ++i) {
+        fits = given[i].is_number() && std::abs(given[i].get<double>()) <= farthest;
+    }
+    if (!fits) {
+        return Error{
+            std::string("the event's ") + field + " is " + given.dump(), "",
+            std::to_string(list.size()) + " numbers, -" + short_number(farthest) + " to " + short_number(farthest)};
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i] = given[i].get<double>();
+    }
+    return success();
+}
+
+Status read_sample(const nlohmann::json& json, DeviceSample& sample) {
+    Pose& pose = sample.pose;
+    Status read = read_numbers(json, "position_mm", {pose.position.data(), 3});
+    read = read ? read_numbers(json, "orientation_xyzw", {pose.orientation.coeffs().data(), 4}) : read;
+    const Result<double> jaw = number_in(json, "jaw");
+    sample.jaw = jaw ? jaw.value() : 0.0;
+    return read && !jaw ? Status(jaw.error()) : read;
+}
+
+nlohmann::json sample_json(const DeviceSample& sample) {
+    const Vec3& at = sample.pose.position;
+    const Quat& turned = sample.pose.orientation;
+    return {{"position_mm", {at.x(), at.y(), at.z()}},
+            {"orientation_xyzw", {turned.x(), turned.y(), turned.z(), turned.w()}},
+            {"jaw", sample.jaw}};
+}
+
 }  // namespace
 
 nlohmann::json to_json(const UserEvent& event) {
@@ -42,8 +82,11 @@ nlohmann::json to_json(const UserEvent& event) {
     } else if (event.kind != EventKind::quit) {
         json["value"] = event.value;
     }
-    if (event.kind == EventKind::bind || event.kind == EventKind::staff) {
+    if (event.kind == EventKind::bind || event.kind == EventKind::staff || event.kind == EventKind::tracking) {
         json["control"] = event.control;
+    }
+    if (event.kind == EventKind::tracked && event.name != pedal_device) {
+        json.update(sample_json(event.sample));
     }
     return json;
 }
@@ -71,6 +114,11 @@ Result<UserEvent> event_from(const nlohmann::json& json) {
             return number.error();
         }
         *to = number.value();
+    }
+    if (event.kind == EventKind::tracked) {
+        if (const Status read = read_sample(json, event.sample); !read) {
+            return read.error();
+        }
     }
     return event;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/result.hpp"
+#include "flow/device_sample.hpp"
 
 namespace rhexis::station {
 
@@ -25,7 +26,11 @@ enum class EventKind {
     device,   ///< name "pad" or "pedal"; value 1: it is there; 0: it has gone, and with it all that it held
     staff,  ///< an instructor at the theatre's monitor: name "inject", "put_right" or "level" and which, "note" and its
             ///< text, "rewind" by so many seconds, "pause", "go_on", "warn" (value 1 or 0)
-    quit    ///< the window is closed
+    quit,   ///< the window is closed
+    tracking,  ///< by which the instruments are seen: value 1, the clock may go on; 0, it stands: name why, as in "%s
+               ///< is lost", control of what
+    tracked    ///< an instrument as it is seen: its name, value 1 there, 0 put away, and sample, whose index and pedal
+               ///< say nothing; or name "pedal" and value, its position
 };
 
 struct UserEvent {
@@ -35,6 +40,7 @@ struct UserEvent {
     double x = 0.0;
     double y = 0.0;
     std::string control{};  ///< of `bind` its control; of `staff` which, or the text
+    DeviceSample sample{};  ///< of `tracked`
 };
 
 /// One line of an event file, without its end: {"event":"key","name":"Tab","value":1}.

@@ -30,7 +30,7 @@ public:
     virtual void meet(ExerciseHost& host) = 0;
     /// As report and recording call whoever operated: "person".
     [[nodiscard]] virtual std::string name() const = 0;
-    /// With which device: "mouse", "gamepad".
+    /// With which device: "mouse", "gamepad", "vrpn".
     [[nodiscard]] virtual std::string device() const = 0;
     /// How it kept to the wall clock; none: there was none.
     [[nodiscard]] virtual std::optional<Pace> pace() const { return std::nullopt; }

@@ -3,18 +3,16 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
 #include "base/output_file.hpp"
-#include "base/text_file.hpp"
+#include "tracking/json_fields.hpp"
 
 namespace rhexis::tracking {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t longest_file = 1 << 20;  ///< [bytes]
 constexpr std::size_t fewest_cameras = 2;
 constexpr std::size_t most_cameras = 16;
 constexpr std::size_t fewest_markers = 3;
@@ -36,103 +34,6 @@ constexpr std::array<LensField, 9> lens_fields{{{"fx", &Lens::fx},
                                                 {"p1", &Lens::p1},
                                                 {"p2", &Lens::p2},
                                                 {"k3", &Lens::k3}}};
-
-Result<Json> read_json(const std::string& path) {
-    const Result<std::string> text = read_text_file(path, longest_file);
-    if (!text) {
-        return text.error();
-    }
-    Json json = Json::parse(without_mark(text.value()), nullptr, false);
-    if (!json.is_object()) {
-        return Error{"this is not an object of JSON", path, "{...}"};
-    }
-    return json;
-}
-
-/// Fields of one object, until one is wrong.
-class Fields {
-public:
-    Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
-
-    double number(const char* name, double low, double high, std::optional<double> otherwise = {}) {
-        if (otherwise && !json_.contains(name)) {
-            return *otherwise;
-        }
-        const auto found = json_.find(name);
-        if (found == json_.end() || !found->is_number() || !(found->get<double>() >= low) ||
-            !(found->get<double>() <= high)) {
-            refuse(name, "a number, " + range_text(low, high));
-            return low;
-        }
-        return found->get<double>();
-    }
-    int whole(const char* name, int low, int high) {
-        const double given = number(name, low, high);
-        if (given != std::floor(given)) {
-            refuse(name, "a whole number, " + range_text(low, high));
-        }
-        return static_cast<int>(given);
-    }
-    std::string text(const char* name) {
-        const auto found = json_.find(name);
-        if (found == json_.end() || !found->is_string() || found->get<std::string>().empty()) {
-            refuse(name, "a text");
-            return "";
-        }
-        return found->get<std::string>();
-    }
-    VecX numbers(const char* name, int count, double largest) {
-        const auto found = json_.find(name);
-        VecX all = VecX::Zero(count);
-        if (found == json_.end() || !read_numbers(*found, largest, all)) {
-            refuse(name, std::to_string(count) + " numbers, " + range_text(-largest, largest));
-        }
-        return all;
-    }
-    std::vector<Vec3> points(const char* name, double largest) {
-        std::vector<Vec3> all;
-        const auto found = json_.find(name);
-        const bool listed = found != json_.end() && found->is_array();
-        for (std::size_t i = 0; listed && i < found->size(); ++i) {
-            VecX point = VecX::Zero(3);
-            if (!read_numbers((*found)[i], largest, point)) {
-                refuse(name, "points of 3 numbers, " + range_text(-largest, largest));
-            }
-            all.emplace_back(point);
-        }
-        if (!listed) {
-            refuse(name, "a list of points");
-        }
-        return all;
-    }
-    void refuse(const char* name, std::string allowed) {
-        if (!wrong_) {
-            const auto found = json_.find(name);
-            const std::string given = found == json_.end() ? "is missing" : "is " + found->dump();
-            wrong_ = Error{std::string("\"") + name + "\" " + given, where_, std::move(allowed)};
-        }
-    }
-    [[nodiscard]] Status status() const { return wrong_ ? Status(*wrong_) : success(); }
-
-private:
-    static bool read_numbers(const Json& list, double largest, VecX& all) {
-        if (!list.is_array() || static_cast<Eigen::Index>(list.size()) != all.size()) {
-            return false;
-        }
-        for (Eigen::Index i = 0; i < all.size(); ++i) {
-            const Json& number = list[static_cast<std::size_t>(i)];
-            if (!number.is_number() || !(std::abs(number.get<double>()) <= largest)) {
-                return false;
-            }
-            all[i] = number.get<double>();
-        }
-        return true;
-    }
-
-    const Json& json_;
-    std::string where_;
-    std::optional<Error> wrong_{};
-};
 
 Json json_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
@@ -176,7 +77,7 @@ Status check_cameras(const std::vector<Camera>& cameras, const std::string& path
 }  // namespace
 
 Result<Rig> read_rig(const std::string& path) {
-    const Result<Json> json = read_json(path);
+    const Result<Json> json = read_json_object(path);
     if (!json) {
         return json.error();
     }
@@ -217,7 +118,7 @@ Status write_rig(const Rig& rig, const std::string& path) {
 }
 
 Result<MarkerBody> read_marker_body(const std::string& path) {
-    const Result<Json> json = read_json(path);
+    const Result<Json> json = read_json_object(path);
     if (!json) {
         return json.error();
     }

@@ -252,6 +252,11 @@ Pose Tracker::head_frame() {
     return resting_head_.mean().value_or(track.shown);
 }
 
+std::optional<Pose> Tracker::in_rig(int body) const {
+    const Track& track = tracks_[static_cast<std::size_t>(body)];
+    return track.seen == Seen::lost ? std::nullopt : std::optional<Pose>(track.shown);
+}
+
 void Tracker::tell() {
     told_.time_s = time_s_;
     const bool relative = head_.has_value();

@@ -52,6 +52,8 @@ public:
     /// exposure before the last step's is left out.
     const TrackedBodies& step(std::span<const CameraSpots> exposures);
 
+    /// Where a body is in the rig, though all are told relative to the head; none: it is lost.
+    [[nodiscard]] std::optional<Pose> in_rig(int body) const;
     /// All sightings of the last step.
     [[nodiscard]] const std::vector<CameraOffset>& offsets() const { return offsets_; }
     [[nodiscard]] const std::vector<MarkerBody>& bodies() const { return bodies_; }

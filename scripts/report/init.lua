@@ -31,8 +31,8 @@ local function who(report)
         novice = "virtual novice (fewer than 50 operations)", expert = "virtual expert (over 500 operations)",
         none = "trainee", person = "trainee" }
     local name = surgeons[report.surgeon] or not report.surgeon and "trainee"
-    local with = report.surgeon == "person" and report.input
-        and t(" (" .. (report.input == "gamepad" and "with a gamepad" or "with a mouse") .. ")") or ""
+    local devices = { mouse = "with a mouse", gamepad = "with a gamepad", vrpn = "with tracked instruments" }
+    local with = report.surgeon == "person" and devices[report.input] and t(" (" .. devices[report.input] .. ")") or ""
     return (name and t(name) or report.surgeon) .. with
 end
 

@@ -145,6 +145,50 @@ void draw_meeting_place(const Shown& shown) {
                                               ImGui::ColorConvertFloat4ToU32(to_learn), 0, 2.0F);
 }
 
+/// Where the instrument of a hand is seen while it waits to be met; none: it is not seen.
+std::optional<Pose> seen_for(const Shown& shown, const HandState& hand) {
+    if (hand.instrument < 0) {
+        return std::nullopt;
+    }
+    std::optional<Pose> seen = shown.hands.tracked->seen[static_cast<std::size_t>(hand.instrument)];
+    if (seen) {
+        seen->position += shown.hands.tracked->shift;
+    }
+    return seen;
+}
+
+/// What each hand has to meet, and where it is: its tip, and its shaft as far as it shows.
+void draw_tracked_places(const Shown& shown) {
+    constexpr float tip_radius = 3.0F;
+    constexpr double shaft_mm = 6.0;
+    ImDrawList& drawn = *ImGui::GetBackgroundDrawList();
+    const ImU32 colour = ImGui::ColorConvertFloat4ToU32(to_learn);
+    for (const HandState& hand : shown.hands.hands) {
+        if (hand.instrument < 0) {
+            continue;
+        }
+        drawn.AddCircle(in_window(shown, hand.tip), std::max(5.0F, pixels_of(shown, hand.tip, meets_within_mm)), colour,
+                        0, 2.0F);
+        if (const std::optional<Pose> seen = seen_for(shown, hand)) {
+            drawn.AddCircleFilled(in_window(shown, seen->position), tip_radius, colour);
+            drawn.AddLine(in_window(shown, seen->position), in_window(shown, seen->to_world({0.0, 0.0, shaft_mm})),
+                          colour, 1.5F);
+        }
+    }
+}
+
+/// What a picture from above does not show: how much higher, and how far to turn, the roll included.
+std::string way_to(const HandState& hand, const Pose& seen, const Words& words) {
+    const double higher = hand.tip.z() - seen.position.z();
+    std::string text =
+        words(higher > 0.0 ? "%s mm higher" : "%s mm lower", {short_number(0.1 * std::round(10.0 * std::abs(higher)))});
+    const double turn = degrees_between(hand.orientation, seen.orientation);
+    if (turn > meets_within_deg) {
+        text += ", " + words("%s degrees to turn", {short_number(std::round(turn))});
+    }
+    return text;
+}
+
 /// What a press of a key, a button or an axis says of an input: its name, and -1 where the other way was pushed.
 std::optional<std::pair<std::string, double>> input_of(const UserEvent& event, ControlKind kind) {
     if (event.kind == EventKind::wheel && kind == ControlKind::notch) {
@@ -225,9 +269,25 @@ void Panels::draw_state(const Shown& shown, const DrawingRate& rate) const {
     ImGui::End();
 }
 
+/// Why the clock stands, where instruments are seen by a tracking system.
+void Panels::draw_standstill(const Shown& shown) const {
+    const Standstill& why = shown.hands.tracked->why;
+    if (!why.text.empty()) {
+        ImGui::TextColored(warning, "%s", words_(why.text, {words_.instrument(why.of)}).c_str());
+    }
+    for (const HandState& hand : shown.hands.hands) {
+        if (const std::optional<Pose> seen = seen_for(shown, hand)) {
+            const std::string& name = shown.stand->instruments[static_cast<std::size_t>(hand.instrument)].name;
+            ImGui::TextColored(to_learn, "%s: %s", words_.instrument(name).c_str(),
+                               way_to(hand, *seen, words_).c_str());
+        }
+    }
+}
+
 void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& next) const {
     const bool noticed = wall_seconds() < notice_until_s_;
-    if (!next && shown.warnings.empty() && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
+    const bool stands = shown.hands.tracked && shown.waits && !shown.hands.paused;
+    if (!next && !stands && shown.warnings.empty() && shown.lines.empty() && shown.hands.word.empty() && !noticed) {
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();
@@ -238,6 +298,9 @@ void Panels::draw_lines(const Shown& shown, const std::optional<std::string>& ne
     ImGui::PushTextWrapPos(0.3F * io.DisplaySize.x);
     if (next) {
         ImGui::TextColored(to_learn, "%s", next->c_str());
+    }
+    if (stands) {
+        draw_standstill(shown);
     }
     for (const std::string& one : shown.warnings) {
         ImGui::TextColored(warning, "! %s", one.c_str());
@@ -422,8 +485,10 @@ std::vector<UserEvent> Panels::draw(const Shown& shown, const Ghost* ghost, cons
         draw_ghost(shown, *ghost);
     }
     draw_force(shown);
-    if (shown.waits && !shown.hands.paused &&
-        shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)].instrument >= 0) {
+    if (shown.hands.tracked && shown.waits) {
+        draw_tracked_places(shown);
+    } else if (shown.waits && !shown.hands.paused &&
+               shown.hands.hands[static_cast<std::size_t>(shown.hands.moving)].instrument >= 0) {
         draw_meeting_place(shown);
     }
     draw_state(shown, rate);

@@ -50,6 +50,7 @@ public:
 
 private:
     void draw_state(const Shown& shown, const DrawingRate& rate) const;
+    void draw_standstill(const Shown& shown) const;
     /// next: for hands to learn.
     void draw_lines(const Shown& shown, const std::optional<std::string>& next) const;
     void draw_break(const Shown& shown, std::vector<UserEvent>& clicked);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lua/exercise_host.hpp"
+#include "station/person.hpp"
 
 namespace rhexis::station {
 namespace {
@@ -14,7 +15,7 @@ nlohmann::json events_header(const StationOptions& options, const Mapping& mappi
     header["curriculum"] = options.attempt.exercise.curriculum;
     header["seed"] = options.attempt.exercise.seed;
     header["set"] = options.attempt.exercise.set;
-    header["input"] = options.pad ? "gamepad" : "mouse";
+    header["input"] = device_of(options);
     header["mapping"] = mapping.to_json();
     return header;
 }
@@ -55,7 +56,8 @@ Status read_exercise(const StationOptions& options, Prepared& prepared) {
     }
     prepared.title = host.value().identity().value("title", std::string());
     prepared.step_s = host.value().scene().step_s;
-    const std::vector<std::string>& instruments = host.value().scene().instruments;
+    prepared.instruments = host.value().scene().instruments;
+    const std::vector<std::string>& instruments = prepared.instruments;
     if (!options.ghost.empty()) {
         Result<Ghost> ghost = Ghost::read(options.ghost, instruments);
         if (!ghost) {
@@ -106,6 +108,10 @@ Result<Prepared> prepare(const StationOptions& options) {
     }
     const Status given = read_exercise(options, prepared);
     return given ? Result<Prepared>(std::move(prepared)) : given.error();
+}
+
+std::string device_of(const StationOptions& options) {
+    return options.tracked ? tracked_device : options.pad ? "gamepad" : "mouse";
 }
 
 bool operates(const StationOptions& options) { return !options.again && (options.by.empty() || options.typed); }

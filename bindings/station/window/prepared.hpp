@@ -19,6 +19,7 @@ namespace rhexis::station {
 struct Prepared {
     std::string title;  ///< of the exercise
     double step_s = 0.01;
+    std::vector<std::string> instruments;  ///< of the scene
     std::string mapping_file;
     Mapping mapping;
     std::vector<MappingOffer> offers;
@@ -31,6 +32,9 @@ struct Prepared {
 };
 
 Result<Prepared> prepare(const StationOptions& options);
+
+/// As reports and events call what is operated with.
+std::string device_of(const StationOptions& options);
 
 /// What comes from the devices counts: a person's, or what is typed in a person's place.
 bool operates(const StationOptions& options);

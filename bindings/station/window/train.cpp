@@ -10,6 +10,7 @@
 #include "station/person.hpp"
 #include "station/scripted.hpp"
 #include "station/station.hpp"
+#include "station/tracked_source.hpp"
 #include "station/window/cut_short.hpp"
 #include "station/window/drawing_thread.hpp"
 #include "station/window/prepared.hpp"
@@ -71,11 +72,20 @@ void look_on(const StationOptions& options, Desk& desk, Window& window, DrawingT
     window.take_cursor(false);
 }
 
+Result<std::unique_ptr<EventSource>> make_tracked(const StationOptions& options, const Prepared& prepared, Desk& desk) {
+    Result<std::unique_ptr<TrackedSource>> made = TrackedSource::create(
+        desk, {options.tracked_at, options.registration, prepared.instruments}, {.step_s = prepared.step_s});
+    return made ? Result<std::unique_ptr<EventSource>>(std::move(made).value()) : made.error();
+}
+
 Result<std::unique_ptr<EventSource>> make_source(const StationOptions& options, const Prepared& prepared, Desk& desk,
                                                  const Window& window) {
     const double step_s = prepared.step_s;
     if (options.again) {
         return std::unique_ptr<EventSource>(std::make_unique<Steps>(*prepared.file));
+    }
+    if (options.tracked) {
+        return make_tracked(options, prepared, desk);
     }
     if (options.by.empty()) {
         return std::unique_ptr<EventSource>(std::make_unique<WallClock>(desk, step_s));
@@ -140,7 +150,7 @@ Result<AttemptResult> train(const StationOptions& options) {
         return begun.error();
     }
     const PersonOptions of_person{prepared.mapping,
-                                  options.pad ? "gamepad" : "mouse",
+                                  device_of(options),
                                   options.attempt.exercise.root,
                                   static_cast<std::uint64_t>(options.picture_every),
                                   is_stepped(options),

@@ -58,6 +58,7 @@ return {
     [" and "] = " et ",
     [" (with a mouse)"] = " (à la souris)",
     [" (with a gamepad)"] = " (à la manette)",
+    [" (with tracked instruments)"] = " (avec des instruments suivis)",
     ["no comparison: with aids"] = "sans comparaison : avec des aides",
     ["no comparison: no cohort of people with this device"] =
         "sans comparaison : pas de cohorte de personnes avec cet appareil",

@@ -110,6 +110,19 @@ return {
     ["Irrigation on: %s; aspiration: %s"] = "Irrigation : %s ; aspiration : %s",
     ["Close the jaws, press or push: %s"] = "Fermez les mors, pressez ou poussez : %s",
 
+    -- instruments that a tracking system sees
+    ["the link is lost: %s"] = "la liaison est perdue : %s",
+    ["no link yet: %s"] = "pas encore de liaison : %s",
+    ["no pose has come yet"] = "aucune pose n'est encore arrivée",
+    ["the clock of the tracking system was set"] = "l'horloge du système de suivi a été réglée",
+    ["the tracking system says: %s"] = "le système de suivi dit : %s",
+    ["%s is lost"] = "%s est perdu de vue",
+    ["%s was seen to leap"] = "%s a été vu faire un saut",
+    ["%s is not seen"] = "%s n'est pas vu",
+    ["bring %s to where it is shown"] = "%s : ramenez l'instrument là où il est montré",
+    ["%s degrees to turn"] = "tourner de %s degrés",
+    ["no instrument is seen"] = "aucun instrument n'est vu",
+
     -- where the tip is to be
     ["%s mm higher"] = "%s mm plus haut",
     ["%s mm lower"] = "%s mm plus bas",

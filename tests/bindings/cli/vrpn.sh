@@ -43,11 +43,12 @@ expect 1 "no VRPN server has answered yet" "$rhexis" vrpn listen "localhost:$por
 expect 2 "no VRPN server: 'nowhere' (ADDRESS" "$rhexis" vrpn listen nowhere probe
 expect 2 "device is required" "$rhexis" vrpn listen localhost
 expect 2 "nowhere.rhx" "$rhexis" vrpn serve "$work/nowhere.rhx"
+expect 2 "--from is 7000" "$rhexis" vrpn serve "$work/run" --from 7000
 expect 2 "no address: here:3883" "$rhexis" vrpn serve "$work/run" --address here
 python3 -c 'import socket, sys, time
 s = socket.socket(); s.bind(("127.0.0.1", 0)); s.listen(); print(s.getsockname()[1], flush=True); time.sleep(20)' >"$work/taken" &
 taken=$!
-sleep 0.5
+for _ in $(seq 200); do [ -s "$work/taken" ] && break; sleep 0.05; done
 expect 2 "in use" "$rhexis" vrpn serve "$work/run" --port "$(cat "$work/taken")"
 kill "$taken"
 finished

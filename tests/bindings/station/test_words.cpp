@@ -71,6 +71,9 @@ TEST_CASE("all that the window says is there in French") {
             }
         }
     }
+    for (const std::string& text : texts_in(source("../../kernel/input/tracked_hands.cpp"))) {
+        CHECK_MESSAGE((!is_read(text) || words.has(text)), text);
+    }
     CHECK(read > 30);
     const std::regex told("tell\\(\\s*\"([^\"]+)\"");
     for (const char* file : {"hands.cpp", "person.cpp", "instructor.cpp"}) {

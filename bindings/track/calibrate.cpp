@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis track calibrate, pivot, begin and print.
+#include <cstdio>
+#include <filesystem>
+
+#include "base/output_file.hpp"
+#include "track/commands.hpp"
+#include "tracking/calibration/pivot.hpp"
+#include "tracking/calibration/rig_calibration.hpp"
+#include "tracking/marker_body_stl.hpp"
+#include "tracking/synthetic/bodies.hpp"
+#include "tracking/synthetic/synthetic_rig.hpp"
+#include "trial/progress.hpp"
+
+namespace rhexis::tracking {
+
+Status calibrate(const CalibrateOptions& options) {
+    const Result<Setup> setup = read_setup(options.setup);
+    if (!setup) {
+        return setup.error();
+    }
+    Result<CalibrationReport> report = Error{"nothing was done", "", ""};
+    {
+        Progress progress("calibrate");
+        report = calibrate_setup(setup.value(), options.seconds, options.refine_lenses,
+                                 [&progress](double share) { progress.show(share, "wave the wand everywhere"); });
+    }
+    if (!report) {
+        return report.error();
+    }
+    const std::string rig = options.rig.empty() ? setup.value().rig_path : options.rig;
+    const std::string page =
+        options.page.empty() ? (std::filesystem::path(rig).parent_path() / "calibration.html").string() : options.page;
+    if (const Status written = write_rig(report.value().wand.rig, rig); !written) {
+        return written.error();
+    }
+    if (const Status written = write_file(page, calibration_page(report.value())); !written) {
+        return written.error();
+    }
+    const WandCalibration& wand = report.value().wand;
+    std::printf("%s: residual %.3f pixels, scale to %.4f %%, %d exposures (%d left out), %.2f s\n", rig.c_str(),
+                wand.residual_px, 100.0 * wand.scale_sigma, wand.frames_used, wand.frames_dropped, wand.seconds);
+    for (const std::string& advice : calibration_advice(report.value())) {
+        std::printf("  %s\n", advice.c_str());
+    }
+    std::printf("%s\n", page.c_str());
+    return success();
+}
+
+namespace {
+
+Result<std::vector<Pose>> poses_of(const Setup& setup, int body, double seconds) {
+    Result<std::unique_ptr<SpotSource>> source = open_source(setup);
+    if (!source) {
+        return source.error();
+    }
+    // In the rig, so that a head that is not there is not missed.
+    Tracker tracker(setup.rig, setup.bodies, std::nullopt, TrackerSettings{});
+    std::vector<CameraSpots> exposures;
+    std::vector<Pose> poses;
+    Progress progress("pivot");
+    for (;;) {
+        const Result<bool> more = source.value()->next(exposures);
+        if (!more) {
+            return more.error();
+        }
+        if (!more.value()) {
+            return poses;
+        }
+        const TrackedBodies& told = tracker.step(exposures);
+        const TrackedBody& one = told.bodies[static_cast<std::size_t>(body)];
+        if (one.seen == Seen::seen) {
+            poses.push_back(one.pose);
+        }
+        progress.show(told.time_s / seconds, "turn it about its tip");
+        if (told.time_s >= seconds) {
+            return poses;
+        }
+    }
+}
+
+Result<int> body_named(const Setup& setup, const std::string& name) {
+    std::string known;
+    for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+        if (setup.bodies[i].name == name) {
+            return static_cast<int>(i);
+        }
+        known += (known.empty() ? "" : ", ") + setup.bodies[i].name;
+    }
+    return Error{"there is no body \"" + name + "\"", setup.path, known};
+}
+
+}  // namespace
+
+Status pivot(const PivotOptions& options) {
+    Result<Setup> setup = read_setup(options.setup);
+    if (!setup) {
+        return setup.error();
+    }
+    const Result<int> index = body_named(setup.value(), options.body);
+    if (!index) {
+        return index.error();
+    }
+    const Result<std::vector<Pose>> poses = poses_of(setup.value(), index.value(), options.seconds);
+    if (!poses) {
+        return poses.error();
+    }
+    const Result<PivotCalibration> found = calibrate_pivot(poses.value());
+    if (!found) {
+        return found.error();
+    }
+    const auto place = static_cast<std::size_t>(index.value());
+    MarkerBody& body = setup.value().bodies[place];
+    body.tip.position = found.value().tip;
+    const std::string& path = setup.value().body_paths[place];
+    if (const Status written = write_marker_body(body, path); !written) {
+        return written.error();
+    }
+    std::printf("%s: tip at %.3f %.3f %.3f mm, to %.3f mm (%zu poses, residual %.3f mm)\n", path.c_str(),
+                body.tip.position.x(), body.tip.position.y(), body.tip.position.z(), found.value().tip_sigma_mm,
+                poses.value().size(), found.value().residual_mm);
+    return success();
+}
+
+Status begin(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code wrong;
+    fs::create_directories(folder, wrong);
+    if (wrong || !fs::is_empty(folder, wrong)) {
+        return Error{"this folder cannot be begun in", folder, "one that is empty, or not there yet"};
+    }
+    const Result<synthetic::SyntheticRig> rig = synthetic::SyntheticRig::create(1);
+    if (!rig) {
+        return rig.error();
+    }
+    std::string names;
+    for (const MarkerBody& body : synthetic::standard_bodies()) {
+        const std::string file = body.name + ".json";
+        if (const Status written = write_marker_body(body, folder + "/" + file); !written) {
+            return written.error();
+        }
+        names += (names.empty() ? "\"" : ", \"") + file + "\"";
+    }
+    if (const Status written = write_rig(rig.value().nominal, folder + "/rig.json"); !written) {
+        return written.error();
+    }
+    const std::string setup = "{\n \"rig\": \"rig.json\",\n \"bodies\": [" + names +
+                              "],\n \"head\": \"head\",\n"
+                              " \"source\": {\"kind\": \"synthetic\", \"seed\": 1, \"clip\": \"tremor\"},\n"
+                              " \"serve\": {\"address\": \"127.0.0.1\", \"vrpn\": 3883}\n}\n";
+    if (const Status written = write_file(folder + "/track.json", setup); !written) {
+        return written.error();
+    }
+    std::printf("%s/track.json: next, rhexis track calibrate %s/track.json\n", folder.c_str(), folder.c_str());
+    return success();
+}
+
+Status print_body(const std::string& body, const std::string& stl) {
+    const Result<MarkerBody> read = read_marker_body(body);
+    if (!read) {
+        return read.error();
+    }
+    const Result<std::string> shape = marker_body_stl(read.value());
+    if (!shape) {
+        return shape.error();
+    }
+    return write_file(stl, shape.value());
+}
+
+}  // namespace rhexis::tracking

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions that the shared object shows.
+#include "track/commands.hpp"
+
+extern "C" {
+
+[[gnu::visibility("default")]] void rhexis_tracking_track(const rhexis::tracking::TrackOptions& options,
+                                                          rhexis::Status& status) {
+    status = rhexis::tracking::track(options);
+}
+[[gnu::visibility("default")]] void rhexis_tracking_calibrate(const rhexis::tracking::CalibrateOptions& options,
+                                                              rhexis::Status& status) {
+    status = rhexis::tracking::calibrate(options);
+}
+[[gnu::visibility("default")]] void rhexis_tracking_pivot(const rhexis::tracking::PivotOptions& options,
+                                                          rhexis::Status& status) {
+    status = rhexis::tracking::pivot(options);
+}
+[[gnu::visibility("default")]] void rhexis_tracking_begin(const std::string& folder, rhexis::Status& status) {
+    status = rhexis::tracking::begin(folder);
+}
+[[gnu::visibility("default")]] void rhexis_tracking_print(const std::string& body, const std::string& stl,
+                                                          rhexis::Status& status) {
+    status = rhexis::tracking::print_body(body, stl);
+}
+
+}  // extern "C"

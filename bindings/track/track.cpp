@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// rhexis track: exposures in, poses out, until it is ended.
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <deque>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/clock.hpp"
+#include "track/commands.hpp"
+#include "track/server.hpp"
+#include "track/status.hpp"
+#include "tracking/annotated.hpp"
+#include "tracking/calibration/drift_watch.hpp"
+
+namespace rhexis::tracking {
+namespace {
+
+volatile std::sig_atomic_t asked_to_end = 0;
+
+std::int64_t time_of_day_us() {
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
+}
+
+/// Medians of what each set of exposures took, and how many there are in a second.
+class Rate {
+public:
+    void note(double now_s, double took_s) {
+        recent_.push_back({now_s, took_s});
+        while (now_s - recent_.front().now_s > 1.0) {
+            recent_.pop_front();
+        }
+    }
+    [[nodiscard]] double per_s() const {
+        const double passed_s = recent_.empty() ? 0.0 : recent_.back().now_s - recent_.front().now_s;
+        return passed_s > 0.0 ? static_cast<double>(recent_.size() - 1) / passed_s : 0.0;
+    }
+    [[nodiscard]] double median_ms() const {
+        std::vector<double> all;
+        for (const Noted& one : recent_) {
+            all.push_back(one.took_s);
+        }
+        if (all.empty()) {
+            return 0.0;
+        }
+        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+        std::nth_element(all.begin(), middle, all.end());
+        return 1e3 * *middle;
+    }
+
+private:
+    struct Noted {
+        double now_s;
+        double took_s;
+    };
+    std::deque<Noted> recent_{};
+};
+
+void print_json(const TrackedBodies& told, const std::vector<MarkerBody>& bodies) {
+    nlohmann::json line{{"time_s", told.time_s}, {"bodies", nlohmann::json::object()}};
+    for (std::size_t i = 0; i < told.bodies.size(); ++i) {
+        const TrackedBody& body = told.bodies[i];
+        const Quat& turned = body.tip.orientation;
+        const Vec3& tip = body.tip.position;
+        line["bodies"][bodies[i].name] =
+            body.seen == Seen::lost
+                ? nlohmann::json{{"seen", "lost"}}
+                : nlohmann::json{{"seen", body.seen == Seen::seen ? "seen" : "held"},
+                                 {"tip_mm", {tip.x(), tip.y(), tip.z()}},
+                                 {"orientation_xyzw", {turned.x(), turned.y(), turned.z(), turned.w()}},
+                                 {"cameras", body.cameras},
+                                 {"residual_px", body.residual_px}};
+    }
+    std::printf("%s\n", line.dump().c_str());
+}
+
+class Tracking {
+public:
+    Tracking(const TrackOptions& options, const Setup& setup, std::unique_ptr<SpotSource> source,
+             std::optional<Server> server)
+        : options_(options),
+          setup_(setup),
+          source_(std::move(source)),
+          server_(std::move(server)),
+          tracker_(setup.rig, setup.bodies, setup.head, TrackerSettings{}),
+          lines_(setup),
+          paced_(!options.as_fast_as_can_be && !std::holds_alternative<CapturePlan>(setup.source)) {}
+
+    Status run() {
+        const double begun_s = wall_seconds();
+        while (asked_to_end == 0) {
+            const double work_began_s = thread_cpu_seconds();
+            const Result<bool> more = source_->next(exposures_);
+            if (!more) {
+                return more.error();
+            }
+            if (!more.value()) {
+                break;
+            }
+            const TrackedBodies& told = tracker_.step(exposures_);
+            rate_.note(wall_seconds(), thread_cpu_seconds() - work_began_s);
+            wait_until(begun_s + told.time_s);
+            tell(told);
+            if (options_.seconds > 0.0 && told.time_s >= options_.seconds) {
+                break;
+            }
+        }
+        linger();
+        return options_.picture.empty() ? success() : draw();
+    }
+
+private:
+    /// Recorded or synthetic exposures come when they would have come; meanwhile the network is served.
+    void wait_until(double due_s) {
+        do {
+            turn();
+            if (!paced_ || wall_seconds() >= due_s) {
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::microseconds(500));
+        } while (asked_to_end == 0);
+    }
+
+    void turn() {
+        if (server_) {
+            server_->turn(wall_seconds(), time_of_day_us());
+            for (const std::string& note : server_->take_notes()) {
+                std::fprintf(stderr, "rhexis: a listener: %s\n", note.c_str());
+            }
+        }
+    }
+
+    void linger() {
+        constexpr double enough_s = 0.2;  // listeners have the last of it
+        for (const double begun_s = wall_seconds(); server_ && wall_seconds() - begun_s < enough_s;) {
+            turn();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+
+    void tell(const TrackedBodies& told) {
+        look_after(told.time_s);
+        if (server_) {
+            server_->tell(told, time_of_day_us(), wall_seconds());
+            server_->warn(warning_, time_of_day_us());
+            turn();
+        }
+        if (options_.json) {
+            print_json(told, setup_.bodies);
+        }
+        if (told.time_s - shown_s_ >= 0.2 || shown_s_ < 0.0) {
+            shown_s_ = told.time_s;
+            lines_.show(told, {rate_.per_s(), rate_.median_ms(), source_->lost(), server_ ? server_->listeners() : 0,
+                               warning_});
+        }
+    }
+
+    /// Which camera sees all bodies beside where the others have them.
+    void look_after(double time_s) {
+        std::vector<CameraResidual> residuals(setup_.rig.cameras.size());
+        for (const CameraOffset& offset : tracker_.offsets()) {
+            CameraResidual& one = residuals[static_cast<std::size_t>(offset.camera)];
+            one.mean_px += offset.off;
+            ++one.count;
+        }
+        for (CameraResidual& one : residuals) {
+            one.mean_px /= std::max(one.count, 1);
+        }
+        watch_.add(drifts_, time_s, residuals);
+        const std::optional<Drift> drift = watch_.drift(drifts_);
+        warning_.clear();
+        if (drift) {
+            const std::string& name = setup_.rig.cameras[static_cast<std::size_t>(drift->camera)].name;
+            std::array<char, 160> text{};
+            std::snprintf(text.data(), text.size(),
+                          drift->alone ? "%s was moved: it sees all %.1f pixels off"
+                                       : "the rig is off, %s most, by %.1f pixels: calibrate",
+                          name.c_str(), drift->median_px.norm());
+            warning_ = text.data();
+        }
+    }
+
+    Status draw() {
+        std::vector<Pose> poses;
+        std::vector<bool> seen;
+        for (std::size_t i = 0; i < setup_.bodies.size(); ++i) {
+            const std::optional<Pose> pose = tracker_.in_rig(static_cast<int>(i));
+            poses.push_back(pose.value_or(Pose{}));
+            seen.push_back(pose.has_value());
+        }
+        return write_annotated(options_.picture, setup_, exposures_, source_->images(), poses, seen);
+    }
+
+    const TrackOptions& options_;
+    const Setup& setup_;
+    std::unique_ptr<SpotSource> source_;
+    std::optional<Server> server_;
+    Tracker tracker_;
+    StatusLines lines_;
+    bool paced_;
+    Rate rate_{};
+    DriftWatch watch_{};
+    DriftState drifts_{};
+    std::string warning_{};
+    std::vector<CameraSpots> exposures_{};
+    double shown_s_ = -1.0;
+};
+
+}  // namespace
+
+Status track(const TrackOptions& options) {
+    const Result<Setup> setup = read_setup(options.setup);
+    if (!setup) {
+        return setup.error();
+    }
+    if (!setup.value().rig.calibrated) {
+        return Error{"this rig is not calibrated", setup.value().rig_path, "rhexis track calibrate " + options.setup};
+    }
+    Result<std::unique_ptr<SpotSource>> source = open_source(setup.value());
+    if (!source) {
+        return source.error();
+    }
+    std::optional<Server> server;
+    if (!options.silent) {
+        Result<Server> opened = Server::open(setup.value());
+        if (!opened) {
+            return opened.error();
+        }
+        server.emplace(std::move(opened).value());
+        std::fprintf(stderr, "told at %s\n", server->places().c_str());
+    }
+    std::signal(SIGINT, [](int) { asked_to_end = 1; });
+    std::signal(SIGTERM, [](int) { asked_to_end = 1; });
+    return Tracking(options, setup.value(), std::move(source).value(), std::move(server)).run();
+}
+
+}  // namespace rhexis::tracking

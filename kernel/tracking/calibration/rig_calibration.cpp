@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tracking/calibration/rig_calibration.hpp"
+
+#include "tracking/sources/synthetic_source.hpp"
+
+namespace rhexis::tracking {
+namespace {
+
+/// One view of each camera that sees as many spots as the wand has spheres.
+WandFrame frame_of(const std::vector<CameraSpots>& exposures, std::size_t spheres) {
+    WandFrame frame;
+    for (const CameraSpots& exposure : exposures) {
+        if (exposure.spots.size() != spheres) {
+            continue;
+        }
+        WandView view{exposure.camera, {}};
+        for (const Spot& spot : exposure.spots) {
+            view.spots.push_back(spot.at);
+        }
+        frame.views.push_back(std::move(view));
+    }
+    return frame;
+}
+
+Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds, const std::function<void(double)>& progress) {
+    Result<std::unique_ptr<SpotSource>> source = open_wand(setup);
+    if (!source) {
+        return source.error();
+    }
+    std::vector<WandFrame> frames;
+    std::vector<CameraSpots> exposures;
+    const double most = seconds * source.value()->rate_hz();
+    for (double count = 0.0; count < most; count += 1.0) {
+        const Result<bool> more = source.value()->next(exposures);
+        if (!more) {
+            return more.error();
+        }
+        if (!more.value()) {
+            break;
+        }
+        frames.push_back(frame_of(exposures, setup.wand_mm.size()));
+        progress(count / most);
+    }
+    return frames;
+}
+
+Status find_lenses(const SyntheticPlan& plan, Rig& rig) {
+    constexpr int views = 24;
+    constexpr double noise_px = 0.02;
+    const GridPlan board{13, 9, 14.0, GridKind::dots};
+    const Result<synthetic::SyntheticRig> true_rig = synthetic::SyntheticRig::create(plan.seed);
+    if (!true_rig) {
+        return true_rig.error();
+    }
+    for (std::size_t i = 0; i < rig.cameras.size() && i < true_rig.value().cameras.size(); ++i) {
+        const std::vector<BoardView> held =
+            synthetic::held_board(true_rig.value().cameras[i], board, views, noise_px, plan.seed * 100U + i);
+        const Result<LensCalibration> lens = calibrate_lens(held, board);
+        if (!lens) {
+            return lens.error();
+        }
+        rig.cameras[i].lens = lens.value().lens;
+    }
+    return success();
+}
+
+}  // namespace
+
+Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bool refine_lenses,
+                                          const std::function<void(double)>& progress) {
+    Rig given = setup.rig;
+    if (const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source)) {
+        if (const Status found = find_lenses(*synthetic, given); !found) {
+            return found.error();
+        }
+    }
+    const Result<std::vector<WandFrame>> frames = watch(setup, seconds, progress);
+    if (!frames) {
+        return frames.error();
+    }
+    Wand wand;
+    wand.at_mm = setup.wand_mm;
+    WandSettings settings;
+    settings.refine_lenses = refine_lenses;
+    Result<WandCalibration> calibrated = calibrate_wand(given, wand, frames.value(), settings);
+    if (!calibrated) {
+        return calibrated.error();
+    }
+    CalibrationReport report;
+    report.title = setup.rig_path;
+    report.coverage = wand_coverage(calibrated.value().rig, frames.value());
+    report.wand = std::move(calibrated).value();
+    report.wand.rig.calibrated = true;
+    return report;
+}
+
+}  // namespace rhexis::tracking
