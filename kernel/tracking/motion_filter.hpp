@@ -8,7 +8,7 @@ namespace rhexis::tracking {
 
 struct FilterSettings {
     double position_gain = 1.0;  ///< of what a pose says against what was foreseen, 0 to 1; 1: poses as they are fitted
-    double velocity_gain = 0.3;  ///< likewise of the motion, by which the next one is foreseen, 0 to 1
+    double velocity_gain = 0.7;  ///< likewise of the motion, by which the next one is foreseen, 0 to 1
 };
 
 /// An alpha-beta filter of position and turn, which lags behind no steady motion [Kalata1984].

@@ -30,6 +30,22 @@ double middle_time(std::span<const CameraSpots> exposures) {
 
 }  // namespace
 
+double believed_sigma(const Spot& spot, double area, double smear_px, const TrackerSettings& settings) {
+    // What a spot that moves covers: the disc, and its width as far as it went.
+    const double width_px = 2.0 * (std::sqrt(area / std::numbers::pi) + settings.blur_px);
+    const double covered = 0.25 * std::numbers::pi * width_px * width_px + smear_px * width_px;
+    const double share = spot.area / covered;
+    if (spot.at_rim || share < settings.least_area || share > settings.most_area ||
+        spot.roundness < settings.least_roundness * width_px / (width_px + smear_px)) {
+        return 0.0;
+    }
+    const double least = settings.spot_sigma_px * (1.0 + 0.1 * smear_px);
+    if (spot.sigma_px > 0.0) {
+        return std::hypot(spot.sigma_px, least);
+    }
+    return spot.crowded ? 5.0 * least : least;
+}
+
 Tracker::Tracker(Rig rig, std::vector<MarkerBody> bodies, std::optional<int> head, const TrackerSettings& settings)
     : rig_(std::move(rig)), bodies_(std::move(bodies)), head_(head), settings_(settings), resting_head_(settings.head) {
     tracks_.assign(bodies_.size(), Track{Seen::lost, MotionFilter(settings.filter), 0.0, Pose{}, Fit{}});
@@ -63,22 +79,6 @@ const TrackedBodies& Tracker::step(std::span<const CameraSpots> exposures) {
     return told_;
 }
 
-double Tracker::sigma_of(const Spot& spot, double area, double smear_px) const {
-    // What a spot that moves covers: the disc, and its width as far as it went.
-    const double width_px = 2.0 * (std::sqrt(area / std::numbers::pi) + settings_.blur_px);
-    const double covered = 0.25 * std::numbers::pi * width_px * width_px + smear_px * width_px;
-    const double share = spot.area / covered;
-    if (spot.at_rim || share < settings_.least_area || share > settings_.most_area ||
-        spot.roundness < settings_.least_roundness * width_px / (width_px + smear_px)) {
-        return 0.0;
-    }
-    const double least = settings_.spot_sigma_px * (1.0 + 0.1 * smear_px);
-    if (spot.sigma_px > 0.0) {
-        return std::hypot(spot.sigma_px, least);
-    }
-    return spot.crowded ? 5.0 * least : least;
-}
-
 void Tracker::add_candidates(int body, const Pose& at_time, const Motion& motion, double gate_px) {
     const MarkerBody& shape = bodies_[static_cast<std::size_t>(body)];
     for (std::size_t e = 0; e < exposures_.size(); ++e) {
@@ -98,7 +98,7 @@ void Tracker::add_candidates(int body, const Pose& at_time, const Motion& motion
                 if (taken_[e][s] || apart_px > gate_px) {
                     continue;
                 }
-                if (const double sigma = sigma_of(exposure.spots[s], area, smear_px); sigma > 0.0) {
+                if (const double sigma = believed_sigma(exposure.spots[s], area, smear_px, settings_); sigma > 0.0) {
                     candidates_.push_back(
                         {body, static_cast<int>(e), static_cast<int>(m), static_cast<int>(s), apart_px, sigma});
                 }

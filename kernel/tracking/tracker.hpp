@@ -39,6 +39,10 @@ struct CameraOffset {
     Vec2 off = Vec2::Zero();  ///< [pixels]
 };
 
+/// Standard deviation of a spot's centre each way, taken for a sphere whose image should have this area [pixels] and
+/// moves this far within the exposure; 0: it is hidden, two in one, or at the image's rim, and not believed.
+double believed_sigma(const Spot& spot, double area, double smear_px, const TrackerSettings& settings);
+
 class Tracker {
 public:
     /// head: index of the body whose tip is the eye, which all others are told relative to; none: all are told in the
@@ -83,7 +87,6 @@ private:
     void assign();
     [[nodiscard]] std::vector<Sighting> sightings_of(int body) const;
     [[nodiscard]] Pose head_frame();
-    [[nodiscard]] double sigma_of(const Spot& spot, double area, double smear_px) const;
     void tell();
 
     Rig rig_;

@@ -163,6 +163,7 @@ Result<SyntheticCalibration> calibrate_synthetic(const synthetic::SyntheticRig& 
     }
     WandSettings settings;
     settings.refine_lenses = true;
+    settings.most_iterations = 200;  // some rigs take more than 50, lenses and poses being so much alike
     const Result<WandCalibration> found = calibrate_wand(given, wand, frames.value(), settings);
     if (!found) {
         return found.error();

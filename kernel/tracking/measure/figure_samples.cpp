@@ -28,17 +28,6 @@ Gathered instruments_of(const Setting& setting, const ClipRun& run) {
     return result;
 }
 
-/// Bodies are found by all cameras; from `from_s` on only some are there.
-std::vector<std::vector<CameraSpots>> only_cameras(std::vector<std::vector<CameraSpots>> recorded,
-                                                   const std::vector<int>& used, double from_s) {
-    for (std::vector<CameraSpots>& exposures : recorded) {
-        std::erase_if(exposures, [&used, from_s](const CameraSpots& exposure) {
-            return exposure.time_s >= from_s && std::find(used.begin(), used.end(), exposure.camera) == used.end();
-        });
-    }
-    return recorded;
-}
-
 /// Without what was seen while all cameras were there.
 void cut_start(ClipRun& run, double from_s) {
     for (TipTrace& trace : run.traces) {
@@ -105,9 +94,7 @@ Status measure_tremor(const Setting& setting, Samples& samples) {
     if (!clip) {
         return clip.error();
     }
-    const double longest_s = std::max(8.0, setting.plan.marker_s);
-    const Result<ClipRun> run =
-        track_clip(setting.rig, setting.solver, clip.value(), setting.clip_plan(false, longest_s));
+    const Result<ClipRun> run = track_clip(setting.rig, setting.solver, clip.value(), setting.clip_plan(false, 1e9));
     if (!run) {
         return run.error();
     }

@@ -17,7 +17,7 @@ struct MeasurePlan {
     std::uint64_t first_seed = 101;  ///< rig, calibration, clip and noise are drawn by it
     int seeds = 4;                   ///< 1 to 100
     double image_s = 0.5;            ///< of each clip that is rendered, at 120 exposures a second
-    double marker_s = 4.0;           ///< likewise without images; tremor takes 8 s at least
+    double marker_s = 4.0;           ///< of moving clips without images; the others are measured whole
     int identity_frames = 20000;     ///< in which bodies are looked for wrongly told ones
     bool chart = true;               ///< detectors, cameras and markers against compute
 };

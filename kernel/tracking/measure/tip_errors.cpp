@@ -143,6 +143,16 @@ Result<std::vector<std::vector<CameraSpots>>> record_spots(const synthetic::Synt
     }
 }
 
+std::vector<std::vector<CameraSpots>> only_cameras(std::vector<std::vector<CameraSpots>> recorded,
+                                                   const std::vector<int>& used, double from_s) {
+    for (std::vector<CameraSpots>& exposures : recorded) {
+        std::erase_if(exposures, [&used, from_s](const CameraSpots& exposure) {
+            return exposure.time_s >= from_s && std::find(used.begin(), used.end(), exposure.camera) == used.end();
+        });
+    }
+    return recorded;
+}
+
 Result<bool> RecordedSpots::next(std::vector<CameraSpots>& exposures) {
     exposures.clear();
     if (next_ == exposures_.size()) {

@@ -64,6 +64,10 @@ Result<ClipRun> track_spots(SpotSource& source, const Rig& solver, const synthet
 Result<std::vector<std::vector<CameraSpots>>> record_spots(const synthetic::SyntheticRig& rig,
                                                            const synthetic::Clip& clip, const ClipPlan& plan);
 
+/// Of these exposures what some cameras saw; before `from_s`, while bodies are found, what all saw.
+std::vector<std::vector<CameraSpots>> only_cameras(std::vector<std::vector<CameraSpots>> recorded,
+                                                   const std::vector<int>& used, double from_s);
+
 /// Spots that were recorded, once more.
 class RecordedSpots final : public SpotSource {
 public:

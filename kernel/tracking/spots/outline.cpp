@@ -29,6 +29,16 @@ std::array<Vec5, outline_rays> make_rays() {
 }
 const std::array<Vec5, outline_rays> rays = make_rays();
 
+/// What each ray adds to a normal matrix.
+std::array<Mat5, outline_rays> make_products() {
+    std::array<Mat5, outline_rays> products;
+    for (std::size_t i = 0; i < products.size(); ++i) {
+        products[i] = rays[i] * rays[i].transpose();
+    }
+    return products;
+}
+const std::array<Mat5, outline_rays> products = make_products();
+
 /// Between four pixels; the place lies within them.
 double light_at(const GreyImage& image, double x, double y) {
     const int left = static_cast<int>(x);
@@ -149,6 +159,7 @@ private:
     /// The circle through three rims, of some, that most rims lie near.
     bool begin() {
         constexpr double near_px = 0.6;
+        constexpr double nearly_all = 0.9;
         constexpr int starts = 16;
         int most = 0;
         for (int start = 0; start < starts; ++start) {
@@ -174,6 +185,9 @@ private:
                 most = on;
                 shape_ << circle, 0.0, 0.0;
             }
+            if (most > nearly_all * outline_rays) {
+                return true;
+            }
         }
         return most >= settings_.least_share * outline_rays;
     }
@@ -194,7 +208,7 @@ private:
         Vec5 slope = Vec5::Zero();
         for (std::size_t i = 0; i < rims_.size(); ++i) {
             if (weights_[i] > 0.0) {
-                normal += weights_[i] * rays[i] * rays[i].transpose();
+                normal += weights_[i] * products[i];
                 slope += weights_[i] * rims_[i] * rays[i];
             }
         }
@@ -264,7 +278,7 @@ double outline_spread(const std::array<bool, outline_rays>& shown, const Outline
     int count = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (shown[i]) {
-            normal += rays[i] * rays[i].transpose();
+            normal += products[i];
             ++count;
         }
     }

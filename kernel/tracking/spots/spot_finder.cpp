@@ -36,12 +36,7 @@ int next_bright(const std::uint8_t* line, int x, int width, std::uint8_t thresho
     return width;
 }
 
-struct Window {
-    int left;
-    int right;
-    int top;
-    int bottom;
-};
+using Window = SpotWindow;
 
 Window grown(int left, int right, int top, int bottom, int by, const GreyImage& image) {
     return {std::max(left - by, 0), std::min(right + by, image.width), std::max(top - by, 0),
@@ -265,12 +260,14 @@ Spot SpotFinder::measure(const GreyImage& image, const Region& region) const {
     spot.at_rim = region.left == 0 || region.top == 0 || region.right == image.width || region.bottom == image.height;
     spot.crowded = region.crowded;
     if (settings_.outlines) {
-        take_outline(image, brightness.peak - around, spot);
+        take_outline(image, inner, around, brightness.peak - around, spot);
     }
     return spot;
 }
 
-void SpotFinder::take_outline(const GreyImage& image, double bright, Spot& spot) const {
+void SpotFinder::take_outline(const GreyImage& image, const SpotWindow& window, double around, double bright,
+                              Spot& spot) const {
+    constexpr double whole_rim = 0.7;
     const double radius = std::sqrt(spot.area / std::numbers::pi);
     const std::optional<FittedOutline> outline = fit_outline(image, spot.at, radius, bright, settings_.outline);
     if (outline) {
@@ -279,6 +276,21 @@ void SpotFinder::take_outline(const GreyImage& image, double bright, Spot& spot)
         spot.roundness = (outline->radius - outline->stretch) / (outline->radius + outline->stretch);
         spot.sigma_px = outline->sigma_px;
         spot.whole = outline->share;
+        if (outline->radius < settings_.small_radius && outline->share > whole_rim) {
+            take_light(image, window, around, spot);
+        }
+    }
+}
+
+/// Few pixels tell a small rim; of a whole one the light tells more, unless it is worn or something shines into it.
+void SpotFinder::take_light(const GreyImage& image, const SpotWindow& window, double around, Spot& spot) const {
+    constexpr double near_px = 0.2;
+    SpotSettings by_light = settings_;
+    by_light.low = 0.1;
+    by_light.high = 1.0;
+    const Moments moments = moments_of(image, window, brightness_of(image, window, around, by_light), by_light);
+    if ((moments.centre - spot.at).norm() < near_px) {
+        spot.at = moments.centre;
     }
 }
 

@@ -21,8 +21,17 @@ struct SpotSettings {
     /// the rim has few shades to tell it by. 0 and 1 weigh by light.
     double low = 0.15;
     double high = 0.4;
-    bool outlines = true;  ///< centres are then those of fitted outlines, where they can be told
+    bool outlines = true;       ///< centres are then those of fitted outlines, where they can be told
+    double small_radius = 6.5;  ///< [pixels]; of a smaller whole spot the centre of light is taken, if it is near
     OutlineSettings outline{};
+};
+
+/// A part of an image [pixels]: from left and top up to right and bottom, without these.
+struct SpotWindow {
+    int left = 0;
+    int right = 0;
+    int top = 0;
+    int bottom = 0;
 };
 
 struct FoundSpots {
@@ -60,7 +69,8 @@ private:
     void gather();
     void find_crowded();
     [[nodiscard]] Spot measure(const GreyImage& image, const Region& region) const;
-    void take_outline(const GreyImage& image, double bright, Spot& spot) const;
+    void take_outline(const GreyImage& image, const SpotWindow& window, double around, double bright, Spot& spot) const;
+    void take_light(const GreyImage& image, const SpotWindow& window, double around, Spot& spot) const;
 
     SpotSettings settings_;
     std::vector<Run> runs_{};

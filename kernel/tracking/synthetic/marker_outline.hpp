@@ -11,10 +11,10 @@ namespace rhexis::tracking::synthetic {
 
 /// Measured on this folder's images, of spots of 18 to 26 pixels' width.
 struct OutlineNoise {
-    double ray_px = 0.053;      ///< standard deviation of one ray's rim that the place within a pixel leaves
-    double shot = 1.0;          ///< times the sensor's noise at the rim, by the slope of light there
-    double worn_px = 0.22;      ///< by which a patch at the rim that gives a third of its light moves the centre, some way
-    double hidden_px = 0.04;    ///< likewise what hides a part of it, for each fifth of the rim that is hidden
+    double ray_px = 0.053;  ///< standard deviation of one ray's rim that the place within a pixel leaves
+    double shot = 1.0;      ///< times the sensor's noise at the rim, by the slope of light there
+    double worn_px = 0.30;  ///< by which a patch at the rim that gives a third of its light moves the centre, some way
+    double hidden_px = 0.05;    ///< likewise what hides a part of it, for each fifth of the rim that is hidden
     double inside_px = 0.19;    ///< by which the fitted outline is narrower each way than the sphere's image
     double least_light = 10.0;  ///< of a rim that is seen [DN]
 };

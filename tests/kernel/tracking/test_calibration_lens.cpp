@@ -72,7 +72,7 @@ double image_difference(const Lens& one, const Lens& other) {
 }  // namespace
 
 TEST_CASE("a lens is found from slanted boards, with a residual as great as the noise") {
-    const std::vector<BoardView> views = boards(testing::sanitized ? 12 : 27, 0.5);
+    const std::vector<BoardView> views = boards(rhexis::testing::sanitized ? 12 : 27, 0.5);
     const Result<LensCalibration> found = calibrate_lens(views, board);
     REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));
     const LensCalibration& lens = found.value();

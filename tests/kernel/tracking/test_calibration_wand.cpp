@@ -183,7 +183,7 @@ void print_found(const char* what, const WandCalibration& found, const Rig& trut
               << found.frames_dropped << " dropped, " << found.iterations << " iterations, " << found.seconds << " s\n";
 }
 
-const int frames_of_test = testing::sanitized ? 80 : 600;
+const int frames_of_test = rhexis::testing::sanitized ? 80 : 600;
 
 }  // namespace
 
@@ -201,7 +201,7 @@ TEST_CASE("a wand of three spheres finds six cameras to micrometres, whatever th
     CHECK(found.value().residual_px > 0.03);
     CHECK(std::abs(points.scale) < 2e-4);
     CHECK(found.value().scale_sigma < 2e-4);
-    if (!testing::sanitized) {
+    if (!rhexis::testing::sanitized) {
         CHECK(place_error(found.value().rig, truth) < 0.04);
         CHECK(points.rms_mm < 0.005);
     }
@@ -218,7 +218,7 @@ TEST_CASE("a wand of two spheres, whose spots are not told apart, finds them fro
     CHECK(found.value().residual_px < 0.06);
     CHECK(std::abs(points.scale) < 2e-4);
     CHECK(found.value().frames_dropped < found.value().frames_used / 50);
-    if (!testing::sanitized) {
+    if (!rhexis::testing::sanitized) {
         CHECK(points.rms_mm < 0.005);
     }
 }
@@ -226,7 +226,7 @@ TEST_CASE("a wand of two spheres, whose spots are not told apart, finds them fro
 TEST_CASE("frames with a wrong spot are dropped and counted, and others are not") {
     const Rig truth = ring(6);
     Waving waving;
-    waving.frames = testing::sanitized ? 80 : 300;
+    waving.frames = rhexis::testing::sanitized ? 80 : 300;
     const Result<WandCalibration> clean = calibrate_wand(guessed(truth, 10.0, 0.03), two, waved(truth, two, waving));
     waving.outliers = 0.05;
     const Result<WandCalibration> spoilt = calibrate_wand(guessed(truth, 10.0, 0.03), two, waved(truth, two, waving));
@@ -244,7 +244,7 @@ TEST_CASE("frames with a wrong spot are dropped and counted, and others are not"
 TEST_CASE("lenses that were slightly wrong are put right with the poses") {
     const Rig truth = ring(4);
     Waving waving;
-    waving.frames = testing::sanitized ? 80 : 300;
+    waving.frames = rhexis::testing::sanitized ? 80 : 300;
     const std::vector<WandFrame> frames = waved(truth, three, waving);
     Rig given = guessed(truth, 10.0, 0.03);
     for (Camera& camera : given.cameras) {

@@ -80,7 +80,7 @@ Agreement agreement_with_images(const TrueCamera& camera, const Scene& scene, in
 }  // namespace
 
 TEST_CASE("spots without images are where images have them, and scatter as widely" *
-          doctest::skip(testing::sanitized)) {
+          doctest::skip(rhexis::testing::sanitized)) {
     const TrueCamera camera = true_lens_camera();
     const Scene scene = spread_spheres();
     constexpr int images = 100;
