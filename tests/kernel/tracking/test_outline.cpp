@@ -15,7 +15,7 @@ namespace rhexis::tracking {
 namespace {
 
 /// One sphere on the axis, seen by a plain camera.
-struct Seen {
+struct SeenDisc {
     synthetic::TrueCamera camera = synthetic::plain_camera();
     synthetic::SensorPattern pattern{camera, 5};
     synthetic::RenderScratch scratch{};
@@ -24,7 +24,7 @@ struct Seen {
     Vec2 wanted{159.5 + 1667.0 * 0.3 / 450.0, 127.5 - 1667.0 * 0.2 / 450.0};
     double radius_px = 1667.0 * 3.0 / 450.0;
 
-    Seen() { scene.spheres[0].lobe = 0.5; }
+    SeenDisc() { scene.spheres[0].lobe = 0.5; }
     GreyImage look() {
         render(camera, pattern, {&scene, 1}, 9, scratch, image);
         return image.view();
@@ -37,7 +37,7 @@ struct Seen {
 }  // namespace
 
 TEST_CASE("an outline's centre, width and share are those of the sphere's image, wherever the fit begins near it") {
-    Seen seen;
+    SeenDisc seen;
     for (const Vec2& off : {Vec2(0, 0), Vec2(1.5, -0.7), Vec2(-2.0, 1.0)}) {
         const std::optional<FittedOutline> outline = seen.outline(off);
         REQUIRE(outline.has_value());
@@ -50,7 +50,7 @@ TEST_CASE("an outline's centre, width and share are those of the sphere's image,
 }
 
 TEST_CASE("a worn patch and a hand beside it move an outline little, a centre of light much") {
-    Seen seen;
+    SeenDisc seen;
     seen.scene.spheres[0].worn_towards = Vec3(0.6, 0.0, -0.8);
     seen.scene.spheres[0].worn_cosine = 0.8;
     seen.scene.spheres[0].worn_left = 0.5;
@@ -69,7 +69,7 @@ TEST_CASE("a worn patch and a hand beside it move an outline little, a centre of
 }
 
 TEST_CASE("where too little of the rim is seen there is no outline, and none of a few bright pixels") {
-    Seen seen;
+    SeenDisc seen;
     const auto hide = [&seen](double beside_mm) {
         seen.scene.discs = {{Vec3(60.0 + beside_mm, 0.0, 430.0), Vec3::UnitZ(), 60.0, 0.2}};
     };
@@ -96,7 +96,7 @@ TEST_CASE("spots say how sure they are, and are as sure as they say" * doctest::
 }
 
 TEST_CASE("OpenCV's detectors find the same spot, less surely") {
-    Seen seen;
+    SeenDisc seen;
     for (const std::vector<Spot>& spots : {contour_spots(seen.look(), 60), component_spots(seen.look(), 60)}) {
         REQUIRE(spots.size() == 1);
         CHECK((spots[0].at - seen.wanted).norm() < 0.3);
