@@ -19,6 +19,7 @@ constexpr const char* track_help =
     "  rhexis track my_rig/track.json --seconds 2 --picture seen.png    what the cameras saw, with what was made of "
     "it\n"
     "  rhexis track pivot my_rig/track.json phaco    where the tip is, by turning it about its tip\n"
+    "  rhexis track measure --seeds 2             how accurate and how fast it is, beside what was aimed at\n"
     "  rhexis track print my_rig/phaco.json phaco.stl    posts and ring for the spheres, to print\n"
     "\n"
     "The file says which cameras there are and what is tracked; docs/tracking.md has all its fields.";
@@ -66,6 +67,27 @@ void add_begin(CLI::App& track, Context& context) {
         [folder, &context] { context.status = call<tracking::BeginEntry>(tracking::begin_entry_name, *folder); });
 }
 
+void add_measure(CLI::App& track, Context& context) {
+    CLI::App* command = track.add_subcommand("measure", "What tracking reaches, on rigs without cameras drawn by seed");
+    auto given = std::make_shared<tracking::MeasureOptions>();
+    command->add_option("--first-seed", given->first_seed, "Of rig, calibration, clips and noise")
+        ->capture_default_str();
+    command->add_option("--seeds", given->seeds, "So many")->check(CLI::Range(1, 100))->capture_default_str();
+    command->add_option("--image-seconds", given->image_s, "Of each clip that is rendered")
+        ->check(CLI::Range(0.1, 60.0))
+        ->capture_default_str();
+    command->add_option("--marker-seconds", given->marker_s, "Of moving clips without images")
+        ->check(CLI::Range(0.5, 600.0))
+        ->capture_default_str();
+    command->add_option("--identities", given->identity_frames, "Exposures in which a wrong body is looked for")
+        ->check(CLI::Range(100, 10000000))
+        ->capture_default_str();
+    command->add_flag("!--no-chart", given->chart, "Without the chart of detectors");
+    command->add_flag("--json", given->json, "As JSON");
+    command->callback(
+        [given, &context] { context.status = call<tracking::MeasureEntry>(tracking::measure_entry_name, *given); });
+}
+
 void add_print(CLI::App& track, Context& context) {
     CLI::App* command = track.add_subcommand("print", "Posts and ring for a body's spheres, as an STL file");
     auto body = std::make_shared<std::string>();
@@ -95,12 +117,14 @@ void add_track(CLI::App& app, Context& context) {
     add_pivot(*command, context);
     add_begin(*command, context);
     add_print(*command, context);
+    add_measure(*command, context);
     command->callback([given, command, &context] {
         if (!command->get_subcommands().empty()) {
             return;
         }
         if (given->setup.empty()) {
-            context.status = complain({"nothing to track", "track", "CONFIG, or calibrate, pivot, begin, print"});
+            context.status =
+                complain({"nothing to track", "track", "CONFIG, or calibrate, pivot, begin, print, measure"});
             return;
         }
         context.status = call<tracking::TrackEntry>(tracking::track_entry_name, *given);

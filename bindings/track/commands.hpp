@@ -10,6 +10,7 @@ Status track(const TrackOptions& options);
 Status calibrate(const CalibrateOptions& options);
 Status pivot(const PivotOptions& options);
 Status begin(const std::string& folder);
+Status measure(const MeasureOptions& options);
 Status print_body(const std::string& body, const std::string& stl);
 
 }  // namespace rhexis::tracking

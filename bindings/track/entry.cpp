@@ -17,6 +17,10 @@ extern "C" {
                                                           rhexis::Status& status) {
     status = rhexis::tracking::pivot(options);
 }
+[[gnu::visibility("default")]] void rhexis_tracking_measure(const rhexis::tracking::MeasureOptions& options,
+                                                            rhexis::Status& status) {
+    status = rhexis::tracking::measure(options);
+}
 [[gnu::visibility("default")]] void rhexis_tracking_begin(const std::string& folder, rhexis::Status& status) {
     status = rhexis::tracking::begin(folder);
 }

@@ -56,6 +56,19 @@ struct ChainFigures {
 
 inline constexpr const char* chain_entry_name = "rhexis_tracking_chain";
 using ChainEntry = void(const ChainOptions& options, Result<std::unique_ptr<SampleLink>>& link);
+/// rhexis track measure
+struct MeasureOptions {
+    std::uint64_t first_seed = 101;
+    int seeds = 1;
+    double image_s = 0.5;  ///< of each clip that is rendered
+    double marker_s = 4.0;
+    int identity_frames = 20000;
+    bool chart = true;
+    bool json = false;
+};
+
+inline constexpr const char* measure_entry_name = "rhexis_tracking_measure";
+using MeasureEntry = void(const MeasureOptions& options, Status& status);
 inline constexpr const char* track_entry_name = "rhexis_tracking_track";
 using TrackEntry = void(const TrackOptions& options, Status& status);
 inline constexpr const char* calibrate_entry_name = "rhexis_tracking_calibrate";

@@ -2,6 +2,7 @@
 #include "tracking/sources/capture_source.hpp"
 
 #include <algorithm>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "base/clock.hpp"
@@ -74,6 +75,8 @@ Result<std::unique_ptr<FrameSource>> open_capture(const CapturePlan& plan, const
         return Error{std::to_string(plan.of.size()) + " devices for " + std::to_string(rig.cameras.size()) + " cameras",
                      "", "one for each, in the order of the rig"};
     }
+    // What cannot be opened is told below, in one line.
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     std::vector<cv::VideoCapture> captures;
     bool live = false;
     double rate_hz = plan.rate_hz;
