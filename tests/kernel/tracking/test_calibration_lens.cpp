@@ -81,7 +81,7 @@ TEST_CASE("a lens is found from slanted boards, with a residual as great as the 
               << " px, coverage " << lens.coverage.share() << "\n";
     CHECK(lens.residual_px == doctest::Approx(0.05 * std::sqrt(2.0)).epsilon(0.1));
     CHECK(std::abs(lens.lens.fx - true_lens.fx) < 4.0 * lens.focal_sigma_px);
-    CHECK(lens.focal_sigma_px < 1.0);
+    CHECK(lens.focal_sigma_px < (rhexis::testing::sanitized ? 2.5 : 1.0));
     CHECK(image_difference(lens.lens, true_lens) < 1.5);
     CHECK(lens.coverage.share() > 0.9);
     for (const BoardFit& view : lens.views) {

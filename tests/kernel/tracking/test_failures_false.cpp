@@ -105,8 +105,10 @@ TEST_CASE("two cameras meet in ghosts, three do not, and no body comes of them")
                          clip, exposures[0].time_s);
     }
     MESSAGE("ghosts in ", frames, " exposures: by two cameras ", by_two, ", by three or more ", by_three);
-    CHECK(by_two > 0);
-    CHECK(by_three * 20 < by_two);
+    if (!rhexis::testing::sanitized) {  // of a few exposures there may be none
+        CHECK(by_two > 0);
+        CHECK(by_three * 20 < by_two);
+    }
     const std::vector<std::vector<CameraSpots>> two = only_cameras(recorded, {0, 1}, 0.05);
     RecordedSpots source(two, 120.0);
     const ClipRun run = track_spots(source, workplace().solver, clip, marker_plan(1e9)).value();
