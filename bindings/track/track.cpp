@@ -13,7 +13,7 @@
 #include "track/server.hpp"
 #include "track/status.hpp"
 #include "tracking/annotated.hpp"
-#include "tracking/calibration/drift_watch.hpp"
+#include "tracking/camera_health.hpp"
 
 namespace rhexis::tracking {
 namespace {
@@ -87,6 +87,7 @@ public:
           server_(std::move(server)),
           tracker_(setup.rig, setup.bodies, setup.head, TrackerSettings{}),
           lines_(setup),
+          health_(static_cast<int>(setup.rig.cameras.size())),
           paced_(!options.as_fast_as_can_be && !std::holds_alternative<CapturePlan>(setup.source)) {}
 
     Status run() {
@@ -169,17 +170,8 @@ private:
 
     /// Which camera sees all bodies beside where the others have them.
     void look_after(double time_s) {
-        std::vector<CameraResidual> residuals(setup_.rig.cameras.size());
-        for (const CameraOffset& offset : tracker_.offsets()) {
-            CameraResidual& one = residuals[static_cast<std::size_t>(offset.camera)];
-            one.mean_px += offset.off;
-            ++one.count;
-        }
-        for (CameraResidual& one : residuals) {
-            one.mean_px /= std::max(one.count, 1);
-        }
-        watch_.add(drifts_, time_s, residuals);
-        const std::optional<Drift> drift = watch_.drift(drifts_);
+        health_.add(time_s, tracker_.offsets());
+        const std::optional<Drift> drift = health_.drift();
         warning_.clear();
         if (drift) {
             const std::string& name = setup_.rig.cameras[static_cast<std::size_t>(drift->camera)].name;
@@ -209,10 +201,9 @@ private:
     std::optional<Server> server_;
     Tracker tracker_;
     StatusLines lines_;
+    CameraHealth health_;
     bool paced_;
     Rate rate_{};
-    DriftWatch watch_{};
-    DriftState drifts_{};
     std::string warning_{};
     std::vector<CameraSpots> exposures_{};
     double shown_s_ = -1.0;

@@ -106,6 +106,19 @@ synthetic::Film film_of(const SyntheticPlan& plan, double seconds) {
     return film;
 }
 
+Result<std::unique_ptr<SpotSource>> with_spots(Result<std::unique_ptr<FrameSource>> frames, const Setup& setup) {
+    if (!frames) {
+        return frames.error();
+    }
+    return std::unique_ptr<SpotSource>(std::make_unique<ImageSpots>(std::move(frames).value(), setup.spots));
+}
+
+Result<std::unique_ptr<SpotSource>> film_spots(const synthetic::SyntheticRig& rig, synthetic::Stage stage,
+                                               const synthetic::Film& film, bool images, const Setup& setup) {
+    return images ? with_spots(film_images(rig, std::move(stage), film), setup)
+                  : film_markers(rig, std::move(stage), film);
+}
+
 /// A stage and what it is seen by, kept together: the stage's functions look into both.
 struct Play {
     synthetic::SyntheticRig rig{};
@@ -132,14 +145,7 @@ Result<std::unique_ptr<SpotSource>> open_synthetic(const SyntheticPlan& plan, co
     };
     constexpr double as_long_as_one_likes_s = 1e9;
     const synthetic::Film film = film_of(plan, plan.seconds > 0.0 ? plan.seconds : as_long_as_one_likes_s);
-    if (!plan.images) {
-        return film_markers(play->rig, std::move(stage), film);
-    }
-    Result<std::unique_ptr<FrameSource>> frames = film_images(play->rig, std::move(stage), film);
-    if (!frames) {
-        return frames.error();
-    }
-    return std::unique_ptr<SpotSource>(std::make_unique<ImageSpots>(std::move(frames).value(), setup.spots));
+    return film_spots(play->rig, std::move(stage), film, plan.images, setup);
 }
 
 Result<std::unique_ptr<SpotSource>> open_synthetic_wand(const SyntheticPlan& plan, const Setup& setup) {
@@ -152,21 +158,7 @@ Result<std::unique_ptr<SpotSource>> open_synthetic_wand(const SyntheticPlan& pla
     SyntheticPlan slow = plan;
     slow.rate_hz = rate_hz;
     const synthetic::Film film = film_of(slow, seconds);
-    if (!plan.images) {
-        return film_markers(rig.value(), synthetic::waved_wand(plan.seed), film);
-    }
-    Result<std::unique_ptr<FrameSource>> frames = film_images(rig.value(), synthetic::waved_wand(plan.seed), film);
-    if (!frames) {
-        return frames.error();
-    }
-    return std::unique_ptr<SpotSource>(std::make_unique<ImageSpots>(std::move(frames).value(), setup.spots));
-}
-
-Result<std::unique_ptr<SpotSource>> with_spots(Result<std::unique_ptr<FrameSource>> frames, const Setup& setup) {
-    if (!frames) {
-        return frames.error();
-    }
-    return std::unique_ptr<SpotSource>(std::make_unique<ImageSpots>(std::move(frames).value(), setup.spots));
+    return film_spots(rig.value(), synthetic::waved_wand(plan.seed), film, plan.images, setup);
 }
 
 }  // namespace
