@@ -29,7 +29,7 @@ Result<Server> Server::open(const NetAddress& address, std::string device) {
 }
 
 void Server::turn(double now_s, std::int64_t time_us) {
-    let_in(now_s);
+    let_in(listener_, most_guests, now_s, guests_, notes_);
     std::vector<Message> messages;
     for (Guest& guest : guests_) {
         messages.clear();
@@ -42,17 +42,7 @@ void Server::turn(double now_s, std::int64_t time_us) {
             answer(guest, message, time_us);
         }
     }
-    drop_the_gone();
-}
-
-void Server::let_in(double now_s) {
-    while (std::optional<Socket> come = listener_.accept()) {
-        if (guests_.size() < most_guests) {
-            guests_.push_back({Peer(std::move(*come), now_s)});
-        } else {
-            notes_.push_back("there are " + std::to_string(most_guests) + " already");
-        }
-    }
+    drop_the_gone(guests_, notes_);
 }
 
 /// Of what it asks. What it tells is nothing that a server hears.
@@ -66,16 +56,6 @@ void Server::answer(Guest& guest, const Message& message, std::int64_t time_us) 
     } else if (std::holds_alternative<StatusRequest>(message.content)) {
         guest.peer.send(status_message(time_us));
     }
-}
-
-void Server::drop_the_gone() {
-    std::erase_if(guests_, [this](const Guest& guest) {
-        if (guest.peer.fault().empty()) {
-            return false;
-        }
-        notes_.push_back(guest.peer.fault());
-        return true;
-    });
 }
 
 void Server::tell(const std::vector<Tool>& tools, double now_s, std::int64_t time_us) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "net/guests.hpp"
 #include "net/igtl_peer.hpp"
 
 namespace rhexis::igtlink {
@@ -47,9 +48,7 @@ private:
         double told_s = -std::numeric_limits<double>::infinity();
     };
     Server(Socket listener, std::string device) : listener_(std::move(listener)), device_(std::move(device)) {}
-    void let_in(double now_s);
     void answer(Guest& guest, const Message& message, std::int64_t time_us);
-    void drop_the_gone();
     [[nodiscard]] WireBytes status_message(std::int64_t time_us) const;
 
     Socket listener_;

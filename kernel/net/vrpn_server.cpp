@@ -59,17 +59,11 @@ void Server::turn(double now_s, std::int64_t time_us) {
             answer(guest, message, time_us);
         }
     }
-    drop_the_gone();
+    drop_the_gone(guests_, notes_);
 }
 
 void Server::let_in(double now_s) {
-    while (std::optional<Socket> come = listener_.accept()) {
-        if (guests_.size() < most_guests) {
-            guests_.push_back({Peer(std::move(*come), now_s)});
-        } else {
-            notes_.push_back("there are " + std::to_string(most_guests) + " already");
-        }
-    }
+    rhexis::let_in(listener_, most_guests, now_s, guests_, notes_);
     for (int i = 0; i < most_datagrams; ++i) {
         const std::optional<Socket::Datagram> datagram = datagrams_.receive();
         if (!datagram) {
@@ -120,16 +114,6 @@ void Server::answer(Guest& guest, const Message& message, std::int64_t time_us) 
             guest.peer.send(kept);
         }
     }
-}
-
-void Server::drop_the_gone() {
-    std::erase_if(guests_, [this](const Guest& guest) {
-        if (guest.peer.fault().empty()) {
-            return false;
-        }
-        notes_.push_back(guest.peer.fault());
-        return true;
-    });
 }
 
 Message Server::report(std::string_view device, std::string_view type, const WireBytes& payload,

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "net/guests.hpp"
 #include "net/vrpn_peer.hpp"
 
 namespace rhexis::vrpn {
@@ -45,7 +46,6 @@ private:
     void let_in(double now_s);
     void answer(Guest& guest, const Message& message, std::int64_t time_us);
     void introduce(Peer& peer) const;
-    void drop_the_gone();
     [[nodiscard]] Message report(std::string_view device, std::string_view type, const WireBytes& payload,
                                  std::int64_t time_us) const;
     void to_all(const Message& message);
