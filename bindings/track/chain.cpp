@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "flow/microscope.hpp"
+#include "math/poses.hpp"
 #include "net/vrpn_report.hpp"
 
 namespace rhexis::tracking {
@@ -16,12 +17,6 @@ constexpr int instants = 2;         ///< of an exposure
 constexpr double transit_s = 3e-3;  ///< from the middle of an exposure to a report's arrival, at least
 constexpr double jitter_s = 5e-4;   ///< mean of what is added to it
 constexpr double day_s = 1.7e9;     ///< the tracking computer's clock differs from the simulation's
-
-Pose times(const Pose& pose, const Pose& part) {
-    return {pose.to_world(part.position), (pose.orientation * part.orientation).normalized()};
-}
-
-Pose inverse(const Pose& pose) { return {pose.orientation.conjugate() * -pose.position, pose.orientation.conjugate()}; }
 
 std::int64_t us_of(double seconds) { return std::llround(1e6 * seconds); }
 

@@ -6,6 +6,7 @@
 
 #include "base/assert.hpp"
 #include "flow/microscope.hpp"
+#include "math/poses.hpp"
 
 namespace rhexis {
 namespace {
@@ -16,10 +17,6 @@ constexpr std::int64_t slew_up_to_us = 100'000;    ///< what is farther off is n
 constexpr double jitter_room = 1.25;
 
 bool is_in(const std::vector<bool>& list, std::size_t i) { return i < list.size() && list[i]; }
-
-Pose registered(const Pose& registration, const PoseReport& seen) {
-    return {registration.to_world(seen.position), (registration.orientation * seen.turned).normalized()};
-}
 
 }  // namespace
 
@@ -85,7 +82,7 @@ void TrackedHands::take_pose(std::size_t instrument, const DeviceReport& report,
             stand({"the clock of the tracking system was set", ""});
         }
     }
-    instruments_[instrument].pose(report.time_us, registered(model_.registration, pose));
+    instruments_[instrument].pose(report.time_us, times(model_.registration, {pose.position, pose.turned}));
 }
 
 void TrackedHands::take_value(std::size_t instrument, const DeviceReport& report) {

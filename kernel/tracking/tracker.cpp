@@ -5,18 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/poses.hpp"
 #include "tracking/bodies/identity.hpp"
 
 namespace rhexis::tracking {
 namespace {
-
-Pose inverse_times(const Pose& frame, const Pose& pose) {
-    return {frame.to_body(pose.position), (frame.orientation.conjugate() * pose.orientation).normalized()};
-}
-
-Pose times(const Pose& pose, const Pose& part) {
-    return {pose.to_world(part.position), (pose.orientation * part.orientation).normalized()};
-}
 
 double middle_time(std::span<const CameraSpots> exposures) {
     std::vector<double> times;
@@ -259,19 +252,19 @@ Pose Tracker::head_frame() {
 
 void Tracker::tell() {
     told_.time_s = time_s_;
-    const bool relative = head_.has_value();
+    const bool by_head = head_.has_value();
     // The eye is where the head body has its tip.
-    const Pose frame = relative ? times(head_frame(), bodies_[static_cast<std::size_t>(*head_)].tip) : Pose{};
-    const Seen head_seen = relative ? tracks_[static_cast<std::size_t>(*head_)].seen : Seen::seen;
+    const Pose frame = by_head ? times(head_frame(), bodies_[static_cast<std::size_t>(*head_)].tip) : Pose{};
+    const Seen head_seen = by_head ? tracks_[static_cast<std::size_t>(*head_)].seen : Seen::seen;
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         const Track& track = tracks_[i];
         TrackedBody& body = told_.bodies[i];
-        const bool itself = relative && static_cast<int>(i) == *head_;
+        const bool itself = by_head && static_cast<int>(i) == *head_;
         body.seen = itself ? track.seen : std::min(track.seen, head_seen);
         if (body.seen == Seen::lost) {
             continue;
         }
-        body.pose = itself ? track.shown : inverse_times(frame, track.shown);
+        body.pose = itself ? track.shown : relative(frame, track.shown);
         body.tip = times(body.pose, bodies_[i].tip);
         body.time_s = body.seen == Seen::seen ? time_s_ : track.seen_s;
         body.cameras = track.seen == Seen::seen ? track.fit.cameras : 0;

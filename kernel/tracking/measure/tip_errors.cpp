@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/clock.hpp"
+#include "math/poses.hpp"
 #include "tracking/sources/synthetic_source.hpp"
 
 namespace rhexis::tracking {
@@ -19,10 +20,6 @@ std::optional<int> head_of(const std::vector<MarkerBody>& bodies) {
         }
     }
     return std::nullopt;
-}
-
-Pose relative(const Pose& frame, const Pose& pose) {
-    return {frame.to_body(pose.position), (frame.orientation.conjugate() * pose.orientation).normalized()};
 }
 
 synthetic::Stage stage_of(const synthetic::SyntheticRig& rig, const synthetic::Clip& clip) {
