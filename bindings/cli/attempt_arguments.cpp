@@ -195,6 +195,11 @@ void print_summary(const AttemptArguments& given, const std::string& who, const 
     print_objectives(facts.findings);
     std::printf("  score      %s\n", score_line(facts.score, facts.completed).c_str());
     print_errors(facts.findings);
+    if (facts.link) {
+        std::printf("  hands      %s: %.0f um off (RMS), at most %.0f um; %lld of %lld samples not seen\n",
+                    facts.link->name.c_str(), 1e3 * facts.link->rms_mm, 1e3 * facts.link->farthest_mm,
+                    static_cast<long long>(facts.link->unseen), static_cast<long long>(facts.link->present));
+    }
     if (result.html_error.empty()) {
         std::printf("  report     %s/report.html\n", folder.c_str());
     }

@@ -38,6 +38,7 @@ constexpr const char* run_help =
     "  rhexis run groove --surgeon novice --start half.rhxs\n"
     "  rhexis run iol_injection --opening runs/capsulorhexis-expert-101\n"
     "  rhexis run groove --input vrpn://192.168.1.7    by whom a tracking system sees, as fast as the clock goes\n"
+    "  rhexis run phaco_sculpt --through my_rig/track.json    hands as cameras see them; see rhexis track --help\n"
     "  rhexis run full_operation                  all its parts, one after the other\n"
     "  rhexis run full_operation --from capsulorhexis --to capsulorhexis\n"
     "  rhexis run full_operation --resume         without the parts that are there already\n"
@@ -60,6 +61,7 @@ struct RunOptions : AttemptArguments {
     TrackedArguments tracked;
     std::string through;
     std::string level;
+    double moved_um = 0.0;
 };
 
 /// FILE, FILE@SECONDS or FILE@CONDITION.
@@ -117,12 +119,17 @@ void print_whole(const RunOptions& given, const std::string& folder, const Opera
 
 /// What an operation has no use for: it begins with its first part, and its parts say where they begin.
 Status check_whole(const RunOptions& given) {
-    for (const auto& [option, value] : {std::pair("--start", given.start), std::pair("--opening", given.opening),
-                                        std::pair("--save-state", given.save_state)}) {
+    for (const auto& [option, value] :
+         {std::pair("--start", given.start), std::pair("--opening", given.opening),
+          std::pair("--save-state", given.save_state), std::pair("--through", given.through)}) {
         if (!value.empty()) {
             return Error{std::string(option) + " is for exercises, and " + given.curriculum + " is an operation", "",
                          "--from PART and --to PART"};
         }
+    }
+    if (given.moved_um > 0.0) {
+        return Error{"--moved is for exercises, and " + given.curriculum + " is an operation", "",
+                     "its parts, one by one"};
     }
     return success();
 }
@@ -182,8 +189,14 @@ void begin_as_person(RunOptions& given) {
     }
 }
 
-/// The tracking system that hands go through.
+/// What hands go through; null: nothing.
 Result<std::unique_ptr<SampleLink>> open_link(const RunOptions& given) {
+    if (given.moved_um > 0.0) {
+        return std::unique_ptr<SampleLink>(std::make_unique<MovedSamples>(1e-3 * given.moved_um, given.seed));
+    }
+    if (given.through.empty()) {
+        return std::unique_ptr<SampleLink>();
+    }
     const Result<void*> opened = load_tracking();
     if (!opened) {
         return opened.error();
@@ -268,14 +281,11 @@ int run(RunOptions given, const Context& context) {
         person = std::move(connected).value();
         options.guest = &person->guest();
     }
-    Result<std::unique_ptr<SampleLink>> link = std::unique_ptr<SampleLink>();
-    if (!given.through.empty()) {
-        link = open_link(given);
-        if (!link) {
-            return complain(link.error());
-        }
-        options.link = link.value().get();
+    const Result<std::unique_ptr<SampleLink>> link = open_link(given);
+    if (!link) {
+        return complain(link.error());
     }
+    options.link = link.value().get();
     Result<KeptAttempt> kept = begin_kept(given, options);
     if (!kept) {
         return complain(kept.error());
@@ -339,6 +349,12 @@ void add_run(CLI::App& app, Context& context) {
     command->add_option("--cameras", given->level, "With --through: images, or markers alone, faster [as the rig says]")
         ->check(CLI::IsMember({"images", "markers"}))
         ->needs(through);
+    command
+        ->add_option("--moved", given->moved_um,
+                     "Each instrument lies so far beside where the surgeon has it [um]: what is chance in a score")
+        ->check(CLI::Range(0.001, 1000.0))
+        ->excludes(through)
+        ->excludes(input);
     command->add_option("--registration", given->tracked.registration, registration_help)->needs(input);
     command->add_option("--wait", given->tracked.wait_s, "With --input: for a server [s]")
         ->check(CLI::Range(0.1, 3600.0))

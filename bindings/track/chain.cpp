@@ -89,6 +89,7 @@ Chain::Chain(Setup setup, synthetic::SyntheticRig rig, std::uint64_t seed)
 Status Chain::begin(const std::vector<std::string>& instruments, double step_s) {
     step_s_ = step_s;
     tracked_of_.assign(instruments.size(), -1);
+    is_tracked_.assign(instruments.size(), false);
     TrackedModel model;
     for (std::size_t i = 0; i < instruments.size(); ++i) {
         if (instruments[i] == microscope_name) {
@@ -101,6 +102,7 @@ Status Chain::begin(const std::vector<std::string>& instruments, double step_s) 
                          "one for each instrument of the exercise"};
         }
         tracked_of_[i] = static_cast<int>(hands_.size());
+        is_tracked_[i] = true;
         Hand hand;
         hand.instrument = static_cast<int>(i);
         hand.body = static_cast<int>(body - setup_.bodies.begin());
@@ -228,26 +230,15 @@ Result<std::vector<DeviceSample>> Chain::through(std::span<const DeviceSample> h
         hand.before = hands[instrument].pose;
         hand.was_there = hands[instrument].present;
     }
-    figures_.steps += 1;
-    figures_.stood += state == TrackingState::running ? 0 : 1;
-    score(hands, seen);
+    if (state != TrackingState::running) {
+        tally_.stood();
+    }
+    tally_.add(hands, seen, is_tracked_);
     return seen;
 }
 
-void Chain::score(std::span<const DeviceSample> hands, std::span<const DeviceSample> seen) {
-    for (const Hand& hand : hands_) {
-        const auto i = static_cast<std::size_t>(hand.instrument);
-        if (!hands[i].present) {
-            continue;
-        }
-        figures_.present += 1;
-        if (!seen[i].present) {
-            figures_.unseen += 1;
-        } else {
-            figures_.farthest_mm =
-                std::max(figures_.farthest_mm, (hands[i].pose.position - seen[i].pose.position).norm());
-        }
-    }
+LinkFigures Chain::figures() const {
+    return tally_.figures(std::get<SyntheticPlan>(setup_.source).images ? "images" : "markers");
 }
 
 }  // namespace rhexis::tracking

@@ -25,7 +25,7 @@ public:
     Status begin(const std::vector<std::string>& instruments, double step_s) override;
     Result<std::vector<DeviceSample>> through(std::span<const DeviceSample> hands) override;
 
-    [[nodiscard]] const ChainFigures& figures() const { return figures_; }
+    [[nodiscard]] LinkFigures figures() const override;
 
 private:
     /// A report on its way, by when it comes.
@@ -48,14 +48,12 @@ private:
     void tell(const TrackedBodies& told, double time_s);
     void send(DeviceReport report, double time_s);
     void deliver(std::int64_t until_us);
-    void score(std::span<const DeviceSample> hands, std::span<const DeviceSample> seen);
 
     Setup setup_;
     synthetic::SyntheticRig rig_;
     Tracker tracker_;
     SpotFinder finder_;
     Rng rng_;
-    Pose eye_in_rig_{};
     std::vector<Hand> hands_{};
     std::vector<int> tracked_of_{};  ///< by instrument of the scene: its place among `hands_`; -1: it is not tracked
     std::optional<TrackedHands> input_{};
@@ -64,13 +62,13 @@ private:
     double step_s_ = 0.01;
     double time_s_ = 0.0;     ///< of the last step's end
     double exposed_s_ = 0.0;  ///< of the last exposure
-    std::int64_t shot_ = 0;
     std::vector<synthetic::SensorPattern> patterns_{};
     synthetic::RenderScratch render_{};
     synthetic::SpotScratch markers_{};
     synthetic::Image image_{};
     std::vector<synthetic::Scene> instants_{};
-    ChainFigures figures_{};
+    std::vector<bool> is_tracked_{};  ///< by instrument of the scene
+    LinkTally tally_{};
 };
 
 }  // namespace rhexis::tracking

@@ -45,17 +45,9 @@ struct ChainOptions {
     std::uint64_t seed = 1;  ///< of noise
 };
 
-/// How hands came through.
-struct ChainFigures {
-    std::int64_t steps = 0;
-    std::int64_t stood = 0;    ///< steps in which the clock would have stood
-    std::int64_t present = 0;  ///< samples of instruments in a hand
-    std::int64_t unseen = 0;   ///< of those, told as absent
-    double farthest_mm = 0.0;  ///< of a tip from where the hand had it then, delay and all
-};
-
 inline constexpr const char* chain_entry_name = "rhexis_tracking_chain";
 using ChainEntry = void(const ChainOptions& options, Result<std::unique_ptr<SampleLink>>& link);
+
 /// rhexis track measure
 struct MeasureOptions {
     std::uint64_t first_seed = 101;

@@ -119,6 +119,9 @@ AttemptFacts facts_of(const AttemptOptions& options, const ExerciseHost& host, c
     facts.simulated = simulated_parts(session);
     facts.performance = seen.timing.performance(session.time_s());
     facts.performance.checkpoints = seen.recorder.checkpoints();
+    if (options.link != nullptr) {
+        facts.link = options.link->figures();
+    }
     facts.performance.live = options.guest != nullptr ? options.guest->pace() : std::nullopt;
     return facts;
 }

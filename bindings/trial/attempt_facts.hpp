@@ -12,6 +12,7 @@
 #include "base/log.hpp"
 #include "flow/eye_model.hpp"
 #include "trial/pictures.hpp"
+#include "trial/sample_link.hpp"
 
 namespace rhexis {
 
@@ -79,6 +80,7 @@ struct AttemptFacts {
     Log log;
     std::vector<SimulatedPart> simulated;
     Performance performance;
+    std::optional<LinkFigures> link;  ///< that hands came through; none: nothing was between
 };
 
 }  // namespace rhexis

@@ -89,6 +89,16 @@ json performance_json(const Performance& cost) {
     return part;
 }
 
+json link_json(const LinkFigures& link) {
+    return {{"name", link.name},
+            {"steps", link.steps},
+            {"stood", link.stood},
+            {"present", link.present},
+            {"unseen", link.unseen},
+            {"rms_mm", five_places(link.rms_mm)},
+            {"farthest_mm", five_places(link.farthest_mm)}};
+}
+
 double number_in(const json& object, const char* name) {
     return object.contains(name) && object[name].is_number() ? object[name].get<double>() : 0.0;
 }
@@ -128,6 +138,9 @@ json make_report(const AttemptFacts& facts) {
     report["log"] = log_json(facts.log);
     report["simulated"] = simulated_json(facts.simulated);
     report["performance"] = performance_json(facts.performance);
+    if (facts.link) {
+        report["link"] = link_json(*facts.link);
+    }
     if (!facts.script_error.empty()) {
         report["error"] = facts.script_error;
         report["completed"] = false;
