@@ -59,6 +59,18 @@ function(rhexis_kernel_folder name)
   endif()
 endfunction()
 
+# rhexis_embed(NAME FOLDER FUNCTION): the files of assets/FOLDER travel inside kernel folder NAME, as the function that
+# NAME/FUNCTION.hpp declares.
+function(rhexis_embed name folder function)
+  file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/assets/${folder}/*)
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
+  add_custom_command(OUTPUT ${out}
+    COMMAND ${CMAKE_COMMAND} "-DFILES=${texts}" -DHEADER=${name}/${function}.hpp -DFUNCTION=${function} -DOUT=${out}
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed_texts.cmake
+    DEPENDS ${texts} ${PROJECT_SOURCE_DIR}/cmake/embed_texts.cmake VERBATIM)
+  target_sources(rhexis_${name} PRIVATE ${out})
+endfunction()
+
 # rhexis_test_folder(NAME [LIBRARIES ...] [LABELS ...] [TIMEOUT s] [COST c]): all test_*.cpp here as one doctest program.
 # Of several that are left, CTest begins with the one of the highest cost.
 function(rhexis_test_folder name)

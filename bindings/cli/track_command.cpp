@@ -20,7 +20,9 @@ constexpr const char* track_help =
     "it\n"
     "  rhexis track pivot my_rig/track.json phaco    where the tip is, by turning it about its tip\n"
     "  rhexis track measure --seeds 2             how accurate and how fast it is, beside what was aimed at\n"
-    "  rhexis track print my_rig/phaco.json phaco.stl    posts and ring for the spheres, to print\n"
+    "  rhexis track begin my_rig --exercise groove    with what another exercise is done with\n"
+    "  rhexis track print my_rig/phaco.json phaco.stl    a replica with struts for the spheres, to print\n"
+    "  rhexis track design hook my_rig/hook.json --unlike my_rig/phaco.json    where the spheres of another stand\n"
     "\n"
     "The file says which cameras there are and what is tracked; docs/tracking.md has all its fields.";
 
@@ -61,10 +63,31 @@ void add_pivot(CLI::App& track, Context& context) {
 
 void add_begin(CLI::App& track, Context& context) {
     CLI::App* command = track.add_subcommand("begin", "A folder with a rig that needs no cameras, to begin with");
-    auto folder = std::make_shared<std::string>();
-    command->add_option("folder", *folder, "Empty, or not there yet")->required();
+    auto given = std::make_shared<tracking::BeginOptions>();
+    command->add_option("folder", given->folder, "Empty, or not there yet")->required();
+    command->add_option("--exercise", given->exercise, "Whose instruments are tracked; of an operation all its parts'")
+        ->capture_default_str();
+    command->callback([given, &context] {
+        given->root = context.root;
+        context.status = call<tracking::BeginEntry>(tracking::begin_entry_name, *given);
+    });
+}
+
+void add_design(CLI::App& track, Context& context) {
+    CLI::App* command =
+        track.add_subcommand("design", "Where an instrument's spheres stand, so that it is known by them");
+    auto given = std::make_shared<tracking::DesignOptions>();
+    command->add_option("instrument", given->instrument, "Its name")->required();
+    command->add_option("body", given->body, "File to write")->required();
+    command->add_option("--unlike", given->unlike, "Files of bodies that it is not to be taken for");
+    command->add_option("--beside", given->beside,
+                        "Files of bodies used at the same time: no distance is theirs either");
+    command->add_option("--reach", given->reach_mm, "Of a sphere from the handle's axis [mm]")
+        ->check(CLI::Range(18.0, 60.0))
+        ->capture_default_str();
+    command->add_option("--seed", given->seed, "Of chance")->capture_default_str();
     command->callback(
-        [folder, &context] { context.status = call<tracking::BeginEntry>(tracking::begin_entry_name, *folder); });
+        [given, &context] { context.status = call<tracking::DesignEntry>(tracking::design_entry_name, *given); });
 }
 
 void add_measure(CLI::App& track, Context& context) {
@@ -89,14 +112,14 @@ void add_measure(CLI::App& track, Context& context) {
 }
 
 void add_print(CLI::App& track, Context& context) {
-    CLI::App* command = track.add_subcommand("print", "Posts and ring for a body's spheres, as an STL file");
-    auto body = std::make_shared<std::string>();
-    auto stl = std::make_shared<std::string>();
-    command->add_option("body", *body, "The body's file")->required();
-    command->add_option("stl", *stl, "File to write")->required();
-    command->callback([body, stl, &context] {
-        context.status = call<tracking::PrintEntry>(tracking::print_entry_name, *body, *stl);
-    });
+    CLI::App* command = track.add_subcommand("print", "A replica with struts for a body's spheres, as an STL file");
+    auto given = std::make_shared<tracking::PrintOptions>();
+    command->add_option("body", given->body, "The body's file")->required();
+    command->add_option("stl", given->stl, "File to write")->required();
+    command->add_flag("!--without-shape", given->with_shape,
+                      "A sleeve with struts alone, to be put on a real instrument");
+    command->callback(
+        [given, &context] { context.status = call<tracking::PrintEntry>(tracking::print_entry_name, *given); });
 }
 
 }  // namespace
@@ -116,6 +139,7 @@ void add_track(CLI::App& app, Context& context) {
     add_calibrate(*command, context);
     add_pivot(*command, context);
     add_begin(*command, context);
+    add_design(*command, context);
     add_print(*command, context);
     add_measure(*command, context);
     command->callback([given, command, &context] {

@@ -9,8 +9,9 @@ namespace rhexis::tracking {
 Status track(const TrackOptions& options);
 Status calibrate(const CalibrateOptions& options);
 Status pivot(const PivotOptions& options);
-Status begin(const std::string& folder);
+Status begin(const BeginOptions& options);
+Status design(const DesignOptions& options);
 Status measure(const MeasureOptions& options);
-Status print_body(const std::string& body, const std::string& stl);
+Status print_body(const PrintOptions& options);
 
 }  // namespace rhexis::tracking

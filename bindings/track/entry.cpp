@@ -21,12 +21,17 @@ extern "C" {
                                                             rhexis::Status& status) {
     status = rhexis::tracking::measure(options);
 }
-[[gnu::visibility("default")]] void rhexis_tracking_begin(const std::string& folder, rhexis::Status& status) {
-    status = rhexis::tracking::begin(folder);
-}
-[[gnu::visibility("default")]] void rhexis_tracking_print(const std::string& body, const std::string& stl,
+[[gnu::visibility("default")]] void rhexis_tracking_begin(const rhexis::tracking::BeginOptions& options,
                                                           rhexis::Status& status) {
-    status = rhexis::tracking::print_body(body, stl);
+    status = rhexis::tracking::begin(options);
+}
+[[gnu::visibility("default")]] void rhexis_tracking_design(const rhexis::tracking::DesignOptions& options,
+                                                           rhexis::Status& status) {
+    status = rhexis::tracking::design(options);
+}
+[[gnu::visibility("default")]] void rhexis_tracking_print(const rhexis::tracking::PrintOptions& options,
+                                                          rhexis::Status& status) {
+    status = rhexis::tracking::print_body(options);
 }
 
 [[gnu::visibility("default")]] void rhexis_tracking_chain(const rhexis::tracking::ChainOptions& options,

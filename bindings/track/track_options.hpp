@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "trial/sample_link.hpp"
@@ -67,11 +68,37 @@ inline constexpr const char* calibrate_entry_name = "rhexis_tracking_calibrate";
 using CalibrateEntry = void(const CalibrateOptions& options, Status& status);
 inline constexpr const char* pivot_entry_name = "rhexis_tracking_pivot";
 using PivotEntry = void(const PivotOptions& options, Status& status);
-/// A folder with a setup, the rig as a builder would write it, and bodies, to begin with.
+/// rhexis track begin FOLDER
+struct BeginOptions {
+    std::string folder;
+    std::string exercise = "phaco_sculpt";  ///< whose instruments are tracked; an operation: those of all its parts
+    std::string root;                       ///< folder that holds scripts/ and curricula/
+};
+
 inline constexpr const char* begin_entry_name = "rhexis_tracking_begin";
-using BeginEntry = void(const std::string& folder, Status& status);
-/// A body's posts and ring as an STL file.
+using BeginEntry = void(const BeginOptions& options, Status& status);
+
+/// rhexis track design INSTRUMENT BODY
+struct DesignOptions {
+    std::string instrument;
+    std::string body;                 ///< file to write
+    std::vector<std::string> unlike;  ///< files of bodies that it is not to be taken for
+    std::vector<std::string> beside;  ///< likewise, and no distance is found in them either
+    double reach_mm = 26.0;           ///< of spheres from the handle's axis
+    std::uint64_t seed = 1;
+};
+
+inline constexpr const char* design_entry_name = "rhexis_tracking_design";
+using DesignEntry = void(const DesignOptions& options, Status& status);
+
+/// rhexis track print BODY STL
+struct PrintOptions {
+    std::string body;
+    std::string stl;
+    bool with_shape = true;  ///< in one with the instrument's own shape; else a sleeve to be put on a real one
+};
+
 inline constexpr const char* print_entry_name = "rhexis_tracking_print";
-using PrintEntry = void(const std::string& body, const std::string& stl, Status& status);
+using PrintEntry = void(const PrintOptions& options, Status& status);
 
 }  // namespace rhexis::tracking

@@ -60,6 +60,35 @@ Result<Camera> camera_of(const Json& json, const std::string& where) {
     return camera;
 }
 
+Result<MarkerBody> body_of(const Json& json, const std::string& where) {
+    Fields fields(json, where);
+    MarkerBody body;
+    body.name = fields.text("name");
+    body.radius_mm = fields.number("radius_mm", 0.5, 20.0);
+    body.markers = fields.points("markers_mm", largest_body_mm);
+    if (body.markers.size() < fewest_markers || body.markers.size() > most_markers) {
+        fields.refuse("markers_mm", std::to_string(fewest_markers) + " to " + std::to_string(most_markers) + " points");
+    }
+    body.tip.position = fields.numbers("tip_mm", 3, largest_body_mm);
+    const Vec3 axis = fields.numbers("axis", 3, 1e3);
+    const Vec3 side = fields.numbers("side", 3, 1e3);
+    if (!(axis.norm() > 1e-6)) {
+        fields.refuse("axis", "a direction, from the tip to the hand");
+    } else if (!(side.cross(axis).norm() > 1e-6 * axis.norm())) {
+        fields.refuse("side", "a direction across the axis");
+    } else {
+        Mat3 turned;
+        turned.col(2) = axis.normalized();
+        turned.col(1) = axis.cross(side).normalized();
+        turned.col(0) = turned.col(1).cross(turned.col(2));
+        body.tip.orientation = Quat(turned);
+    }
+    if (const Status status = fields.status(); !status) {
+        return status.error();
+    }
+    return body;
+}
+
 Status check_cameras(const std::vector<Camera>& cameras, const std::string& path) {
     if (cameras.size() < fewest_cameras || cameras.size() > most_cameras) {
         return Error{std::to_string(cameras.size()) + " cameras", path, range_text(fewest_cameras, most_cameras)};
@@ -119,35 +148,13 @@ Status write_rig(const Rig& rig, const std::string& path) {
 
 Result<MarkerBody> read_marker_body(const std::string& path) {
     const Result<Json> json = read_json_object(path);
-    if (!json) {
-        return json.error();
-    }
-    Fields fields(json.value(), path);
-    MarkerBody body;
-    body.name = fields.text("name");
-    body.radius_mm = fields.number("radius_mm", 0.5, 20.0);
-    body.markers = fields.points("markers_mm", largest_body_mm);
-    if (body.markers.size() < fewest_markers || body.markers.size() > most_markers) {
-        fields.refuse("markers_mm", std::to_string(fewest_markers) + " to " + std::to_string(most_markers) + " points");
-    }
-    body.tip.position = fields.numbers("tip_mm", 3, largest_body_mm);
-    const Vec3 axis = fields.numbers("axis", 3, 1e3);
-    const Vec3 side = fields.numbers("side", 3, 1e3);
-    if (!(axis.norm() > 1e-6)) {
-        fields.refuse("axis", "a direction, from the tip to the hand");
-    } else if (!(side.cross(axis).norm() > 1e-6 * axis.norm())) {
-        fields.refuse("side", "a direction across the axis");
-    } else {
-        Mat3 turned;
-        turned.col(2) = axis.normalized();
-        turned.col(1) = axis.cross(side).normalized();
-        turned.col(0) = turned.col(1).cross(turned.col(2));
-        body.tip.orientation = Quat(turned);
-    }
-    if (const Status status = fields.status(); !status) {
-        return status.error();
-    }
-    return body;
+    return json ? body_of(json.value(), path) : Result<MarkerBody>(json.error());
+}
+
+Result<MarkerBody> marker_body_of(const std::string& text, const std::string& where) {
+    const Json json = Json::parse(text, nullptr, false);
+    return json.is_object() ? body_of(json, where)
+                            : Result<MarkerBody>(Error{"this is no marker body", where, "a JSON object"});
 }
 
 Status write_marker_body(const MarkerBody& body, const std::string& path) {

@@ -24,6 +24,8 @@ Status write_rig(const Rig& rig, const std::string& path);
 /// A JSON file per body, {"name", "radius_mm", "markers_mm": [[x, y, z], ...], "tip_mm": [x, y, z], "axis": [x, y, z],
 /// "side": [x, y, z]}: the instrument's +z and +x, the second made square to the first.
 Result<MarkerBody> read_marker_body(const std::string& path);
+/// The same from its text. where: for errors.
+Result<MarkerBody> marker_body_of(const std::string& text, const std::string& where);
 Status write_marker_body(const MarkerBody& body, const std::string& path);
 
 }  // namespace rhexis::tracking

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tracking/bodies/known_bodies.hpp"
 #include "tracking/json_fields.hpp"
 #include "tracking/sources/synthetic_source.hpp"
 #include "tracking/synthetic/clips.hpp"
@@ -125,12 +126,25 @@ struct Play {
     synthetic::Clip clip{};
 };
 
+/// The head's, and as many others as there is room for.
+std::vector<MarkerBody> played_bodies(const std::vector<MarkerBody>& bodies) {
+    std::vector<MarkerBody> played;
+    int instruments = 0;
+    for (const MarkerBody& body : bodies) {
+        if (body.name == head_name || instruments++ < synthetic::most_instruments) {
+            played.push_back(body);
+        }
+    }
+    return played;
+}
+
 Result<std::unique_ptr<SpotSource>> open_synthetic(const SyntheticPlan& plan, const Setup& setup) {
     Result<synthetic::SyntheticRig> rig = synthetic::SyntheticRig::create(plan.seed);
     if (!rig) {
         return rig.error();
     }
-    Result<synthetic::Clip> clip = synthetic::make_clip(plan.clip, plan.seed, setup.bodies, rig.value().nominal);
+    Result<synthetic::Clip> clip =
+        synthetic::make_clip(plan.clip, plan.seed, played_bodies(setup.bodies), rig.value().nominal);
     if (!clip) {
         return clip.error();
     }

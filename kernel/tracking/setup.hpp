@@ -54,7 +54,7 @@ struct Setup {
 /// without "others_may_hear".
 Result<Setup> read_setup(const std::string& path);
 
-/// Spots from the setup's source, from its beginning.
+/// Spots from the setup's source, from its beginning. A clip of a synthetic one shows the first six instruments.
 Result<std::unique_ptr<SpotSource>> open_source(const Setup& setup);
 
 /// Spots of a waved wand: the synthetic rig waves one; of other sources it is what they show.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "math/poses.hpp"
 #include "tracking/bodies/identity.hpp"
 
@@ -19,6 +20,17 @@ double middle_time(std::span<const CameraSpots> exposures) {
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), middle, times.end());
     return *middle;
+}
+
+/// A body that points are taken for.
+struct Claim {
+    std::size_t body = 0;
+    Identified found{};
+};
+
+bool goes_before(const Claim& one, const Claim& other) {
+    return one.found.markers != other.found.markers ? one.found.markers > other.found.markers
+                                                    : one.found.worst_mm < other.found.worst_mm;
 }
 
 }  // namespace
@@ -199,7 +211,8 @@ void Tracker::acquire() {
     acquire_with(2);
 }
 
-/// Points that only two cameras see meet by chance: of those, all markers of a body are asked for.
+/// Points that only two cameras see meet by chance: of those, all markers of a body are asked for. Of all bodies the
+/// one of most markers goes first, for points of several bodies may happen to lie as three markers of another do.
 void Tracker::acquire_with(int least_views) {
     MatchingSettings matching = settings_.matching;
     matching.least_views = least_views;
@@ -209,26 +222,42 @@ void Tracker::acquire_with(int least_views) {
         points.push_back(point.point);
     }
     std::vector<bool> used(points.size(), false);
+    std::vector<Claim> claims;
+    const auto claim = [&](std::size_t body) {
+        const int asked = least_views >= 3 ? 3 : static_cast<int>(bodies_[body].markers.size());
+        std::optional<Identified> found = identify(bodies_[body], points, used, settings_.distance_mm);
+        if (found && found->markers >= asked) {
+            claims.push_back({body, std::move(*found)});
+        }
+    };
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
-        if (tracks_[i].seen == Seen::seen) {
-            continue;
+        if (tracks_[i].seen != Seen::seen) {
+            claim(i);
         }
-        const std::optional<Identified> found = identify(bodies_[i], points, used, settings_.distance_mm);
-        const int asked = least_views >= 3 ? 3 : static_cast<int>(bodies_[i].markers.size());
-        if (!found || found->markers < asked) {
-            continue;
-        }
-        candidates_.clear();
-        add_candidates(static_cast<int>(i), found->pose, Motion{}, settings_.gate_px);
-        assign();
-        if (accept(static_cast<int>(i), sightings_of(static_cast<int>(i)), found->pose, true)) {
-            for (const int point : found->points) {
+    }
+    while (!claims.empty()) {
+        const auto best = std::min_element(claims.begin(), claims.end(), goes_before);
+        const Claim one = std::move(*best);
+        claims.erase(best);
+        const std::vector<int>& of = one.found.points;
+        if (std::any_of(of.begin(), of.end(), [&used](int point) { return point >= 0 && used[at(point)]; })) {
+            claim(one.body);  // others had some of its points
+        } else if (acquire_at(static_cast<int>(one.body), one.found.pose)) {
+            for (const int point : of) {
                 if (point >= 0) {
-                    used[static_cast<std::size_t>(point)] = true;
+                    used[at(point)] = true;
                 }
             }
         }
     }
+}
+
+/// By its images, where points say that it is.
+bool Tracker::acquire_at(int body, const Pose& pose) {
+    candidates_.clear();
+    add_candidates(body, pose, Motion{}, settings_.gate_px);
+    assign();
+    return accept(body, sightings_of(body), pose, true);
 }
 
 std::optional<Pose> Tracker::in_rig(int body) const {

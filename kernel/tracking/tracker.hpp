@@ -82,6 +82,7 @@ private:
     void follow();
     void acquire();
     void acquire_with(int least_views);
+    bool acquire_at(int body, const Pose& pose);
     bool accept(int body, const std::vector<Sighting>& sightings, const Pose& begun, bool fresh);
     void add_candidates(int body, const Pose& at_time, const Motion& motion, double gate_px);
     void assign();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marker bodies to try tracking with.
+// Marker bodies that figures are measured with.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace rhexis::tracking::synthetic {
 
-/// "head", "phaco", "capsulorhexis_forceps" and "chopper", four markers each; the origin is the markers' centre. All
-/// 24 distances between markers of a body differ by 2 mm or more. An instrument's axis is its z axis, its tip 80 to
-/// 115 mm before the markers, which stand off its handle; the head's tip is the eye, 95 mm from its markers.
+/// "head", "phaco", "forceps" and "chopper" of those that come with the program, four markers each; the origin is the
+/// markers' centre. All 24 distances between markers of a body differ by 2 mm or more. An instrument's handle lies
+/// along its z axis, and so does its tip's, 80 to 115 mm before the markers; the head's tip is the eye, 95 mm from its
+/// markers.
 std::vector<MarkerBody> standard_bodies();
 
 }  // namespace rhexis::tracking::synthetic

@@ -50,6 +50,11 @@ std::vector<Worn> draw_worn(std::size_t markers, Rng& rng) {
 
 bool is_head(const MarkerBody& body) { return body.name == "head"; }
 
+/// From the tip to the hand.
+Vec3 handle_axis(const MarkerBody& body, const Motion& motion) {
+    return motion.tip.orientation * (body.tip.orientation.conjugate() * Vec3::UnitZ());
+}
+
 void add_circles(Clip& clip) {
     constexpr double radius = 1.0;
     for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
@@ -86,7 +91,7 @@ void add_insertions(Clip& clip) {
     for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
         if (!is_head(clip.bodies[i])) {
             Motion& motion = clip.motions[i];
-            const Vec3 axis = motion.tip.orientation * Vec3::UnitZ();
+            const Vec3 axis = handle_axis(clip.bodies[i], motion);
             const double amplitude = speed_mm_s / (2.0 * std::numbers::pi * frequency);
             motion.tip.position += amplitude * axis;
             motion.moves.push_back({amplitude * axis, frequency, static_cast<double>(i)});
@@ -142,7 +147,7 @@ void add_crossing(Clip& clip) {
     for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
         if (!is_head(clip.bodies[i])) {
             instruments.push_back(i);
-            const Vec3 axis = clip.motions[i].tip.orientation * Vec3::UnitZ();
+            const Vec3 axis = handle_axis(clip.bodies[i], clip.motions[i]);
             clip.motions[i].trips.push_back({away_mm * axis, 7.0, 10.0, 0.8});
         }
     }
@@ -199,14 +204,14 @@ std::string all_names() {
 }  // namespace
 
 Result<Clip> make_clip(std::string_view name, std::uint64_t seed, std::span<const MarkerBody> bodies, const Rig& rig) {
-    constexpr int most_instruments = 6;
     if (std::find(clip_names.begin(), clip_names.end(), name) == clip_names.end()) {
         return Error{"there is no clip \"" + std::string(name) + "\"", "clips", all_names()};
     }
     const auto heads = static_cast<int>(std::count_if(bodies.begin(), bodies.end(), is_head));
     const int instruments = static_cast<int>(bodies.size()) - heads;
     if (instruments > most_instruments) {
-        return Error{std::to_string(instruments) + " instruments", "clips", "at most 6"};
+        return Error{std::to_string(instruments) + " instruments", "clips",
+                     "at most " + std::to_string(most_instruments)};
     }
     Clip clip;
     clip.name = name;
@@ -221,6 +226,8 @@ Result<Clip> make_clip(std::string_view name, std::uint64_t seed, std::span<cons
         Motion motion;
         if (!is_head(body)) {
             motion.tip = resting_tip(instrument++, instruments, rng);
+            // it is held by its handle, which is the body's z axis
+            motion.tip.orientation = motion.tip.orientation * body.tip.orientation;
         }
         clip.motions.push_back(motion);
         clip.worn.push_back(draw_worn(body.markers.size(), rng));

@@ -25,20 +25,25 @@ double presence(double time_s, double begin_s, double end_s, double ramp_s) {
     return smooth_step((time_s - begin_s) / ramp_s) * smooth_step((end_s - time_s) / ramp_s);
 }
 
+/// At a body's tip, turned as the body: its handle lies along z.
+Pose handle_at(const Clip& clip, int body, double time_s) {
+    return {tip_at(clip, body, time_s).position, pose_at(clip, body, time_s).orientation};
+}
+
 /// Handle, and two fingers that hold it before the markers.
-void add_hand(const Pose& tip, double markers_mm, Scene& scene) {
+void add_hand(const Pose& held, double markers_mm, Scene& scene) {
     constexpr double handle_light = 6.0;
     constexpr double finger_light = 10.0;
     Capsule handle;
-    handle.from = tip.to_world({0.0, 0.0, 25.0});
-    handle.to = tip.to_world({0.0, 0.0, markers_mm + 25.0});
+    handle.from = held.to_world({0.0, 0.0, 25.0});
+    handle.to = held.to_world({0.0, 0.0, markers_mm + 25.0});
     handle.radius = 3.5;
     handle.light = handle_light;
     scene.capsules.push_back(handle);
     for (const double side : {-1.0, 1.0}) {
         Capsule finger;
-        finger.from = tip.to_world({side * 10.0, 0.0, 38.0});
-        finger.to = tip.to_world({side * 32.0, 30.0, 62.0});
+        finger.from = held.to_world({side * 10.0, 0.0, 38.0});
+        finger.to = held.to_world({side * 32.0, 30.0, 62.0});
         finger.radius = 6.5;
         finger.soft = 1.0;
         finger.light = finger_light;
@@ -88,8 +93,8 @@ void add_glints(const Clip& clip, double time_s, Scene& scene) {
     scene.glints.push_back({{-75.0, 30.0, -12.0}, 150.0, 0.8});
     for (int body = 0; body < static_cast<int>(clip.bodies.size()); ++body) {
         if (clip.bodies[at(body)].name != "head") {
-            const Pose tip = tip_at(clip, body, time_s);
-            scene.glints.push_back({tip.to_world({0.0, handle_mm, 72.0}), 120.0, 1.0});
+            const Pose held = handle_at(clip, body, time_s);
+            scene.glints.push_back({held.to_world({0.0, handle_mm, 72.0}), 120.0, 1.0});
         }
     }
 }
@@ -138,7 +143,7 @@ void scene_at(const Clip& clip, double time_s, Scene& scene) {
             scene.spheres.push_back(sphere);
         }
         if (clip.hands && body.name != "head") {
-            add_hand(tip_at(clip, i, time_s), body.tip.position.norm(), scene);
+            add_hand({tip_at(clip, i, time_s).position, pose.orientation}, body.tip.position.norm(), scene);
         }
     }
     if (clip.hands) {

@@ -90,8 +90,10 @@ struct Clip {
 inline constexpr std::array<std::string_view, 7> clip_names{"still",     "circle",   "tremor", "insertions",
                                                             "occlusion", "crossing", "bump"};
 
-/// Bodies named "head" rest on the head; others are instruments, up to six, with their tips at the eye. The error
-/// tells the names there are.
+inline constexpr int most_instruments = 6;  ///< that there is room for in a clip
+
+/// Bodies named "head" rest on the head; others are instruments, up to six of them, with their tips at the eye, held
+/// along the z axes of their bodies. The error tells the names there are.
 Result<Clip> make_clip(std::string_view name, std::uint64_t seed, std::span<const MarkerBody> bodies, const Rig& rig);
 
 /// A body's frame in the rig [mm], at any time; also before 0 and after the end.

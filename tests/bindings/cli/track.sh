@@ -34,7 +34,7 @@ grep -q '"calibrated": true' rig/rig.json || wrong "the rig does not say that it
 tail -1 poses | python3 -c '
 import json, sys
 bodies = json.load(sys.stdin)["bodies"]
-assert len(bodies) == 4 and all(b["seen"] == "seen" and b["cameras"] >= 5 for b in bodies.values()), bodies
+assert list(sorted(bodies)) == ["head", "phaco", "spatula"] and all(b["seen"] == "seen" and b["cameras"] >= 5 for b in bodies.values()), bodies
 ' || wrong "not all bodies are seen"
 grep -q "phaco is seen" lines || wrong "it does not say what is seen"
 "$program" track rig/track.json --seconds 0.1 --fast --silent --picture seen.png 2> /dev/null || wrong "no picture"
@@ -44,7 +44,7 @@ grep -q "phaco is seen" lines || wrong "it does not say what is seen"
 "$program" track rig/track.json --seconds 6 2> told &
 for _ in $(seq 50); do grep -q "told at" told && break; sleep 0.1; done
 port=$(sed -n 's/.*127.0.0.1:\([0-9]*\) (VRPN).*/\1/p' told)
-"$program" vrpn listen "tcp://127.0.0.1:$port" phaco chopper --seconds 2 --json > heard 2> /dev/null
+"$program" vrpn listen "tcp://127.0.0.1:$port" phaco spatula --seconds 2 --json > heard 2> /dev/null
 [ "$(grep -c '"kind":"pose"' heard)" -gt 100 ] || wrong "heard only $(grep -c pose heard) poses"
 sed "s/\"vrpn\": 0/\"vrpn\": $port/" rig/track.json > rig/same.json
 refused "$port" "$program" track rig/same.json --seconds 1
@@ -80,16 +80,39 @@ change 's/"head": "head"/"head": "nobody"/'; refused "nobody" "$program" track r
 change 's/"serve"/"sevre"/'; refused "did you mean 'serve'" "$program" track rig/wrong.json
 change 's/127.0.0.1/0.0.0.0/'; refused "others_may_hear" "$program" track rig/wrong.json
 change 's/"tremor"/"trembling"/'; refused "trembling" "$program" track rig/wrong.json
-change 's/"chopper.json"/"chopper.json", "twin.json"/'
-sed 's/"chopper"/"twin"/' rig/chopper.json > rig/twin.json
+change 's/"spatula.json"/"spatula.json", "twin.json"/'
+sed 's/"spatula"/"twin"/' rig/spatula.json > rig/twin.json
 refused "twin" "$program" track rig/wrong.json
 change 's/"rig.json"/"two.json"/'
 python3 -c 'import json; r = json.load(open("rig/rig.json")); r["cameras"] = r["cameras"][:1]; json.dump(r, open("rig/two.json", "w"))'
 refused "1 cameras" "$program" track rig/wrong.json
 refused "no body" "$program" track pivot rig/track.json scalpel
 
-"$program" track print rig/head.json head.stl || wrong "nothing to print"
-[ "$(wc -c < head.stl)" -gt 10000 ] || wrong "an empty shape"
+# What another exercise is done with, or all parts of an operation.
+"$program" track begin rhexis --exercise capsulorhexis > /dev/null || wrong "begin fails for another exercise"
+[ "$(ls rhexis | tr '\n' ' ')" = "cannula.json cystotome.json forceps.json head.json rig.json track.json " ] ||
+  wrong "another exercise is begun with $(ls rhexis)"
+"$program" track begin whole --exercise full_operation > /dev/null || wrong "begin fails for an operation"
+[ "$(ls whole | wc -l)" -gt 15 ] || wrong "an operation is begun with $(ls whole)"
+sed -i 's/"clip": "tremor"/"clip": "still", "level": "markers"/' whole/track.json
+sed -i 's/"calibrated": false/"calibrated": true/' whole/rig.json
+"$program" track whole/track.json --seconds 0.1 --fast --silent 2> /dev/null || wrong "the bodies of an operation are not tracked"
+refused "no_such_exercise" "$program" track begin other --exercise no_such_exercise
+[ ! -e other ] || wrong "a folder is made for an exercise that there is not"
+
+# Replicas, and a body for another instrument.
+for body in head phaco forceps; do
+  "$program" track print "$(ls {rig,rhexis}/$body.json 2> /dev/null | head -1)" $body.stl || wrong "$body is not printed"
+  [ "$(wc -c < $body.stl)" -gt 10000 ] || wrong "an empty shape of $body"
+done
+"$program" track print rig/phaco.json sleeve.stl --without-shape || wrong "no sleeve alone"
+[ "$(wc -c < sleeve.stl)" -lt "$(wc -c < phaco.stl)" ] || wrong "the sleeve alone is no smaller"
+refused "twin" "$program" track print rig/twin.json twin.stl
+"$program" track print rig/twin.json twin.stl --without-shape || wrong "no sleeve for an instrument that is not known"
+"$program" track design hook hook.json --unlike rig/phaco.json --beside rig/head.json > /dev/null || wrong "nothing is designed"
+sed 's/"rig.json"/"..\/rig\/rig.json"/; s/\["[^]]*\]/["..\/rig\/head.json", "..\/rig\/phaco.json", "..\/hook.json"]/' rig/track.json > whole/hook.json
+"$program" track whole/hook.json --seconds 0.1 --fast --silent 2> /dev/null || wrong "what was designed is not tracked"
+refused "scalpel" "$program" track design scalpel scalpel.json
 
 [ $failed = 0 ] && echo "all as it should be"
 exit $failed

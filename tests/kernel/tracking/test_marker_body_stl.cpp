@@ -1,106 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read back from the file of a body to be printed.
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cstring>
-#include <map>
+#include <numbers>
 
-#include "tracking/marker_body_stl.hpp"
+#include "stl_support.hpp"
+#include "tracking/print/marker_body_stl.hpp"
 
 namespace rhexis::tracking {
 namespace {
 
-using Corner = std::array<float, 3>;
-using Facet = std::array<Corner, 4>;  // normal, then corners
+using namespace testing;
 
 MarkerBody printed_phaco() {
-    MarkerBody body{"phaco", {{0, 40, 0}, {24, 45, 0}, {-8, 62, 8}, {-14, 38, 30}}, 3.0, {}};
-    body.tip.position = {0, 0, -120};
+    MarkerBody body{"phaco", {{0, 20, 0}, {24, -5, 0}, {-18, 12, 8}, {-4, -18, 30}}, 3.0, {}};
+    body.tip.position = {0, 0, -95};
     return body;
 }
 
-std::vector<Facet> read_stl(const std::string& bytes) {
-    REQUIRE(bytes.size() >= 84);
-    std::uint32_t count = 0;
-    std::memcpy(&count, bytes.data() + 80, 4);
-    REQUIRE(bytes.size() == 84 + 50 * static_cast<std::size_t>(count));
-    std::vector<Facet> facets(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        std::memcpy(facets[i].data(), bytes.data() + 84 + 50 * i, sizeof(Facet));
-    }
-    return facets;
-}
-
-Vec3 vector_of(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
-
-/// Facets that hang together by edges, each shell by itself: they follow one another in the file, so a new one begins
-/// where all edges before are paired.
-struct Shell {
-    double volume = 0.0;
-    int facets = 0;
-};
-
-std::vector<Shell> shells_of(const std::vector<Facet>& facets) {
-    std::vector<Shell> shells(1);
-    std::map<std::pair<Corner, Corner>, int> open;  // edges that still lack their opposite
-    for (const Facet& facet : facets) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Corner& from = facet[1 + i];
-            const Corner& to = facet[1 + (i + 1) % 3];
-            const auto opposite = open.find({to, from});
-            if (opposite != open.end()) {
-                open.erase(opposite);
-            } else {
-                const bool first = open.emplace(std::make_pair(from, to), 1).second;
-                REQUIRE(first);
-            }
-        }
-        shells.back().volume += vector_of(facet[1]).dot(vector_of(facet[2]).cross(vector_of(facet[3]))) / 6.0;
-        ++shells.back().facets;
-        if (open.empty()) {
-            shells.emplace_back();
-        }
-    }
-    CHECK(open.empty());
-    shells.pop_back();
-    return shells;
+/// A rod along z, its tip at the origin.
+Replica rod_replica(double length, double radius) {
+    const std::array<RoundedCone, 1> rod{{{Vec3::Zero(), {0.0, 0.0, length}, radius, radius}}};
+    return {handle_of(rod, "rod").value(), {}};
 }
 
 std::string print_error(const MarkerBody& body, const MarkerBodyPrint& print = {}) {
-    const Result<std::string> stl = marker_body_stl(body, print);
+    const Result<std::string> stl = marker_body_stl(body, rod_replica(120.0, 4.0), print);
     return stl ? std::string("ok") : stl.error().text();
+}
+
+std::vector<Vec3> corners_of_box() {
+    const Vec3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    return {o, y,     x,     x,     y,         x + y,       // below
+            o, x,     z,     x,     x + z,     z,           // before
+            o, z,     y,     y,     z,         y + z,       // left
+            x, x + y, x + z, x + y, x + y + z, x + z,       // right
+            z, x + z, y + z, y + z, x + z,     x + y + z,   // above
+            y, y + z, x + y, x + y, y + z,     x + y + z};  // behind
 }
 
 }  // namespace
 
-TEST_CASE("ring, bar and posts are closed shells of positive volume, with normals outwards") {
-    const Result<std::string> stl = marker_body_stl(printed_phaco());
+TEST_CASE("sleeve and struts are closed shells of positive volume, with normals outwards") {
+    const Result<std::string> stl = marker_body_stl(printed_phaco(), rod_replica(120.0, 4.0));
     REQUIRE_MESSAGE(stl.ok(), (stl ? "" : stl.error().text()));
-    const std::vector<Facet> facets = read_stl(stl.value());
-    const std::vector<Shell> shells = shells_of(facets);
-    REQUIRE(shells.size() == 6);
-    for (const Shell& shell : shells) {
+    const std::vector<StlFacet> facets = read_stl(stl.value());
+    const std::vector<StlShell> shells = closed_shells_of(facets);
+    REQUIRE(shells.size() == 5);
+    for (const StlShell& shell : shells) {
         CHECK(shell.volume > 0.0);
     }
-    const double pi = 3.14159265358979;
-    CHECK(shells[0].volume == doctest::Approx(pi * (7.1 * 7.1 - 4.1 * 4.1) * 8.0).epsilon(0.01));
-    for (const Facet& facet : facets) {
+    for (const StlFacet& facet : facets) {
         const Vec3 turn = (vector_of(facet[2]) - vector_of(facet[1])).cross(vector_of(facet[3]) - vector_of(facet[1]));
         CHECK(turn.norm() > 0.0);
         CHECK(turn.normalized().dot(vector_of(facet[0])) > 0.999);
     }
 }
 
-TEST_CASE("seats, pins and the ring have the sizes that were asked for") {
+TEST_CASE("seats, pins and the bore have the sizes that were asked for") {
     const MarkerBody body = printed_phaco();
     MarkerBodyPrint print;
-    print.clearance = 0.2;
-    const std::vector<Facet> facets = read_stl(marker_body_stl(body, print).value());
+    print.mount.clearance = 0.2;
+    const std::vector<StlFacet> facets = read_stl(marker_body_stl(body, rod_replica(120.0, 4.0), print).value());
     for (const Vec3& marker : body.markers) {
         double nearest = 1e9;
         double seat = 0.0;
-        for (const Facet& facet : facets) {
+        for (const StlFacet& facet : facets) {
             for (std::size_t i = 1; i < 4; ++i) {
                 const double distance = (vector_of(facet[i]) - marker).norm();
                 nearest = std::min(nearest, distance);
@@ -111,7 +75,7 @@ TEST_CASE("seats, pins and the ring have the sizes that were asked for") {
         CHECK(seat == doctest::Approx(3.2).epsilon(1e-4));
     }
     double bore = 1e9;
-    for (const Facet& facet : facets) {
+    for (const StlFacet& facet : facets) {
         for (std::size_t i = 1; i < 4; ++i) {
             bore = std::min(bore, vector_of(facet[i]).head<2>().norm());
         }
@@ -119,20 +83,88 @@ TEST_CASE("seats, pins and the ring have the sizes that were asked for") {
     CHECK(bore == doctest::Approx(4.2).epsilon(1e-4));  // nothing reaches into it
 }
 
+TEST_CASE("with the instrument's shape the sleeve is solid, and the shape is where the tip has it") {
+    MarkerBody body = printed_phaco();
+    body.tip.orientation = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
+    Replica replica = rod_replica(120.0, 4.0);
+    replica.handle = moved_to({Vec3::Zero(), body.tip.orientation.conjugate()}, *replica.handle);
+    const Result<Solid> box = closed_shell(corners_of_box(), "box");
+    REQUIRE(box.ok());
+    replica.shape = {box.value()};
+    const std::vector<StlShell> shells = closed_shells_of(read_stl(marker_body_stl(body, replica).value()));
+    REQUIRE(shells.size() == 6);
+    CHECK(shells[0].volume == doctest::Approx(1.0));
+    double far_corner = 1e9;
+    for (const StlFacet& facet : shells[0].facets) {
+        for (std::size_t i = 1; i < 4; ++i) {
+            far_corner = std::min(far_corner, (vector_of(facet[i]) - body.tip.to_world({1, 1, 1})).norm());
+        }
+    }
+    CHECK(far_corner < 1e-4);
+    double length = 0.0;
+    for (const StlFacet& facet : shells[1].facets) {
+        length = std::max(length, vector_of(facet[1]).z());
+    }
+    double from = 1e9;
+    for (const StlFacet& facet : shells[1].facets) {
+        from = std::min(from, static_cast<double>(facet[1][2]));
+    }
+    const double radius = 7.1;
+    CHECK(shells[1].volume == doctest::Approx(std::numbers::pi * radius * radius * (length - from)).epsilon(0.01));
+}
+
+TEST_CASE("a short thread is gone on with by a rod that the sleeve is about") {
+    const Replica thread = rod_replica(25.0, 0.15);
+    MarkerBody body = printed_phaco();
+    body.tip.position = {0, 0, -65};
+    const Result<std::string> stl = marker_body_stl(body, thread);
+    REQUIRE_MESSAGE(stl.ok(), (stl ? "" : stl.error().text()));
+    const std::vector<StlShell> shells = closed_shells_of(read_stl(stl.value()));
+    REQUIRE(shells.size() == 5);
+    double begins = 1e9;
+    for (const StlFacet& facet : shells[0].facets) {
+        begins = std::min(begins, static_cast<double>(facet[1][2]));
+    }
+    CHECK(begins == doctest::Approx(-65.0 + 15.0));
+}
+
+TEST_CASE("a head's body stands on a plate") {
+    const MarkerBody head{"head", {{40, 0, -16}, {8, 37, 15}, {-46, 7, -14}, {-2, -42, 16}}, 3.0, {}};
+    const std::vector<StlShell> shells = closed_shells_of(read_stl(marker_body_stl(head, {}).value()));
+    REQUIRE(shells.size() == 5);
+    CHECK(shells[0].volume == doctest::Approx(std::numbers::pi * 144.0 * 5.0).epsilon(0.01));
+}
+
 TEST_CASE("a body that cannot be printed so is refused with the marker that is in the way") {
     CHECK(print_error(printed_phaco()) == "ok");
-    MarkerBody across = printed_phaco();
-    across.markers[1] = {0, -60, 0};
-    CHECK(print_error(across).find("the post of marker 2 meets the shaft") != std::string::npos);
+    MarkerBody within = printed_phaco();
+    within.markers[1] = {0, -6, 0};
+    CHECK(print_error(within).find("no room for a strut to marker 2") != std::string::npos);
     MarkerBody hidden = printed_phaco();
-    hidden.markers = {{0, 70, 0}, {0, 95, 0}, {30, 20, 0}, {-30, 20, 0}};
-    CHECK(print_error(hidden).find("meets the sphere of marker 1") != std::string::npos);
-    MarkerBody middle = printed_phaco();
-    middle.markers = {{0, 50, 0}, {20, 50, 0}, {-20, 50, 0}};
-    CHECK(print_error(middle).find("the post of marker 1 has no room") != std::string::npos);
+    hidden.markers = {{0, 16, 0}, {0, 21.7, 0}, {20, -10, 0}, {-20, -10, 0}};
+    CHECK(print_error(hidden).find("no room for a strut to marker 2") != std::string::npos);
     MarkerBodyPrint thick;
-    thick.post_radius = 2.9;
-    CHECK(print_error(printed_phaco(), thick).find("post_radius is 2.9") != std::string::npos);
+    thick.mount.strut_radius = 2.9;
+    CHECK(print_error(printed_phaco(), thick).find("strut_radius is 2.9") != std::string::npos);
+    MarkerBodyPrint pin;
+    pin.pin_length = 20.0;
+    CHECK(print_error(printed_phaco(), pin).find("pin_length is 20") != std::string::npos);
+}
+
+TEST_CASE("holes of a shell are closed, and what is no surface is refused") {
+    std::vector<Vec3> open = corners_of_box();
+    open.resize(open.size() - 6);  // without a side
+    const Result<Solid> box = closed_shell(open, "box");
+    REQUIRE(box.ok());
+    CHECK(box.value().size() == 10 + 4);
+    double volume = 0.0;
+    for (const Triangle& triangle : box.value()) {
+        volume += triangle[0].dot(triangle[1].cross(triangle[2])) / 6.0;
+    }
+    CHECK(volume == doctest::Approx(1.0));
+    std::vector<Vec3> twice = corners_of_box();
+    twice.insert(twice.end(), twice.begin(), twice.begin() + 3);
+    CHECK(closed_shell(twice, "box").error().text().find("box") != std::string::npos);
 }
 
 }  // namespace rhexis::tracking
