@@ -10,6 +10,7 @@
 #include "base/numbers.hpp"
 #include "cli/command.hpp"
 #include "nlohmann/json.hpp"
+#include "station/asked.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -18,6 +19,8 @@ std::int64_t time_of_day_us() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
     return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
 }
+
+constexpr std::size_t longest_words = 1000;  ///< that are asked: a recording may be anybody's
 
 void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
 
@@ -55,7 +58,9 @@ struct ReportLine {
 };
 
 void print(const DeviceReport& report, bool as_json) {
-    nlohmann::json line{{"device", report.device}, {"time_s", 1e-6 * static_cast<double>(report.time_us)}};
+    nlohmann::json line{{"device", report.device},
+                        {"time_s", 1e-6 * static_cast<double>(report.time_us)},
+                        {"by", report.by_datagram ? "udp" : "tcp"}};
     std::visit(ReportLine{line}, report.what);
     if (as_json) {
         std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -100,12 +105,17 @@ std::vector<SeenStep> as_seen(const Recording& recording) {
             one = sample;
             one.pose = sample.present ? sample.pose : lies;
         }
-        seen.emplace_back(now.begin(), now.end());
+        seen.push_back({{now.begin(), now.end()}});
+        for (const Command& command : step.commands) {
+            if (const std::string words = station::words_of(command); !words.empty()) {
+                seen.back().asked.push_back(words.substr(0, longest_words));
+            }
+        }
     }
     for (std::size_t i = 0; i < now.size(); ++i) {
         std::optional<Pose> taken_up;
         for (std::size_t step = seen.size(); step-- > 0;) {
-            DeviceSample& sample = *seen[step][i];
+            DeviceSample& sample = *seen[step].instruments[i];
             if (sample.present) {
                 taken_up = sample.pose;
             } else if (taken_up) {
@@ -113,7 +123,7 @@ std::vector<SeenStep> as_seen(const Recording& recording) {
             }
         }
         if (!taken_up) {
-            std::for_each(seen.begin(), seen.end(), [i](SeenStep& step) { step[i].reset(); });
+            std::for_each(seen.begin(), seen.end(), [i](SeenStep& step) { step.instruments[i].reset(); });
         }
     }
     return seen;
