@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <thread>
 
 #include "base/clock.hpp"
 #include "base/numbers.hpp"
 #include "cli/command.hpp"
+#include "input/pose_track.hpp"
 #include "nlohmann/json.hpp"
 #include "station/asked.hpp"
 
@@ -20,6 +22,7 @@ std::int64_t time_of_day_us() {
     return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
 }
 
+constexpr double longest_step_mm = 2.0;      ///< of a hand between two steps of a recording
 constexpr std::size_t longest_words = 1000;  ///< that are asked: a recording may be anybody's
 
 void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
@@ -93,6 +96,24 @@ void linger(const Teller& teller) {
     }
 }
 
+/// A virtual surgeon may be elsewhere from one step to the next, outside the eye; a hand is on its way for that. Fills
+/// the steps before such a leap with the way there.
+void without_leaps(std::size_t instrument, std::vector<SeenStep>& seen) {
+    const auto at = [&](std::size_t step) -> DeviceSample& { return *seen[step].instruments[instrument]; };
+    for (std::size_t step = 1; step < seen.size(); ++step) {
+        const double way_mm = (at(step).pose.position - at(step - 1).pose.position).norm();
+        const auto steps = std::min(step, static_cast<std::size_t>(std::ceil(way_mm / longest_step_mm)));
+        if (!at(step - 1).present || !at(step).present || steps < 2) {
+            continue;
+        }
+        const Pose from = at(step - steps).pose;
+        for (std::size_t i = 1; i < steps; ++i) {
+            const double share = static_cast<double>(i) / static_cast<double>(steps);
+            at(step - steps + i).pose = between(from, at(step).pose, share);
+        }
+    }
+}
+
 /// What cameras would see of a recording. An instrument that is not used yet lies where it will be taken up, and one
 /// that is used no more where it was put down.
 std::vector<SeenStep> as_seen(const Recording& recording) {
@@ -124,6 +145,8 @@ std::vector<SeenStep> as_seen(const Recording& recording) {
         }
         if (!taken_up) {
             std::for_each(seen.begin(), seen.end(), [i](SeenStep& step) { step.instruments[i].reset(); });
+        } else {
+            without_leaps(i, seen);
         }
     }
     return seen;

@@ -18,13 +18,13 @@ serve() {
 }
 
 # By the way that it came: poses by datagram to who asks by datagram, all else, and all to who connects, by TCP.
-declare -A by=([""]=udp [tcp://]=tcp)
 for way in "" tcp://; do
+    by=$([ -n "$way" ] && echo tcp || echo udp)
     serve
     expect 0 "it has closed the connection" "$rhexis" vrpn listen "${way}localhost:$port" probe pedal --json --seconds 1.5
     wait "$server" || fail "the server ended with an error: $(cat "$work/serve_errors")"
     grep -q "^200 steps told" "$work/served" || fail "not all steps were told: $(cat "$work/served")"
-    python3 - "$work/stdout" "${by[$way]}" <<'P' || fail "what was heard is not what was told ($way)"
+    python3 - "$work/stdout" "$by" <<'P' || fail "what was heard is not what was told ($way)"
 import json, sys
 lines = [json.loads(line) for line in open(sys.argv[1])]
 poses = [l for l in lines if l["kind"] == "pose"]
