@@ -36,7 +36,7 @@ void tell(igtlink::Server& server, const std::vector<std::string>& instruments, 
           std::int64_t time_us) {
     std::vector<igtlink::Tool> tools;
     std::string names;
-    for (const std::optional<DeviceSample>& sample : step) {
+    for (const std::optional<DeviceSample>& sample : step.instruments) {
         if (sample && sample->present) {
             tools.push_back({instruments[static_cast<std::size_t>(sample->instrument)], sample->pose});
             names += (names.empty() ? "" : ", ") + tools.back().name;

@@ -106,6 +106,10 @@ void add_measure(CLI::App& track, Context& context) {
         ->check(CLI::Range(100, 10000000))
         ->capture_default_str();
     command->add_flag("!--no-chart", given->chart, "Without the chart of detectors");
+    command->add_option("--poses", given->poses, "Told over the network of this computer, by TCP and by datagram")
+        ->check(CLI::Range(10, 1000000))
+        ->capture_default_str();
+    command->add_flag("--network", given->network_only, "Only those");
     command->add_flag("--json", given->json, "As JSON");
     command->callback(
         [given, &context] { context.status = call<tracking::MeasureEntry>(tracking::measure_entry_name, *given); });

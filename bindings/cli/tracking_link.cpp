@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <thread>
 
 #include "base/clock.hpp"
 #include "base/numbers.hpp"
 #include "cli/command.hpp"
+#include "input/pose_track.hpp"
 #include "nlohmann/json.hpp"
+#include "station/asked.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -18,6 +21,9 @@ std::int64_t time_of_day_us() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
     return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
 }
+
+constexpr double longest_step_mm = 2.0;      ///< of a hand between two steps of a recording
+constexpr std::size_t longest_words = 1000;  ///< that are asked: a recording may be anybody's
 
 void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
 
@@ -55,7 +61,9 @@ struct ReportLine {
 };
 
 void print(const DeviceReport& report, bool as_json) {
-    nlohmann::json line{{"device", report.device}, {"time_s", 1e-6 * static_cast<double>(report.time_us)}};
+    nlohmann::json line{{"device", report.device},
+                        {"time_s", 1e-6 * static_cast<double>(report.time_us)},
+                        {"by", report.by_datagram ? "udp" : "tcp"}};
     std::visit(ReportLine{line}, report.what);
     if (as_json) {
         std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -88,6 +96,24 @@ void linger(const Teller& teller) {
     }
 }
 
+/// A virtual surgeon may be elsewhere from one step to the next, outside the eye; a hand is on its way for that. Fills
+/// the steps before such a leap with the way there.
+void without_leaps(std::size_t instrument, std::vector<SeenStep>& seen) {
+    const auto at = [&](std::size_t step) -> DeviceSample& { return *seen[step].instruments[instrument]; };
+    for (std::size_t step = 1; step < seen.size(); ++step) {
+        const double way_mm = (at(step).pose.position - at(step - 1).pose.position).norm();
+        const auto steps = std::min(step, static_cast<std::size_t>(std::ceil(way_mm / longest_step_mm)));
+        if (!at(step - 1).present || !at(step).present || steps < 2) {
+            continue;
+        }
+        const Pose from = at(step - steps).pose;
+        for (std::size_t i = 1; i < steps; ++i) {
+            const double share = static_cast<double>(i) / static_cast<double>(steps);
+            at(step - steps + i).pose = between(from, at(step).pose, share);
+        }
+    }
+}
+
 /// What cameras would see of a recording. An instrument that is not used yet lies where it will be taken up, and one
 /// that is used no more where it was put down.
 std::vector<SeenStep> as_seen(const Recording& recording) {
@@ -100,12 +126,17 @@ std::vector<SeenStep> as_seen(const Recording& recording) {
             one = sample;
             one.pose = sample.present ? sample.pose : lies;
         }
-        seen.emplace_back(now.begin(), now.end());
+        seen.push_back({{now.begin(), now.end()}});
+        for (const Command& command : step.commands) {
+            if (const std::string words = station::words_of(command); !words.empty()) {
+                seen.back().asked.push_back(words.substr(0, longest_words));
+            }
+        }
     }
     for (std::size_t i = 0; i < now.size(); ++i) {
         std::optional<Pose> taken_up;
         for (std::size_t step = seen.size(); step-- > 0;) {
-            DeviceSample& sample = *seen[step][i];
+            DeviceSample& sample = *seen[step].instruments[i];
             if (sample.present) {
                 taken_up = sample.pose;
             } else if (taken_up) {
@@ -113,7 +144,9 @@ std::vector<SeenStep> as_seen(const Recording& recording) {
             }
         }
         if (!taken_up) {
-            std::for_each(seen.begin(), seen.end(), [i](SeenStep& step) { step[i].reset(); });
+            std::for_each(seen.begin(), seen.end(), [i](SeenStep& step) { step.instruments[i].reset(); });
+        } else {
+            without_leaps(i, seen);
         }
     }
     return seen;

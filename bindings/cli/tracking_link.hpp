@@ -39,8 +39,10 @@ struct ServeArguments {
     double from_s = 0.0;  ///< where in the recording it begins
 };
 
-/// Of one step: a sample of each instrument, or none of one that is never used.
-using SeenStep = std::vector<std::optional<DeviceSample>>;
+struct SeenStep {
+    std::vector<std::optional<DeviceSample>> instruments;  ///< none: it is never used
+    std::vector<std::string> asked{};                      ///< of the staff (station/asked.hpp)
+};
 
 /// A server of any protocol.
 struct Teller {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* vrpn_help =
     "Each instrument is a device: its pose a tracker's (sensor 0), whether it is there button 0, its jaws analog 0.\n"
-    "The foot is the device pedal, analog 0, from 0 to 3.\n"
+    "The foot is the device pedal, analog 0, from 0 to 3. Texts of the device staff are what is asked of the staff\n"
+    "(bottle_down), and dials of the machine that are turned (machine.bottle_cm=60).\n"
     "\n"
     "  rhexis vrpn listen 192.168.1.7 phaco pedal          what these two do, a line each time\n"
     "  rhexis vrpn listen tcp://192.168.1.7 phaco --json   through a wall that lets TCP pass only\n"
@@ -37,11 +38,11 @@ int listen_vrpn(const ListenArguments& given, const std::vector<std::string>& de
 void tell(vrpn::Server& server, const std::vector<std::string>& instruments, const SeenStep& seen,
           std::int64_t time_us) {
     double pedal = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (!seen[i]) {
+    for (std::size_t i = 0; i < seen.instruments.size(); ++i) {
+        if (!seen.instruments[i]) {
             continue;
         }
-        const DeviceSample& sample = *seen[i];
+        const DeviceSample& sample = *seen.instruments[i];
         server.keep(instruments[i], vrpn::buttons_type, vrpn::buttons_payload({sample.present}), time_us);
         server.keep(instruments[i], vrpn::analog_type, vrpn::analog_payload({sample.jaw}), time_us);
         server.tell(instruments[i], vrpn::pose_type,
@@ -49,6 +50,9 @@ void tell(vrpn::Server& server, const std::vector<std::string>& instruments, con
         pedal = sample.present ? std::max(pedal, sample.pedal) : pedal;
     }
     server.keep(pedal_device, vrpn::analog_type, vrpn::analog_payload({pedal}), time_us);
+    for (const std::string& words : seen.asked) {
+        server.tell(staff_device, vrpn::text_type, vrpn::payload_of(TextReport{Severity::normal, 0, words}), time_us);
+    }
 }
 
 int serve_vrpn(const ServeArguments& given) {
@@ -59,6 +63,7 @@ int serve_vrpn(const ServeArguments& given) {
     const std::vector<std::string>& instruments = recording.value().header.scene.instruments;
     std::vector<std::string> devices = instruments;
     devices.emplace_back(pedal_device);
+    devices.emplace_back(staff_device);
     Result<vrpn::Server> opened = vrpn::Server::open({given.address, given.port}, devices);
     if (!opened) {
         return complain(opened.error());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "station/asked.hpp"
 #include "station/wound_way.hpp"
 
 namespace rhexis::station {
@@ -144,6 +145,9 @@ void Hands::take(const UserEvent& given, const Surroundings& around) {
             break;
         case EventKind::tracked:
             take_tracked(event, around);
+            break;
+        case EventKind::asked:
+            take_asked(event.name);
             break;
         case EventKind::staff:
             break;  // of the instructor, not of these hands
@@ -388,8 +392,25 @@ void Hands::turn_dial(int which, double notches) {
     double& value = state_.dials[static_cast<std::size_t>(which)];
     const double turned = std::round((value + notches * dial.notch) / dial.notch) * dial.notch;
     value = std::clamp(turned, dial.low, dial.high);
+    note_turned(which);
+}
+
+void Hands::note_turned(int which) {
     if (std::find(state_.turned.begin(), state_.turned.end(), which) == state_.turned.end()) {
         state_.turned.push_back(which);
+    }
+}
+
+/// Not by these hands, but as they would ask for it.
+void Hands::take_asked(const std::string& text) {
+    const Result<Asked> asked = what_is_asked(*stand_, text);
+    if (!asked) {
+        tell(asked.error().text());
+    } else if (asked.value().request >= 0) {
+        state_.requests.push_back(asked.value().request);
+    } else {
+        state_.dials[static_cast<std::size_t>(asked.value().dial)] = asked.value().value;
+        note_turned(asked.value().dial);
     }
 }
 

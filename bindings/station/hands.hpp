@@ -130,6 +130,7 @@ private:
     void take_device(const UserEvent& event);
     void take_tracking(const UserEvent& event);
     void take_tracked(const UserEvent& event, const Surroundings& around);
+    void take_asked(const std::string& text);
     void hold_tracked(int instrument, const Surroundings& around);
     void rebind(const UserEvent& event);
     void take_input(const UserEvent& event, const Surroundings& around);
@@ -139,6 +140,7 @@ private:
     void press(ControlId id, double notches, const Surroundings& around);
     void follow_cursor(const Cursor& cursor, const Surroundings& around);
     void turn_dial(int dial, double notches);
+    void note_turned(int dial);
     void take_up(int hand, int instrument, const Surroundings& around);
     void put_down(int hand);
     bool take_instrument(int instrument, const Surroundings& around);

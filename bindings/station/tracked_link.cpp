@@ -17,6 +17,7 @@ constexpr std::string_view tcp_scheme = "vrpn+tcp://";
 constexpr std::size_t most_waiting = 200'000;  ///< reports; who does not ask for minutes loses the oldest
 constexpr double unit_within = 0.01;           ///< of a quaternion's length: rounding
 constexpr double farthest_mm = 10'000.0;
+constexpr int looks_every_ms = 5;  ///< where nothing comes: at what is to be sent, and whether it ends
 
 void pause_ms(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
 
@@ -73,8 +74,9 @@ Result<Pose> read_registration(const std::string& path) {
 
 std::int64_t arrival_clock_us() { return static_cast<std::int64_t>(1e6 * wall_seconds()); }
 
-TrackedLink::TrackedLink(vrpn::ServerPlace place, std::vector<std::string> devices)
-    : client_(std::move(place), std::move(devices)), thread_([this] { run(); }) {}
+TrackedLink::TrackedLink(vrpn::ServerPlace place, std::vector<std::string> devices,
+                         const std::vector<std::string>& optional)
+    : client_(std::move(place), std::move(devices), optional), thread_([this] { run(); }) {}
 
 TrackedLink::~TrackedLink() {
     ends_ = true;
@@ -98,7 +100,7 @@ void TrackedLink::run() {
             news_.trouble = client_.trouble(now_s);
         }
         reports.clear();
-        pause_ms(1);
+        client_.wait(looks_every_ms);
     }
 }
 

@@ -32,7 +32,8 @@ std::int64_t arrival_clock_us();
 
 class TrackedLink {
 public:
-    TrackedLink(vrpn::ServerPlace place, std::vector<std::string> devices);
+    /// optional: devices that are heard where there are such.
+    TrackedLink(vrpn::ServerPlace place, std::vector<std::string> devices, const std::vector<std::string>& optional);
     ~TrackedLink();
     TrackedLink(const TrackedLink&) = delete;
     TrackedLink& operator=(const TrackedLink&) = delete;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/clock.hpp"
+#include "station/asked.hpp"
 
 namespace rhexis::station {
 namespace {
@@ -41,7 +42,8 @@ Result<std::unique_ptr<TrackedSource>> TrackedSource::create(Desk& desk, const T
         return registration.error();
     }
     TrackedHands hands({place.instruments, registration.value()});
-    auto link = std::make_unique<TrackedLink>(std::move(server).value(), hands.devices());
+    auto link = std::make_unique<TrackedLink>(std::move(server).value(), hands.devices(),
+                                              std::vector<std::string>{staff_device});
     return std::make_unique<TrackedSource>(desk, std::move(link), std::move(hands), std::move(options));
 }
 
@@ -116,12 +118,19 @@ void TrackedSource::tell_state(const Hands& hands, std::vector<UserEvent>& event
     }
 }
 
-void TrackedSource::tell_samples(const Hands& hands, std::vector<UserEvent>& events) const {
+void TrackedSource::tell_samples(const Hands& hands, std::vector<UserEvent>& events) {
     for (std::size_t i = 0; i < names_.size(); ++i) {
         const DeviceSample& sample = tracked_.samples()[i];
         if (!is_same(sample, hands.state().tracked->given[i])) {
             events.push_back({EventKind::tracked, names_[i], sample.present ? 1.0 : 0.0, 0.0, 0.0, "", sample});
         }
+    }
+    for (const std::string& text : tracked_.take_asked()) {
+        const Result<Asked> asked = what_is_asked(hands.stand(), text);
+        if (!asked) {
+            say(asked.error().text());
+        }
+        events.push_back({EventKind::asked, text});  // the window says it too where it cannot be
     }
     if (tracked_.pedal() && *tracked_.pedal() != hands.state().pedal) {
         events.push_back({EventKind::tracked, pedal_device, *tracked_.pedal()});

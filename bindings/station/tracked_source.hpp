@@ -48,7 +48,7 @@ private:
     void hear();
     void follow(const Hands& hands);
     void tell_state(const Hands& hands, std::vector<UserEvent>& events);
-    void tell_samples(const Hands& hands, std::vector<UserEvent>& events) const;
+    void tell_samples(const Hands& hands, std::vector<UserEvent>& events);
     void tell_seen(std::vector<UserEvent>& events);
     void say(const std::string& text);
 

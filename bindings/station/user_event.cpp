@@ -14,8 +14,8 @@
 namespace rhexis::station {
 namespace {
 
-constexpr std::array kind_names = {"key",  "pointer", "button", "wheel", "axis", "press",    "control",
-                                   "bind", "focus",   "device", "staff", "quit", "tracking", "tracked"};
+constexpr std::array kind_names = {"key",   "pointer", "button", "wheel", "axis",     "press",   "control", "bind",
+                                   "focus", "device",  "staff",  "quit",  "tracking", "tracked", "asked"};
 constexpr double farthest = 1000.0;  ///< of a number beyond is no device's and no tuning's
 
 Result<double> number_in(const nlohmann::json& json, const char* field) {

@@ -29,8 +29,9 @@ enum class EventKind {
     quit,   ///< the window is closed
     tracking,  ///< by which the instruments are seen: value 1, the clock may go on; 0, it stands: name why, as in "%s
                ///< is lost", control of what
-    tracked    ///< an instrument as it is seen: its name, value 1 there, 0 put away, and sample, whose index and pedal
+    tracked,   ///< an instrument as it is seen: its name, value 1 there, 0 put away, and sample, whose index and pedal
                ///< say nothing; or name "pedal" and value, its position
+    asked      ///< of the staff, by the tracking system: name as asked.hpp has it
 };
 
 struct UserEvent {

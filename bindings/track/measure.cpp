@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "track/commands.hpp"
+#include "track/hop.hpp"
 #include "tracking/measure/figures.hpp"
 
 namespace rhexis::tracking {
@@ -18,14 +19,26 @@ Status measure(const MeasureOptions& options) {
     plan.identity_frames = options.identity_frames;
     plan.chart = options.chart;
     const bool terminal = isatty(STDERR_FILENO) == 1;
-    const Result<TrackingFigures> figures = measure_tracking(plan, [terminal](std::string_view what) {
+    const auto say = [terminal](std::string_view what) {
         if (terminal) {
-            std::fprintf(stderr, "\r\x1b[K%.*s ", static_cast<int>(what.size()), what.data());
+            std::fprintf(stderr, "\r\x1b[K%.*s", static_cast<int>(what.size()), what.data());
         }
-    });
-    if (terminal) {
-        std::fprintf(stderr, "\r\x1b[K");
+    };
+    Result<TrackingFigures> figures = TrackingFigures{};
+    if (!options.network_only) {
+        figures = measure_tracking(plan, say);
     }
+    for (const bool by_datagram : {false, true}) {
+        if (figures) {
+            say("the way over the network");
+            const Result<Hop> hop = measure_hop(by_datagram, options.poses);
+            if (!hop) {
+                return hop.error();
+            }
+            figures.value().figures.push_back(figure_of(hop.value()));
+        }
+    }
+    say("");
     if (!figures) {
         return figures.error();
     }

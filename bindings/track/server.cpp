@@ -16,6 +16,14 @@ Result<Server> Server::open(const Setup& setup) {
             devices.push_back(setup.bodies[i].name);
         }
     }
+    if (!setup.inputs.empty() && setup.serve.vrpn_port >= 0) {
+        Result<Forwarded> inputs = Forwarded::open(setup.inputs, devices);
+        if (!inputs) {
+            return Error{inputs.error().what, setup.path + ", \"inputs\": vrpn", inputs.error().allowed};
+        }
+        server.inputs_.emplace(std::move(inputs).value());
+        devices = server.inputs_->devices();
+    }
     devices.emplace_back(rig_device);
     if (setup.serve.vrpn_port >= 0) {
         Result<vrpn::Server> opened = vrpn::Server::open({setup.serve.address, setup.serve.vrpn_port}, devices);
@@ -71,6 +79,9 @@ void Server::warn(const std::string& text, std::int64_t time_us) {
 }
 
 void Server::turn(double now_s, std::int64_t time_us) {
+    if (inputs_) {
+        inputs_->turn(now_s, time_us, *vrpn_);
+    }
     if (vrpn_) {
         vrpn_->turn(now_s, time_us);
     }

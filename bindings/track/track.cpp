@@ -140,7 +140,19 @@ private:
             for (const std::string& note : server_->take_notes()) {
                 std::fprintf(stderr, "rhexis: a listener: %s\n", note.c_str());
             }
+            tell_of_inputs(server_->inputs_trouble(wall_seconds()));
         }
+    }
+
+    /// After a moment, in which it connects.
+    void tell_of_inputs(const std::string& trouble) {
+        constexpr double patient_s = 1.0;
+        if (wall_seconds() - begun_s_ < patient_s || trouble == inputs_trouble_) {
+            return;
+        }
+        inputs_trouble_ = trouble;
+        std::fprintf(stderr, "rhexis: inputs, %s: %s\n", setup_.inputs.c_str(),
+                     trouble.empty() ? "all is well" : trouble.c_str());
     }
 
     void linger() {
@@ -207,6 +219,8 @@ private:
     std::string warning_{};
     std::vector<CameraSpots> exposures_{};
     double shown_s_ = -1.0;
+    double begun_s_ = wall_seconds();
+    std::string inputs_trouble_{};
     std::uint64_t kept_ = 0;
 };
 

@@ -57,6 +57,8 @@ struct MeasureOptions {
     double marker_s = 4.0;
     int identity_frames = 20000;
     bool chart = true;
+    int poses = 6000;           ///< told over the network, each way
+    bool network_only = false;  ///< nothing but that
     bool json = false;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "flow/microscope.hpp"
@@ -15,6 +17,7 @@ constexpr std::int64_t heard_enough_us = 200'000;  ///< before the first offset 
 constexpr double slew = 0.05;                      ///< share of the time that passes, by which the lag may change
 constexpr std::int64_t slew_up_to_us = 100'000;    ///< what is farther off is not waited for
 constexpr double jitter_room = 1.25;
+constexpr std::size_t most_asked = 64;  ///< of the staff, that wait for their moment
 
 bool is_in(const std::vector<bool>& list, std::size_t i) { return i < list.size() && list[i]; }
 
@@ -47,6 +50,12 @@ bool TrackedHands::hand_held(std::size_t instrument) const { return model_.instr
 
 void TrackedHands::take(const DeviceReport& report, std::int64_t arrival_us) {
     if (const auto* text = std::get_if<TextReport>(&report.what)) {
+        if (report.device == staff_device) {
+            if (asked_.size() < most_asked) {
+                asked_.push_back({report.time_us, text->text});
+            }
+            return;
+        }
         told_ = text->severity == Severity::error ? text->text : told_;
         return;
     }
@@ -116,6 +125,9 @@ void TrackedHands::forget_times() {
         one.forget_times();
     }
     pedal_.forget_times();
+    for (Asked& one : asked_) {
+        one.time_us = std::numeric_limits<std::int64_t>::min();
+    }
     lag_us_.reset();
     std::fill(seen_.begin(), seen_.end(), std::nullopt);
 }
@@ -157,6 +169,18 @@ void TrackedHands::advance_moment(std::int64_t now_us) {
     }
     now_us_ = now_us;
     moment_us_ = now_us - *lag_us_;
+}
+
+std::vector<std::string> TrackedHands::take_asked() {
+    std::vector<std::string> due;
+    std::erase_if(asked_, [&](Asked& one) {
+        const bool now = state_ == TrackingState::running && one.time_us <= moment_us_;
+        if (now) {
+            due.push_back(std::move(one.text));
+        }
+        return now;
+    });
+    return due;
 }
 
 TrackingState TrackedHands::look(std::int64_t now_us, const std::vector<bool>& inside) {

@@ -23,6 +23,8 @@ inline constexpr std::int64_t most_delay_us = 100'000;
 
 /// The device of the foot: analog 0, from 0 to 3.
 inline constexpr const char* pedal_device = "pedal";
+/// The device whose texts are what is asked of the staff, where there is such a device.
+inline constexpr const char* staff_device = "staff";
 
 struct TrackedModel {
     std::vector<std::string> instruments;  ///< of the scene, in its order: the names of their devices
@@ -72,6 +74,8 @@ public:
     [[nodiscard]] const std::vector<std::optional<Pose>>& seen() const { return seen_; }
     /// How long ago that moment is, transit left out [us].
     [[nodiscard]] std::int64_t delay_us() const;
+    /// What was asked of the staff by the moment of the last look, while it runs; each once.
+    std::vector<std::string> take_asked();
     /// Times that the sender's clock was found to be set.
     [[nodiscard]] int clocks_set() const { return clocks_set_; }
 
@@ -95,7 +99,12 @@ private:
     TrackingState state_ = TrackingState::waiting;
     Standstill why_;
     std::string trouble_;
-    std::string told_;  ///< an error of the tracking system that was not yet heeded
+    struct Asked {
+        std::int64_t time_us = 0;
+        std::string text{};
+    };
+    std::vector<Asked> asked_;  ///< of the staff, and not yet taken
+    std::string told_;          ///< an error of the tracking system that was not yet heeded
     std::vector<DeviceSample> samples_;
     std::vector<std::optional<Pose>> seen_;
     std::optional<double> pedal_now_;

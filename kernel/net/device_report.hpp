@@ -41,6 +41,7 @@ struct DeviceReport {
     std::string device{};
     std::int64_t time_us = 0;  ///< by the server's clock, since 1970
     std::variant<PoseReport, VelocityReport, ButtonReport, std::vector<bool>, std::vector<double>, TextReport> what{};
+    bool by_datagram = false;  ///< else by TCP
 };
 
 }  // namespace rhexis

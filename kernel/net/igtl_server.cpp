@@ -9,6 +9,11 @@ namespace {
 constexpr std::size_t most_guests = 256;
 constexpr double ms_per_s = 1000.0;
 
+/// Where tools are.
+bool is_told(const Message& message) {
+    return std::holds_alternative<Transform>(message.content) || std::holds_alternative<TrackingData>(message.content);
+}
+
 }  // namespace
 
 bool is_name(std::string_view text) {
@@ -55,6 +60,9 @@ void Server::answer(Guest& guest, const Message& message, std::int64_t time_us) 
         guest.wish = Wish::nothing;
     } else if (std::holds_alternative<StatusRequest>(message.content)) {
         guest.peer.send(status_message(time_us));
+    } else if (is_told(message) && !guest.noted) {
+        guest.noted = true;
+        notes_.push_back("it tells where '" + message.device + "' is: only the server tells, and it is left out");
     }
 }
 

@@ -46,6 +46,7 @@ private:
         Wish wish = Wish::transforms;
         double period_s = 0.0;  ///< between two tracking data, at least
         double told_s = -std::numeric_limits<double>::infinity();
+        bool noted = false;  ///< that it tells where tools are, which only a server does
     };
     Server(Socket listener, std::string device) : listener_(std::move(listener)), device_(std::move(device)) {}
     void answer(Guest& guest, const Message& message, std::int64_t time_us);

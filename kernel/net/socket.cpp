@@ -105,6 +105,12 @@ int Socket::port() const {
     return ::getsockname(handle_, plain(numbers), &size) == 0 ? ntohs(numbers.sin_port) : 0;
 }
 
+std::string Socket::own_host() const {
+    sockaddr_in numbers{};
+    socklen_t size = sizeof numbers;
+    return ::getsockname(handle_, plain(numbers), &size) == 0 ? address_of(numbers).host : "";
+}
+
 std::string Socket::other_host() const {
     sockaddr_in numbers{};
     socklen_t size = sizeof numbers;
@@ -187,6 +193,14 @@ void Socket::send_to(const NetAddress& address, WireSpan bytes) {
         static_cast<void>(
             ::sendto(handle_, bytes.data(), bytes.size(), MSG_NOSIGNAL, plain(numbers.value()), sizeof(sockaddr_in)));
     }
+}
+
+void Socket::wait_for(const std::vector<const Socket*>& sockets, int longest_ms) {
+    std::vector<pollfd> looks;
+    for (const Socket* socket : sockets) {
+        looks.push_back({socket->handle_, POLLIN, 0});
+    }
+    ::poll(looks.data(), looks.size(), longest_ms);
 }
 
 }  // namespace rhexis

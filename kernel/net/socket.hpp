@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/result.hpp"
 #include "net/net_address.hpp"
@@ -29,6 +30,7 @@ public:
     }
 
     [[nodiscard]] int port() const;                ///< of its own end
+    [[nodiscard]] std::string own_host() const;    ///< likewise; empty: it has none
     [[nodiscard]] std::string other_host() const;  ///< of the other end; empty: there is none
     /// Who has connected to a listener; none: nobody has.
     std::optional<Socket> accept();
@@ -49,6 +51,9 @@ public:
     [[nodiscard]] static std::string address_towards(const NetAddress& address);
     /// It may be lost.
     void send_to(const NetAddress& address, WireSpan bytes);
+
+    /// Waits until something has come at one of them, no longer than this [ms]. Of none: so long.
+    static void wait_for(const std::vector<const Socket*>& sockets, int longest_ms);
 
 private:
     explicit Socket(int handle) : handle_(handle) {}

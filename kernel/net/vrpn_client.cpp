@@ -62,8 +62,20 @@ Result<ServerPlace> server_place(std::string_view text) {
     return place;
 }
 
-Client::Client(ServerPlace place, std::vector<std::string> devices)
-    : place_(std::move(place)), devices_(std::move(devices)), answered_(devices_.size(), false) {}
+Client::Client(ServerPlace place, std::vector<std::string> devices, const std::vector<std::string>& optional)
+    : place_(std::move(place)), devices_(std::move(devices)), answered_(devices_.size(), false) {
+    devices_.insert(devices_.end(), optional.begin(), optional.end());
+}
+
+void Client::wait(int longest_ms) const {
+    std::vector<const Socket*> sockets;
+    if (peer_) {
+        peer_->add_sockets(sockets);
+    } else if (listener_) {
+        sockets.push_back(&*listener_);
+    }
+    Socket::wait_for(sockets, longest_ms);
+}
 
 void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>& reports) {
     if (!peer_) {
@@ -73,8 +85,10 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>&
         return;
     }
     std::vector<Message> messages;
+    std::vector<Message> datagrams;
     peer_->turn(now_s, messages);
-    last_heard_s_ = messages.empty() ? last_heard_s_ : now_s;
+    peer_->receive_datagrams(datagrams);
+    last_heard_s_ = messages.empty() && datagrams.empty() ? last_heard_s_ : now_s;
     if (peer_->is_open()) {
         ping(now_s, time_us);
     }
@@ -83,11 +97,32 @@ void Client::turn(double now_s, std::int64_t time_us, std::vector<DeviceReport>&
             take(message, now_s, reports);
         }
     }
+    for (const Message& message : datagrams) {
+        if (peer_) {
+            take_datagram(message, now_s, reports);
+        }
+    }
+    see_whether_lost(now_s);
+}
+
+void Client::see_whether_lost(double now_s) {
     if (peer_ && !peer_->fault().empty()) {
         lose(peer_->fault(), now_s);
     } else if (peer_ && is_forsaken(now_s)) {
         lose("nothing has come for " + std::to_string(static_cast<int>(silence_s)) + " s", now_s);
+    } else if (peer_ && is_walled(now_s)) {
+        datagrams_pass_ = false;
+        lose("no pose and no datagram has come for " + std::to_string(static_cast<int>(patience_s)) +
+                 " s: all by TCP from now on, as tcp://" + place_.address.host + " has it from the start",
+             now_s);
+        next_try_s_ = now_s;
     }
+}
+
+/// The server wants to send datagrams, and none comes through.
+bool Client::is_walled(double now_s) const {
+    return datagrams_pass_ && peer_->wants_datagrams() && !datagram_or_pose_ && introduced_ &&
+           now_s - open_since_s_ > patience_s;
 }
 
 /// A cable that was drawn, or a computer that was switched off, closes no connection.
@@ -100,7 +135,7 @@ void Client::reach_out(double now_s) {
     if (listener_) {
         while (std::optional<Socket> come = listener_->accept()) {
             if (come->other_host() == place_.address.host) {  // nobody else was asked
-                peer_.emplace(std::move(*come), now_s);
+                peer_.emplace(std::move(*come), now_s, datagrams_pass_);
                 return;
             }
         }
@@ -150,7 +185,7 @@ void Client::ping(double now_s, std::int64_t time_us) {
     }
     next_ping_s_ = now_s + ping_every_s;
     const bool silent = now_s - last_heard_s_ > ping_every_s;
-    for (std::size_t i = 0; i < devices_.size(); ++i) {
+    for (std::size_t i = 0; i < answered_.size(); ++i) {
         if (!answered_[i] || silent) {
             peer_->send({time_us, static_cast<std::int32_t>(i), 0, {}});
         }
@@ -164,7 +199,10 @@ void Client::take(const Message& message, double now_s, std::vector<DeviceReport
         return;
     }
     if (type == pong_type) {
-        answered_[static_cast<std::size_t>(device - devices_.begin())] = true;
+        const auto which = static_cast<std::size_t>(device - devices_.begin());
+        if (which < answered_.size()) {
+            answered_[which] = true;
+        }
         return;
     }
     DeviceReport report{*device, message.time_us};
@@ -172,6 +210,22 @@ void Client::take(const Message& message, double now_s, std::vector<DeviceReport
     if (!read) {
         lose(read.error().text(), now_s);
     } else if (read.value()) {
+        datagram_or_pose_ = datagram_or_pose_ || std::holds_alternative<PoseReport>(report.what);
+        reports.push_back(std::move(report));
+    }
+}
+
+/// Lost, doubled, out of order, before what its numbers mean was told, or anybody's: what makes no sense is left out.
+void Client::take_datagram(const Message& message, double now_s, std::vector<DeviceReport>& reports) {
+    datagram_or_pose_ = true;
+    const auto device = std::find(devices_.begin(), devices_.end(), peer_->names().sender(message.sender));
+    if (device == devices_.end()) {
+        return;
+    }
+    DeviceReport report{*device, message.time_us};
+    report.by_datagram = true;
+    const Result<bool> read = read_report(peer_->names().type(message.type), message.payload, report);
+    if (read && read.value() && !late_.is_late(report, now_s)) {
         reports.push_back(std::move(report));
     }
 }
@@ -180,15 +234,19 @@ void Client::lose(const std::string& why, double now_s) {
     lost_ = why;
     next_try_s_ = now_s + retry_s;
     peer_.reset();
+    listener_.reset();  // what the server still has of it is not taken for a new request
+    datagrams_.reset();
+    late_.clear();
+    datagram_or_pose_ = false;
     introduced_ = false;
-    answered_.assign(devices_.size(), false);
+    answered_.assign(answered_.size(), false);
 }
 
 std::string Client::trouble(double now_s) const {
     if (!is_connected()) {
         return lost_.empty() ? "no VRPN server has answered yet" : lost_;
     }
-    for (std::size_t i = 0; i < devices_.size(); ++i) {
+    for (std::size_t i = 0; i < answered_.size(); ++i) {
         if (!answered_[i] && introduced_ && now_s - open_since_s_ > patience_s) {
             return "the server has no '" + devices_[i] + "', or it does not answer";
         }

@@ -12,7 +12,8 @@ constexpr std::size_t most_unsent = 1U << 20;  ///< bytes that a peer which does
 
 }  // namespace
 
-Peer::Peer(Socket socket, double now_s) : socket_(std::move(socket)), begun_s_(now_s), unsent_(greeting()) {}
+Peer::Peer(Socket socket, double now_s, bool announces)
+    : socket_(std::move(socket)), begun_s_(now_s), announces_(announces), unsent_(greeting()) {}
 
 void Peer::turn(double now_s, std::vector<Message>& messages) {
     if (!fault_.empty()) {
@@ -28,6 +29,9 @@ void Peer::turn(double now_s, std::vector<Message>& messages) {
             return;
         }
         connected_ = *connected;
+    }
+    if (datagrams_) {
+        datagrams_->flush();
     }
     WireBytes come;
     const bool open = connected_ && socket_.write(unsent_) && socket_.read(come);
@@ -50,6 +54,32 @@ void Peer::greet() {
     const Status understood = check_greeting(greeting_);
     greeted_ = understood.ok();
     fault_ = understood ? "" : understood.error().text();
+    if (greeted_ && announces_) {
+        announce();
+    }
+}
+
+/// Without a port of its own, which no system refuses for long, all goes by TCP.
+void Peer::announce() {
+    Result<Datagrams> opened = Datagrams::open(socket_.own_host(), socket_.other_host());
+    if (opened) {
+        datagrams_.emplace(std::move(opened).value());
+        send(datagrams_->announcement());
+    }
+}
+
+/// Who wants datagrams gets them, also where no port of our own was announced.
+Status Peer::take_announcement(const Message& message) {
+    if (!datagrams_) {
+        Result<Datagrams> opened = Datagrams::open(socket_.own_host(), socket_.other_host());
+        if (!opened) {
+            return success();
+        }
+        datagrams_.emplace(std::move(opened).value());
+    }
+    const Status taken = datagrams_->take(message);
+    wants_datagrams_ = taken.ok();
+    return taken;
 }
 
 void Peer::read_messages(std::vector<Message>& messages) {
@@ -61,6 +91,9 @@ void Peer::read_messages(std::vector<Message>& messages) {
             return;
         } else if (const Status taken = names_.take(*next.value()); !taken) {
             fault_ = taken.error().text();
+        } else if (next.value()->type == static_cast<std::int32_t>(System::udp_description)) {
+            const Status announced = take_announcement(*next.value());
+            fault_ = announced ? "" : announced.error().text();
         } else if (next.value()->type >= 0) {
             messages.push_back(*std::move(next).value());
         }
@@ -71,6 +104,27 @@ void Peer::send(const Message& message) {
     append_message(message, sequence_++, unsent_);
     if (unsent_.size() > most_unsent) {
         fault_ = "it does not read what it is sent";
+    }
+}
+
+void Peer::send_lossy(const Message& message) {
+    if (datagrams_ && datagrams_->carries(message)) {
+        datagrams_->send(message);
+    } else {
+        send(message);
+    }
+}
+
+void Peer::add_sockets(std::vector<const Socket*>& sockets) const {
+    sockets.push_back(&socket_);
+    if (datagrams_) {
+        sockets.push_back(&datagrams_->socket());
+    }
+}
+
+void Peer::receive_datagrams(std::vector<Message>& messages) {
+    if (datagrams_ && is_open()) {
+        datagrams_->receive(messages);
     }
 }
 

@@ -22,6 +22,15 @@ std::int32_t number_of(std::string_view type) {
     return static_cast<std::int32_t>(found - types.begin());
 }
 
+/// A pose that is lost is followed by another; a button or pedal that is lost would stay where it was.
+bool is_lossy(std::int32_t type) { return type == number_of(pose_type) || type == number_of(velocity_type); }
+
+/// Whether a type is of what a device does: only a server tells that.
+bool is_told(std::string_view type) {
+    return type != ping_type && type != pong_type && type != text_type &&
+           std::find(types.begin(), types.end(), type) != types.end();
+}
+
 }  // namespace
 
 Result<Server> Server::open(const NetAddress& address, std::vector<std::string> devices) {
@@ -55,6 +64,7 @@ void Server::turn(double now_s, std::int64_t time_us) {
             guest.introduced = true;
             introduce(guest.peer);
         }
+        guest.peer.receive_datagrams(messages);
         for (const Message& message : messages) {
             answer(guest, message, time_us);
         }
@@ -80,7 +90,7 @@ void Server::let_in(double now_s) {
             continue;
         }
         if (Result<Socket> socket = Socket::connect_to(asked.value())) {
-            guests_.push_back({Peer(std::move(socket).value(), now_s), false, asked.value()});
+            guests_.push_back({Peer(std::move(socket).value(), now_s, true), false, asked.value()});
         }
     }
 }
@@ -98,17 +108,26 @@ void Server::introduce(Peer& peer) const {
     }
 }
 
-/// A ping, by the device that it is for. What else comes is nothing that a server is told.
+/// A ping, by the device that it is for. What else comes is nothing that a server is told; whoever takes this for
+/// another kind of server is noted, once.
 void Server::answer(Guest& guest, const Message& message, std::int64_t time_us) {
-    if (guest.peer.names().type(message.type) != ping_type) {
-        return;
-    }
+    const std::string_view type = guest.peer.names().type(message.type);
     const auto device = std::find(devices_.begin(), devices_.end(), guest.peer.names().sender(message.sender));
-    if (device == devices_.end()) {
+    if (is_told(type) && !guest.noted) {
+        guest.noted = true;
+        notes_.push_back("it tells '" + std::string(type) + "'" +
+                         (device == devices_.end() ? "" : " of '" + *device + "'") +
+                         ": only the server tells, and it is left out");
+    }
+    if (type != ping_type || device == devices_.end()) {
         return;
     }
     const auto number = static_cast<std::int32_t>(device - devices_.begin());
-    guest.peer.send(report(*device, pong_type, {}, time_us));
+    const Message pong = report(*device, pong_type, {}, time_us);
+    guest.peer.send(pong);
+    if (guest.peer.wants_datagrams()) {
+        guest.peer.send_lossy(pong);  // shows that datagrams come through where there is no pose to tell yet
+    }
     for (const auto& [of, kept] : kept_) {
         if (of.first == number) {
             guest.peer.send(kept);
@@ -126,7 +145,7 @@ Message Server::report(std::string_view device, std::string_view type, const Wir
 void Server::to_all(const Message& message) {
     for (Guest& guest : guests_) {
         if (guest.introduced && guest.peer.is_open()) {
-            guest.peer.send(message);
+            is_lossy(message.type) ? guest.peer.send_lossy(message) : guest.peer.send(message);
         }
     }
 }

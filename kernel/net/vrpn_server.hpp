@@ -24,8 +24,9 @@ public:
     /// goes forward; time_us: since 1970.
     void turn(double now_s, std::int64_t time_us);
 
-    /// To all who are connected, by TCP: a datagram that is lost would leave a pedal where it was. A device that it has
-    /// not is a mistake of the caller.
+    /// To all who are connected; poses and speeds by datagram to who announced a port for such, all else by TCP: a
+    /// datagram that is lost would leave a pedal where it was. It goes at the next turn(). A device that it has not is
+    /// a mistake of the caller.
     void tell(std::string_view device, std::string_view type, const WireBytes& payload, std::int64_t time_us);
 
     /// The same, and to who connects or asks later: what is so until it changes, as buttons are.
@@ -41,6 +42,7 @@ private:
         Peer peer;
         bool introduced = false;
         NetAddress asked_from{};  ///< port 0: it connected by itself
+        bool noted = false;       ///< that it tells what only a server tells
     };
     Server(Socket listener, Socket datagrams, std::vector<std::string> devices);
     void let_in(double now_s);

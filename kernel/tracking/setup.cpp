@@ -71,6 +71,14 @@ Result<ServePlan> serve_of(const Json& json, const std::string& path) {
     return plan;
 }
 
+Result<std::string> inputs_of(const Json& json, const std::string& path) {
+    Fields fields(json, path + ", \"inputs\"");
+    fields.only({"vrpn"});
+    std::string address = fields.text("vrpn", "");
+    const Status status = fields.status();
+    return status ? Result<std::string>(std::move(address)) : status.error();
+}
+
 Status read_bodies(const std::vector<std::string>& paths, const std::string& path, Setup& setup) {
     for (const std::string& of : paths) {
         Result<MarkerBody> body = read_marker_body(beside(path, of));
@@ -185,13 +193,14 @@ Result<Setup> read_setup(const std::string& path) {
     Setup setup;
     setup.path = path;
     Fields fields(json.value(), path);
-    fields.only({"rig", "bodies", "head", "source", "serve", "threshold", "wand_mm"});
+    fields.only({"rig", "bodies", "head", "source", "serve", "inputs", "threshold", "wand_mm"});
     const std::string rig = fields.text("rig");
     const std::vector<std::string> bodies = fields.texts("bodies");
     const std::string head = fields.text("head", "");
     setup.spots.threshold = fields.whole("threshold", 5, 250, setup.spots.threshold);
     const Json& source_json = fields.object("source");
     const Json& serve_json = fields.object("serve");
+    const Json& inputs_json = fields.object("inputs");
     if (fields.has("wand_mm")) {
         const int spheres = json.value()["wand_mm"].is_array() ? static_cast<int>(json.value()["wand_mm"].size()) : 0;
         const VecX at = fields.numbers("wand_mm", std::clamp(spheres, 2, 3), 2000.0);
@@ -224,6 +233,11 @@ Result<Setup> read_setup(const std::string& path) {
         return serve.error();
     }
     setup.serve = std::move(serve).value();
+    Result<std::string> inputs = inputs_of(inputs_json, path);
+    if (!inputs) {
+        return inputs.error();
+    }
+    setup.inputs = std::move(inputs).value();
     return setup;
 }
 

@@ -42,6 +42,7 @@ struct Setup {
     std::vector<double> wand_mm{};  ///< where the spheres of the calibration's wand lie along it
     SpotSettings spots{};
     ServePlan serve{};
+    std::string inputs{};  ///< address of a VRPN server with jaws, pedal and staff; empty: none
 };
 
 /// A JSON file; paths in it are relative to it:
@@ -49,7 +50,8 @@ struct Setup {
 ///  "source": {"kind": "synthetic", "seed": 1, "clip": "tremor", "level": "images"}
 ///         or {"kind": "folder", "path": "shots", "rate_hz": 120}
 ///         or {"kind": "cameras", "devices": ["0", "1", ...], "rate_hz": 120},
-///  "serve": {"address": "127.0.0.1", "vrpn": 3883, "igtl": 18944, "others_may_hear": false}}
+///  "serve": {"address": "127.0.0.1", "vrpn": 3883, "igtl": 18944, "others_may_hear": false},
+///  "inputs": {"vrpn": "192.168.1.8"}}
 /// The error names file and field: no such file, bodies too alike, no head among them, an address of other computers
 /// without "others_may_hear".
 Result<Setup> read_setup(const std::string& path);

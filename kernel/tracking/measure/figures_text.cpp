@@ -79,9 +79,11 @@ std::string figures_markdown(const TrackingFigures& figures) {
                      std::string(figure.at_least ? ">= " : "<= ") + number(figure.goal),
                      figure.met() ? "met" : "not met", figure.published, whole(figure.samples), figure.from});
     }
-    text += "\nTip errors by how many cameras saw the instrument [µm]:\n\n";
-    text += row({"cameras", "from", "mean", "RMS", "95 %", "99.9 %", "worst", "samples"}) +
-            "|---|---|---|---|---|---|---|---|\n";
+    if (!figures.by_cameras.empty()) {
+        text += "\nTip errors by how many cameras saw the instrument [µm]:\n\n";
+        text += row({"cameras", "from", "mean", "RMS", "95 %", "99.9 %", "worst", "samples"}) +
+                "|---|---|---|---|---|---|---|---|\n";
+    }
     for (const CamerasFigures& entry : figures.by_cameras) {
         if (entry.tip.valid > 0) {
             text += row({std::to_string(entry.cameras), entry.images ? "images" : "markers", tip_cells(entry.tip),

@@ -72,6 +72,22 @@ refused "8 x 8" "$program" track rig/folder.json --silent
 sed 's/"source": {[^}]*}/"source": {"kind": "cameras", "devices": ["97","98","99","94","95","96"]}/' rig/track.json > rig/cameras.json
 refused "cannot be opened" "$program" track rig/cameras.json --silent
 
+# Pedal and jaws of another server are told by this one, which tells where the instruments are.
+"$program" run navigation --surgeon d --no-pictures --limit 1 --out run > /dev/null || wrong "nothing to serve"
+"$program" vrpn serve run --port 0 > served 2> /dev/null &
+for _ in $(seq 100); do grep -q "^at " served && break; sleep 0.1; done
+other=$(sed -n 's/^at [0-9.]*:\([0-9]*\): .*/\1/p' served)
+sed "s/\"serve\"/\"inputs\": {\"vrpn\": \"127.0.0.1:$other\"}, \"serve\"/" rig/track.json > rig/inputs.json
+"$program" track rig/inputs.json --seconds 4 2> told &
+for _ in $(seq 50); do grep -q "told at" told && break; sleep 0.1; done
+port=$(sed -n 's/.*127.0.0.1:\([0-9]*\) (VRPN).*/\1/p' told)
+"$program" vrpn listen "127.0.0.1:$port" phaco pedal --seconds 2.5 --json > heard 2> /dev/null
+grep '"device":"pedal"' heard | grep -q '"kind":"analog"' || wrong "the pedal of the inputs is not told"
+grep -q '"by":"udp".*"device":"phaco".*"kind":"pose"' heard || wrong "no pose is told by datagram"
+wait
+sed 's/127.0.0.1:[0-9]*"}/nowhere"}/' rig/inputs.json > rig/wrong.json
+refused "inputs\": vrpn: no VRPN server: 'nowhere'" "$program" track rig/wrong.json
+
 # Files that are wrong.
 refused "does not exist" "$program" track nowhere.json
 refused "nothing to track" "$program" track

@@ -17,16 +17,20 @@ serve() {
     [ -n "$port" ] || fail "nothing is served: $(cat "$work/serve_errors")"
 }
 
+# By the way that it came: poses by datagram to who asks by datagram, all else, and all to who connects, by TCP.
 for way in "" tcp://; do
+    by=$([ -n "$way" ] && echo tcp || echo udp)
     serve
     expect 0 "it has closed the connection" "$rhexis" vrpn listen "${way}localhost:$port" probe pedal --json --seconds 1.5
     wait "$server" || fail "the server ended with an error: $(cat "$work/serve_errors")"
     grep -q "^200 steps told" "$work/served" || fail "not all steps were told: $(cat "$work/served")"
-    python3 - "$work/stdout" <<'P' || fail "what was heard is not what was told ($way)"
+    python3 - "$work/stdout" "$by" <<'P' || fail "what was heard is not what was told ($way)"
 import json, sys
 lines = [json.loads(line) for line in open(sys.argv[1])]
 poses = [l for l in lines if l["kind"] == "pose"]
 assert len(poses) == 200, len(poses)
+assert {l["by"] for l in poses} == {sys.argv[2]}, {l["by"] for l in poses}
+assert {l["by"] for l in lines if l["kind"] != "pose"} == {"tcp"}
 assert all(l["device"] == "probe" and l["sensor"] == 0 for l in poses)
 assert all(abs(sum(q * q for q in l["quaternion_xyzw"]) - 1) < 1e-9 for l in poses)
 assert len({tuple(l["position_mm"]) for l in poses}) > 20, "it does not move"

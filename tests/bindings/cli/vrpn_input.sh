@@ -6,11 +6,12 @@ set -u
 . "$(dirname "$0")/expect.sh"
 run=("$rhexis" run navigation --seed 101 --no-pictures)
 
-# serve NAME OPTIONS...: tells what was recorded; $port: where, $server: the process.
+# serve NAME OPTIONS...: tells what was recorded in $told; $port: where, $server: the process.
+told=$work/told
 serve() {
     local name=$1
     shift
-    "$rhexis" vrpn serve "$work/told" "$@" >"$work/$name.served" 2>"$work/$name.errors" &
+    "$rhexis" vrpn serve "$told" "$@" >"$work/$name.served" 2>"$work/$name.errors" &
     server=$!
     for _ in $(seq 400); do
         grep -q "^at " "$work/$name.served" && break
@@ -119,6 +120,47 @@ wait "$gone" || fail "a run whose server has gone fails: $(cat "$work/gone.said"
 told_in gone "the clock stood for 1 s: the attempt was ended there"
 grep -q "not completed after" "$work/gone.out" || fail "no summary: $(cat "$work/gone.out")"
 expect 0 "" "$rhexis" replay "$work/gone" --verify
+
+# What is asked of the staff, and dials that are turned, come with it; what the exercise has not is said in one line.
+exercise ask >/dev/null <<'L'
+return exercise {
+    title = "Asking", patient = { tetrahedra = 500 }, instruments = { "phaco" },
+    tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
+    requests = {
+        request "Bottle down" { settings = { ["machine.bottle_cm"] = 40 }, meaning = "to 40", answer = "Bottle at 40." },
+        request "Help" { meaning = "nothing" },
+    },
+    steps = { step "low" { done = "requested.bottle_down and chamber.pressure_mmhg < 35" } },
+    time_limit_s = 6,
+}
+L
+cat >"$work/ask/surgeon.lua" <<'L'
+return function(me)
+    me.wait_until(function(seen) return seen and seen.landmarks.incision end, 2)
+    local wound = me.see().landmarks.incision.position
+    me.take_up({ wound[1], wound[2] - 2, wound[3] + 1 })
+    me.pedal(1)
+    me.request("Help")
+    me.go({ 0, 0, 3 }, 12)
+    me.request("Bottle down")
+end
+L
+expect 0 "" "$rhexis" run "$work/ask" --surgeon d --seed 3 --no-pictures --out "$work/asking"
+cp -r "$work/ask" "$work/less"
+sed -i '/request "Help"/d' "$work/less/curriculum.lua"
+told=$work/asking
+for which in ask less; do
+    serve "$which" --port 0
+    timeout 60 "$rhexis" run "$work/$which" --seed 3 --no-pictures --input "vrpn://127.0.0.1:$port" --give-up 2 \
+        --out "$work/by_$which" >"$work/by_$which.out" 2>"$work/by_$which.said" || fail "$which: $(cat "$work/by_$which.said")"
+    wait "$server"
+    [ "$(of "$work/by_$which" completed)" = True ] || fail "$which is not completed by --input: $(cat "$work/by_$which.said")"
+done
+told=$work/told
+! grep -q "no request" "$work/by_ask.said" || fail "what it has was refused: $(cat "$work/by_ask.said")"
+told_in by_less "the exercise has no request 'help'"
+[ "$(grep -c "no request" "$work/by_less.said")" = 1 ] || fail "it is said more than once: $(cat "$work/by_less.said")"
+expect 0 "" "$rhexis" replay "$work/by_ask" --verify
 
 # Nobody there, another version, an address that is none: one line, and nothing is left.
 expect 2 "no VRPN server has answered yet" "${run[@]}" --input vrpn://127.0.0.1:9 --wait 0.5 --out "$work/none"

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "desk_scene.hpp"
+#include "station/asked.hpp"
 #include "station/tracked_link.hpp"
 
 using namespace rhexis;
@@ -128,9 +129,43 @@ TEST_SUITE("tracked hands of the station") {
         CHECK(scene.hand(leading).tip == Vec3(1.0, -1.5, 1.0));
     }
 
+    TEST_CASE("what a tracking system asks of the staff is asked, and dials that it turns are turned") {
+        TrackedScene scene;
+        scene.take(runs());
+        const auto asked = [&scene](const std::string& text) {
+            scene.hands.state().word.clear();
+            scene.take({EventKind::asked, text});
+            return scene.hands.take_commands();
+        };
+        std::vector<Command> commands = asked("help");
+        REQUIRE(commands.size() == 1);
+        CHECK(commands[0].kind == CommandKind::request);
+        CHECK(commands[0].name == "help");
+        CHECK(words_of(commands[0]) == "help");
+        REQUIRE(asked("Bottle down").size() == 1);
+        commands = asked("machine.vacuum_mmhg=120.5");
+        REQUIRE(commands.size() == 1);
+        CHECK(commands[0].kind == CommandKind::adjust);
+        CHECK(commands[0].value == 120.5);
+        CHECK(words_of(commands[0]) == "machine.vacuum_mmhg=120.5");
+        for (const auto& [text, word] :
+             {std::pair("botle_down", "the exercise has no request 'botle_down' (did you mean bottle_down?)"),
+              std::pair("", "the exercise has no request '' (one of bottle_down, help)"),
+              std::pair("machine.vacum_mmhg=1",
+                        "the machine has no dial 'machine.vacum_mmhg' (did you mean machine.vacuum_mmhg?)"),
+              std::pair("machine.vacuum_mmhg=651", "the staff was asked for machine.vacuum_mmhg = 651 (0 to 650)"),
+              std::pair("machine.vacuum_mmhg=nan", "the staff was asked for machine.vacuum_mmhg = nan (0 to 650)"),
+              std::pair("machine.vacuum_mmhg=1x", "the staff was asked for machine.vacuum_mmhg = 1x (0 to 650)")}) {
+            CHECK(asked(text).empty());
+            CHECK(scene.hands.state().word == word);
+        }
+        CHECK(scene.hands.state().dials[0] == 120.5);
+    }
+
     TEST_CASE("what tracking tells is written and read again, bit for bit") {
-        for (const UserEvent& event : {seen("phaco", Vec3(0.1, -1.0 / 3.0, 2e-17), 0.7), runs(),
-                                       stands("%s is lost", "phaco"), UserEvent{EventKind::tracked, "pedal", 1.7}}) {
+        for (const UserEvent& event :
+             {seen("phaco", Vec3(0.1, -1.0 / 3.0, 2e-17), 0.7), runs(), stands("%s is lost", "phaco"),
+              UserEvent{EventKind::tracked, "pedal", 1.7}, UserEvent{EventKind::asked, "machine.bottle_cm=60"}}) {
             const Result<UserEvent> read = event_from(nlohmann::json::parse(to_json(event).dump()));
             REQUIRE(read.ok());
             CHECK(to_json(read.value()) == to_json(event));

@@ -357,4 +357,39 @@ TEST_SUITE("tracked hands") {
         CHECK_FALSE(scene.sample(0).present);
         CHECK(scene.hands.state() == TrackingState::running);
     }
+
+    TEST_CASE("what is asked of the staff comes with the step of its moment, once, and waits while the clock stands") {
+        Scene scene = running();
+        scene.tell("staff", TextReport{Severity::normal, 0, "bottle_down"});
+        const std::int64_t asked_us = scene.t_us;
+        int steps = 0;
+        std::vector<std::string> asked;
+        for (; asked.empty() && steps < 20; ++steps) {
+            scene.step();
+            asked = scene.hands.take_asked();
+        }
+        CHECK(asked == std::vector<std::string>{"bottle_down"});
+        CHECK(scene.t_us - asked_us >= scene.hands.delay_us());
+        CHECK(scene.t_us - asked_us <= scene.hands.delay_us() + 2 * step_us);
+        scene.run(0.5);
+        CHECK(scene.hands.take_asked().empty());
+
+        // a severe text of this device is no fault of the tracking system
+        scene.tell("staff", TextReport{Severity::error, 0, "help"});
+        scene.hands.link("a cable");
+        scene.run(0.3);
+        CHECK(scene.hands.state() == TrackingState::standing);
+        CHECK(scene.hands.take_asked().empty());
+        scene.hands.link("");
+        scene.phaco = [held = scene.sample(0).pose](double) { return held; };
+        scene.steps_until(TrackingState::running, 5.0);
+        REQUIRE(scene.hands.state() == TrackingState::running);
+        CHECK(scene.hands.take_asked() == std::vector<std::string>{"help"});
+
+        for (int i = 0; i < 1000; ++i) {
+            scene.tell("staff", TextReport{Severity::normal, 0, "help"});
+        }
+        scene.run(0.5);
+        CHECK(scene.hands.take_asked().size() == 64);
+    }
 }

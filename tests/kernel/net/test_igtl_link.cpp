@@ -299,6 +299,27 @@ TEST_SUITE("igtl link") {
         CHECK(bench.until([&] { return bench.poses() == 2; }));
     }
 
+    TEST_CASE("a second client that tells where tools are is heard by nobody, and noted once") {
+        Server server = a_server();
+        Client client(NetAddress{"127.0.0.1", server.port()});
+        Raw other(server);
+        Bench bench{&server, {&client}, {&other}};
+        join(bench);
+        for (int i = 0; i < 20; ++i) {
+            other.say(rhexis::igtlink::Transform{{Vec3(40.0, 0.0, 0.0), Quat::Identity()}});
+            other.say(rhexis::igtlink::TrackingData{some_tools(40.0)});
+        }
+        bench.settle(30);
+        CHECK(bench.poses() == 0);
+        CHECK(other.open);
+        const std::vector<std::string> notes = server.take_notes();
+        REQUIRE(notes.size() == 1);
+        CHECK(notes[0] == "it tells where 'somebody' is: only the server tells, and it is left out");
+        server.tell(some_tools(), bench.now_s, some_time_us);
+        CHECK(bench.until([&] { return bench.poses() == 2; }));
+        CHECK(other.open);
+    }
+
     TEST_CASE("of two clients one stalls: it is dropped, and the other hears all") {
         Server server = a_server();
         Client client({"127.0.0.1", server.port()});
