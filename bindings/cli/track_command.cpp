@@ -16,6 +16,7 @@ constexpr const char* track_help =
     "  rhexis track begin my_rig                  a rig without cameras to try it with\n"
     "  rhexis track calibrate my_rig/track.json   where the cameras stand, by a wand that is waved; with a page\n"
     "  rhexis track my_rig/track.json             until it is ended; each body on a line\n"
+    "  rhexis track my_rig/track.json --window    with what each camera sees, in a window\n"
     "  rhexis track my_rig/track.json --seconds 2 --picture seen.png    what the cameras saw, with what was made of "
     "it\n"
     "  rhexis track pivot my_rig/track.json phaco    where the tip is, by turning it about its tip\n"
@@ -37,6 +38,32 @@ int call(const char* name, const Arguments&... arguments) {
     return status ? done : complain(status.error());
 }
 
+/// Options of a command that shows what cameras see where a window is asked for.
+std::shared_ptr<bool> add_window(CLI::App& command, ScreenOptions& screen) {
+    auto window = std::make_shared<bool>(false);
+    command.add_flag("--window", *window, "Show what the cameras see, in a window");
+    command.add_option("--screenshot", screen.screenshot, "With --window: PNG file for what it shows in the end");
+    add_window_size(command, screen.width, screen.height);
+    return window;
+}
+
+/// The shared object with windows is loaded where one is asked for.
+template <typename Entry, typename Options>
+int call_with_window(const char* name, Options given, bool window) {
+    if (!window && !given.screen.screenshot.empty()) {
+        return complain({"--screenshot is of a window, and there is none", "track", "--window"});
+    }
+    if (window) {
+        const Result<void*> opened = load_station();
+        if (!opened) {
+            return complain(opened.error());
+        }
+        given.open_screen = entry_of<OpenScreen>(opened.value(), open_screen_name);
+        given.screen.title = "rhexis: " + given.setup;
+    }
+    return call<Entry>(name, given);
+}
+
 void add_calibrate(CLI::App& track, Context& context) {
     CLI::App* command = track.add_subcommand("calibrate", "Where the cameras stand, by a wand that is waved");
     auto given = std::make_shared<tracking::CalibrateOptions>();
@@ -47,8 +74,10 @@ void add_calibrate(CLI::App& track, Context& context) {
     command->add_flag("--refine-lenses", given->refine_lenses, "Lenses as well, but for k3");
     command->add_option("--out", given->rig, "File for the rig [the one that it has]");
     command->add_option("--page", given->page, "HTML page with how good it is [calibration.html beside the rig]");
-    command->callback(
-        [given, &context] { context.status = call<tracking::CalibrateEntry>(tracking::calibrate_entry_name, *given); });
+    const std::shared_ptr<bool> window = add_window(*command, given->screen);
+    command->callback([given, window, &context] {
+        context.status = call_with_window<tracking::CalibrateEntry>(tracking::calibrate_entry_name, *given, *window);
+    });
 }
 
 void add_pivot(CLI::App& track, Context& context) {
@@ -146,7 +175,8 @@ void add_track(CLI::App& app, Context& context) {
     add_design(*command, context);
     add_print(*command, context);
     add_measure(*command, context);
-    command->callback([given, command, &context] {
+    const std::shared_ptr<bool> window = add_window(*command, given->screen);
+    command->callback([given, window, command, &context] {
         if (!command->get_subcommands().empty()) {
             return;
         }
@@ -155,7 +185,7 @@ void add_track(CLI::App& app, Context& context) {
                 complain({"nothing to track", "track", "CONFIG, or calibrate, pivot, begin, print, measure"});
             return;
         }
-        context.status = call<tracking::TrackEntry>(tracking::track_entry_name, *given);
+        context.status = call_with_window<tracking::TrackEntry>(tracking::track_entry_name, *given, *window);
     });
 }
 

@@ -4,24 +4,54 @@
 #include <filesystem>
 
 #include "base/output_file.hpp"
+#include "track/camera_views.hpp"
 #include "track/commands.hpp"
+#include "track/onlooker.hpp"
 #include "tracking/calibration/pivot.hpp"
 #include "tracking/calibration/rig_calibration.hpp"
 #include "trial/progress.hpp"
 
 namespace rhexis::tracking {
+namespace {
+
+Onlooker::Painter painter_of(const Setup& setup, const WandLook& look) {
+    return [&setup, view = view_of(setup.rig, look)](const ScreenWish& wish, ScreenMoment& moment) {
+        moment = moment_of(setup, view, wish);
+    };
+}
+
+/// shown: whether the window's picture was kept where it was asked for.
+Result<CalibrationReport> calibrated(const CalibrateOptions& options, const Setup& setup, Status& shown) {
+    const Result<std::unique_ptr<Onlooker>> opened = Onlooker::open(options.screen, options.open_screen);
+    if (!opened) {
+        return opened.error();
+    }
+    Onlooker* const onlooker = opened.value().get();
+    Onlooker::Painter last;
+    Progress progress("calibrate");
+    Result<CalibrationReport> report =
+        calibrate_setup(setup, options.seconds, options.refine_lenses, [&](const WandLook& look) {
+            progress.show(look.share, wand_advice);
+            if (onlooker != nullptr && look.share >= 1.0) {
+                last = painter_of(setup, look);
+            } else if (onlooker != nullptr && onlooker->wants()) {
+                onlooker->show(painter_of(setup, look));
+            }
+            return onlooker == nullptr || !onlooker->closed();
+        });
+    shown = report && onlooker != nullptr ? onlooker->finish(last) : success();
+    return report;
+}
+
+}  // namespace
 
 Status calibrate(const CalibrateOptions& options) {
     const Result<Setup> setup = read_setup(options.setup);
     if (!setup) {
         return setup.error();
     }
-    Result<CalibrationReport> report = Error{"nothing was done", "", ""};
-    {
-        Progress progress("calibrate");
-        report = calibrate_setup(setup.value(), options.seconds, options.refine_lenses,
-                                 [&progress](double share) { progress.show(share, "wave the wand everywhere"); });
-    }
+    Status shown = success();
+    const Result<CalibrationReport> report = calibrated(options, setup.value(), shown);
     if (!report) {
         return report.error();
     }
@@ -41,7 +71,7 @@ Status calibrate(const CalibrateOptions& options) {
         std::printf("  %s\n", advice.c_str());
     }
     std::printf("%s\n", page.c_str());
-    return success();
+    return shown;
 }
 
 namespace {

@@ -6,9 +6,10 @@
 #include <cstdio>
 
 namespace rhexis::tracking {
-namespace {
 
 const char* word_of(Seen seen) { return seen == Seen::seen ? "seen" : seen == Seen::held ? "held" : "lost"; }
+
+namespace {
 
 std::string line_of(const std::string& name, const TrackedBody& body, double lost_s) {
     std::array<char, 200> text{};

@@ -12,11 +12,16 @@ namespace rhexis::tracking {
 /// Of the whole rig.
 struct RigHealth {
     double sets_per_s = 0.0;
-    double compute_ms = 0.0;  ///< from images to poses, median of the last second
-    std::uint64_t lost = 0;   ///< exposures that did not come
+    double compute_ms = 0.0;        ///< from images to poses, median of the last second
+    std::uint64_t lost = 0;         ///< exposures that did not come
+    std::uint64_t lost_lately = 0;  ///< of them, in the last second
     std::size_t listeners = 0;
     std::string warning{};
+    int warned_camera = -1;  ///< that it is about; -1: of none
 };
+
+/// "seen", "held" or "lost".
+const char* word_of(Seen seen);
 
 class StatusLines {
 public:

@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "base/clock.hpp"
+#include "track/camera_views.hpp"
 #include "track/commands.hpp"
+#include "track/onlooker.hpp"
 #include "track/server.hpp"
 #include "track/status.hpp"
 #include "tracking/annotated.hpp"
@@ -25,11 +27,11 @@ std::int64_t time_of_day_us() {
     return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
 }
 
-/// Medians of what each set of exposures took, and how many there are in a second.
+/// Of the last second: medians of what each set of exposures took, how many there were, and how many did not come.
 class Rate {
 public:
-    void note(double now_s, double took_s) {
-        recent_.push_back({now_s, took_s});
+    void note(double now_s, double took_s, std::uint64_t lost) {
+        recent_.push_back({now_s, took_s, lost});
         while (now_s - recent_.front().now_s > 1.0) {
             recent_.pop_front();
         }
@@ -37,6 +39,10 @@ public:
     [[nodiscard]] double per_s() const {
         const double passed_s = recent_.empty() ? 0.0 : recent_.back().now_s - recent_.front().now_s;
         return passed_s > 0.0 ? static_cast<double>(recent_.size() - 1) / passed_s : 0.0;
+    }
+    /// Exposures that did not come.
+    [[nodiscard]] std::uint64_t lost() const {
+        return recent_.empty() ? 0 : recent_.back().lost - recent_.front().lost;
     }
     [[nodiscard]] double median_ms() const {
         std::vector<double> all;
@@ -55,6 +61,7 @@ private:
     struct Noted {
         double now_s;
         double took_s;
+        std::uint64_t lost;
     };
     std::deque<Noted> recent_{};
 };
@@ -80,11 +87,12 @@ void print_json(const TrackedBodies& told, const std::vector<MarkerBody>& bodies
 class Tracking {
 public:
     Tracking(const TrackOptions& options, const Setup& setup, std::unique_ptr<SpotSource> source,
-             std::optional<Server> server)
+             std::optional<Server> server, Onlooker* onlooker)
         : options_(options),
           setup_(setup),
           source_(std::move(source)),
           server_(std::move(server)),
+          onlooker_(onlooker),
           tracker_(setup.rig, setup.bodies, setup.head, TrackerSettings{}),
           lines_(setup),
           health_(static_cast<int>(setup.rig.cameras.size())),
@@ -92,31 +100,41 @@ public:
 
     Status run() {
         const double begun_s = wall_seconds();
-        while (asked_to_end == 0) {
+        std::vector<CameraSpots> come;
+        const TrackedBodies* told = nullptr;
+        while (!is_to_end()) {
             const double work_began_s = thread_cpu_seconds();
-            const Result<bool> more = source_->next(exposures_);
+            const Result<bool> more = source_->next(come);
             if (!more) {
                 return more.error();
             }
             if (!more.value()) {
                 break;
             }
+            std::swap(exposures_, come);
             if (const Status kept = keep(); !kept) {
                 return kept;
             }
-            const TrackedBodies& told = tracker_.step(exposures_);
-            rate_.note(wall_seconds(), thread_cpu_seconds() - work_began_s);
-            wait_until(begun_s + told.time_s);
-            tell(told);
-            if (options_.seconds > 0.0 && told.time_s >= options_.seconds) {
+            told = &tracker_.step(exposures_);
+            rate_.note(wall_seconds(), thread_cpu_seconds() - work_began_s, source_->lost());
+            wait_until(begun_s + told->time_s);
+            tell(*told);
+            if (options_.seconds > 0.0 && told->time_s >= options_.seconds) {
                 break;
             }
         }
         linger();
-        return options_.picture.empty() ? success() : draw();
+        const Status drawn =
+            options_.picture.empty() ? success() : write_annotated(options_.picture, setup_.rig, setup_.bodies, seen());
+        const Status shown = onlooker_ == nullptr
+                                 ? success()
+                                 : onlooker_->finish(told != nullptr ? painter_of(*told) : Onlooker::Painter());
+        return drawn ? shown : drawn;
     }
 
 private:
+    [[nodiscard]] bool is_to_end() const { return asked_to_end != 0 || (onlooker_ != nullptr && onlooker_->closed()); }
+
     /// Recorded or synthetic exposures come when they would have come; meanwhile the network is served.
     void wait_until(double due_s) {
         do {
@@ -125,7 +143,7 @@ private:
                 return;
             }
             std::this_thread::sleep_for(std::chrono::microseconds(500));
-        } while (asked_to_end == 0);
+        } while (!is_to_end());
     }
 
     Status keep() {
@@ -175,9 +193,22 @@ private:
         }
         if (told.time_s - shown_s_ >= 0.2 || shown_s_ < 0.0) {
             shown_s_ = told.time_s;
-            lines_.show(told, {rate_.per_s(), rate_.median_ms(), source_->lost(), server_ ? server_->listeners() : 0,
-                               warning_});
+            lines_.show(told, health());
         }
+        if (onlooker_ != nullptr && onlooker_->wants()) {
+            onlooker_->show(painter_of(told));
+        }
+    }
+
+    [[nodiscard]] RigHealth health() const {
+        return {rate_.per_s(), rate_.median_ms(), source_->lost(), rate_.lost(), server_ ? server_->listeners() : 0,
+                warning_,      warned_camera_};
+    }
+
+    /// What is drawn meanwhile is a copy; images are shared.
+    [[nodiscard]] Onlooker::Painter painter_of(const TrackedBodies& told) const {
+        return [view = TrackingView{seen(), told, health()}, &setup = setup_](
+                   const ScreenWish& wish, ScreenMoment& moment) { moment = moment_of(setup, view, wish); };
     }
 
     /// Which camera sees all bodies beside where the others have them.
@@ -185,6 +216,7 @@ private:
         health_.add(time_s, tracker_.offsets());
         const std::optional<Drift> drift = health_.drift();
         warning_.clear();
+        warned_camera_ = drift ? drift->camera : -1;
         if (drift) {
             const std::string& name = setup_.rig.cameras[static_cast<std::size_t>(drift->camera)].name;
             std::array<char, 160> text{};
@@ -196,28 +228,27 @@ private:
         }
     }
 
-    Status draw() {
-        std::vector<Pose> poses;
-        std::vector<bool> seen;
+    [[nodiscard]] SeenByCameras seen() const {
+        SeenByCameras seen{exposures_, source_->images(), {}};
         for (std::size_t i = 0; i < setup_.bodies.size(); ++i) {
-            const std::optional<Pose> pose = tracker_.in_rig(static_cast<int>(i));
-            poses.push_back(pose.value_or(Pose{}));
-            seen.push_back(pose.has_value());
+            seen.bodies.push_back(tracker_.in_rig(static_cast<int>(i)));
         }
-        return write_annotated(options_.picture, setup_, exposures_, source_->images(), poses, seen);
+        return seen;
     }
 
     const TrackOptions& options_;
     const Setup& setup_;
     std::unique_ptr<SpotSource> source_;
     std::optional<Server> server_;
+    Onlooker* onlooker_;  ///< null: nobody looks on
     Tracker tracker_;
     StatusLines lines_;
     CameraHealth health_;
     bool paced_;
     Rate rate_{};
     std::string warning_{};
-    std::vector<CameraSpots> exposures_{};
+    int warned_camera_ = -1;
+    std::vector<CameraSpots> exposures_{};  ///< the last ones
     double shown_s_ = -1.0;
     double begun_s_ = wall_seconds();
     std::string inputs_trouble_{};
@@ -234,6 +265,10 @@ Status track(const TrackOptions& options) {
     if (!setup.value().rig.calibrated) {
         return Error{"this rig is not calibrated", setup.value().rig_path, "rhexis track calibrate " + options.setup};
     }
+    const Result<std::unique_ptr<Onlooker>> onlooker = Onlooker::open(options.screen, options.open_screen);
+    if (!onlooker) {
+        return onlooker.error();
+    }
     Result<std::unique_ptr<SpotSource>> source = open_source(setup.value());
     if (!source) {
         return source.error();
@@ -249,7 +284,7 @@ Status track(const TrackOptions& options) {
     }
     std::signal(SIGINT, [](int) { asked_to_end = 1; });
     std::signal(SIGTERM, [](int) { asked_to_end = 1; });
-    return Tracking(options, setup.value(), std::move(source).value(), std::move(server)).run();
+    return Tracking(options, setup.value(), std::move(source).value(), std::move(server), onlooker.value().get()).run();
 }
 
 }  // namespace rhexis::tracking

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "trial/picture_screen.hpp"
 #include "trial/sample_link.hpp"
 
 namespace rhexis::tracking {
@@ -21,6 +22,8 @@ struct TrackOptions {
     bool as_fast_as_can_be = false;  ///< a synthetic rig, or a folder of images, does not keep to the clock
     std::string keep;                ///< folder for all images, to track them again; empty: they are not kept
     std::string picture;             ///< PNG file for what the cameras saw in the end, with what was made of it
+    ScreenOptions screen{};
+    OpenScreen* open_screen = nullptr;  ///< window for what the cameras see; null: none
 };
 
 /// rhexis track calibrate CONFIG
@@ -30,6 +33,8 @@ struct CalibrateOptions {
     bool refine_lenses = false;
     std::string rig;   ///< file for the result; empty: the setup's own
     std::string page;  ///< HTML file; empty: calibration.html beside the rig
+    ScreenOptions screen{};
+    OpenScreen* open_screen = nullptr;  ///< window for where the wand was seen; null: none
 };
 
 /// rhexis track pivot CONFIG BODY

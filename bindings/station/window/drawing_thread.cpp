@@ -2,27 +2,18 @@
 #include "station/window/drawing_thread.hpp"
 
 #include <SDL_thread.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "base/step_back.hpp"
 #include "render/image_file.hpp"
 
 namespace rhexis::station {
 namespace {
 
 constexpr double longest_wait_s = 0.02;  ///< for a picture, before the last one is drawn again with newer hands
-
-/// This thread, and those that it begins from now on, run where nobody else wants to: pictures wait for steps, not
-/// steps for pictures.
-void step_back() {
-    constexpr int behind = 10;  // of 19
-    // of one thread, on Linux; where it is refused pictures and steps share as they did
-    static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), behind));
-}
 
 }  // namespace
 
@@ -48,7 +39,7 @@ void DrawingThread::take(const UserEvent& event) {
 }
 
 void DrawingThread::run() {
-    step_back();
+    step_back();  // pictures wait for steps, not steps for pictures
     const Status drawable = window_.draw_here();
     Result<FittedRenderer> renderer =
         drawable ? FittedRenderer::create(width_of_eye(window_.width(), options_.stereo), window_.height())

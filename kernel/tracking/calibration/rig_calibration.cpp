@@ -22,7 +22,8 @@ WandFrame frame_of(const std::vector<CameraSpots>& exposures, std::size_t sphere
     return frame;
 }
 
-Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds, const std::function<void(double)>& progress) {
+Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds,
+                                     const std::function<bool(const WandLook&)>& look) {
     Result<std::unique_ptr<SpotSource>> source = open_wand(setup);
     if (!source) {
         return source.error();
@@ -39,8 +40,11 @@ Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds, const s
             break;
         }
         frames.push_back(frame_of(exposures, setup.wand_mm.size()));
-        progress(count / most);
+        if (!look({count / most, exposures, source.value()->images(), frames})) {
+            return Error{"it was ended before the wand was waved; nothing is written", setup.path, ""};
+        }
     }
+    look({1.0, exposures, source.value()->images(), frames});
     return frames;
 }
 
@@ -67,14 +71,14 @@ Status find_lenses(const SyntheticPlan& plan, Rig& rig) {
 }  // namespace
 
 Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bool refine_lenses,
-                                          const std::function<void(double)>& progress) {
+                                          const std::function<bool(const WandLook&)>& look) {
     Rig given = setup.rig;
     if (const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source)) {
         if (const Status found = find_lenses(*synthetic, given); !found) {
             return found.error();
         }
     }
-    const Result<std::vector<WandFrame>> frames = watch(setup, seconds, progress);
+    const Result<std::vector<WandFrame>> frames = watch(setup, seconds, look);
     if (!frames) {
         return frames.error();
     }

@@ -9,10 +9,19 @@
 
 namespace rhexis::tracking {
 
-/// Takes the setup's wand until its source ends or `seconds` have passed; progress is told the share of it that is
-/// done. Lenses of a synthetic rig come from boards held before its cameras; those of others are the rig's own, refined
-/// where `refine_lenses`. The error: that of calibrate_wand(), calibrate_lens() or the source.
+/// What was seen of a wand so far.
+struct WandLook {
+    double share = 0.0;                         ///< of the time; 1: it is over
+    const std::vector<CameraSpots>& exposures;  ///< the last ones
+    std::shared_ptr<const FrameSet> images{};   ///< that they are of; null: there are none
+    std::span<const WandFrame> frames{};        ///< all so far
+};
+
+/// Takes the setup's wand until its source ends or `seconds` have passed; look is called after each exposure and once
+/// at the end, and says whether to go on. Lenses of a synthetic rig come from boards held before its cameras; those of
+/// others are the rig's own, refined where `refine_lenses`. The error: that of calibrate_wand(), calibrate_lens() or
+/// the source, or it was not to go on.
 Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bool refine_lenses,
-                                          const std::function<void(double)>& progress);
+                                          const std::function<bool(const WandLook&)>& look);
 
 }  // namespace rhexis::tracking

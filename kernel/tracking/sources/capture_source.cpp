@@ -2,14 +2,19 @@
 #include "tracking/sources/capture_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
+#include <optional>
 
 #include "base/clock.hpp"
+#include "base/numbers.hpp"
 #include "tracking/sources/grey.hpp"
 
 namespace rhexis::tracking {
 namespace {
+
+constexpr double least_rate_step = 0.01;  ///< between rates that are two [1/s]
 
 bool is_device(const std::string& name) {
     return !name.empty() && name.size() <= 3 &&
@@ -32,21 +37,22 @@ public:
 
     Result<bool> next(FrameSet& set) override {
         set.frames.clear();
-        std::size_t come = 0;
-        for (cv::VideoCapture& capture : captures_) {
-            come += capture.grab() ? 1U : 0U;
-        }
-        if (come < captures_.size()) {
-            if (!live_) {
-                return false;  // the shortest file is over
+        std::vector<std::size_t> come;
+        for (std::size_t i = 0; i < captures_.size(); ++i) {
+            if (captures_[i].grab()) {
+                come.push_back(i);
+            } else if (live_) {
+                return Error{"camera \"" + rig_.cameras[i].name + "\" gives no more images", names_[i],
+                             "is its cable loose?"};
             }
-            return Error{"a camera gives no more images",
-                         std::to_string(come) + " of " + std::to_string(captures_.size()) + " did",
-                         "is its cable loose?"};
         }
+        if (come.empty()) {
+            return false;
+        }
+        lost_ += captures_.size() - come.size();
         set.time_s = live_ ? wall_seconds() : static_cast<double>(count_) / rate_hz_;
         ++count_;
-        for (std::size_t i = 0; i < captures_.size(); ++i) {
+        for (const std::size_t i : come) {
             cv::Mat image;
             CameraFrame frame{static_cast<int>(i), set.time_s, 0, 0, {}};
             captures_[i].retrieve(image);
@@ -58,6 +64,7 @@ public:
         return true;
     }
     [[nodiscard]] double rate_hz() const override { return rate_hz_; }
+    [[nodiscard]] std::uint64_t lost() const override { return lost_; }
 
 private:
     Rig rig_;
@@ -66,6 +73,7 @@ private:
     double rate_hz_;
     bool live_;
     std::uint64_t count_ = 0;
+    std::uint64_t lost_ = 0;
 };
 
 }  // namespace
@@ -79,7 +87,7 @@ Result<std::unique_ptr<FrameSource>> open_capture(const CapturePlan& plan, const
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     std::vector<cv::VideoCapture> captures;
     bool live = false;
-    double rate_hz = plan.rate_hz;
+    std::optional<double> of_files;
     for (std::size_t i = 0; i < plan.of.size(); ++i) {
         const Camera& camera = rig.cameras[i];
         cv::VideoCapture& capture = captures.emplace_back();
@@ -87,11 +95,21 @@ Result<std::unique_ptr<FrameSource>> open_capture(const CapturePlan& plan, const
             return Error{"camera \"" + camera.name + "\" cannot be opened", plan.of[i],
                          is_device(plan.of[i]) ? "is it plugged in, and may you use it?" : "a video file"};
         }
-        live = live || is_device(plan.of[i]);
-        if (const double own = capture.get(cv::CAP_PROP_FPS); own > 0.0 && !is_device(plan.of[i])) {
-            rate_hz = own;
+        if (const Status fits =
+                check_size(static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
+                           static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT)), camera, plan.of[i]);
+            !fits) {
+            return fits.error();
         }
+        live = live || is_device(plan.of[i]);
+        const double own = is_device(plan.of[i]) ? 0.0 : capture.get(cv::CAP_PROP_FPS);
+        if (own > 0.0 && std::abs(own - of_files.value_or(own)) > least_rate_step) {
+            return Error{"images were taken at " + short_number(own) + " a second", plan.of[i],
+                         short_number(*of_files) + ", as those before"};
+        }
+        of_files = own > 0.0 ? own : of_files;
     }
+    const double rate_hz = live ? plan.rate_hz : of_files.value_or(plan.rate_hz);
     return std::unique_ptr<FrameSource>(
         std::make_unique<CaptureSource>(rig, plan.of, std::move(captures), rate_hz, live));
 }

@@ -13,8 +13,9 @@ struct CapturePlan {
 };
 
 /// Devices have been tried with none: the code is that of files. All cameras are told to take an exposure before any is
-/// read, which holds them together as far as they start together; cameras with a common trigger do better. The error
-/// names the camera that is not there, or gives images of another size.
+/// read, which holds them together as far as they start together; cameras with a common trigger do better. Exposures of
+/// a file that ends before the others are lost; it is over when all are. The error names the camera that is not there,
+/// gives images of another size, or was filmed at another rate than those before; one that gives no more ends it.
 Result<std::unique_ptr<FrameSource>> open_capture(const CapturePlan& plan, const Rig& rig);
 
 }  // namespace rhexis::tracking

@@ -5,14 +5,21 @@
 
 namespace rhexis::tracking {
 
+Status check_size(int width, int height, const Camera& camera, const std::string& where) {
+    if (width != camera.width || height != camera.height) {
+        return Error{
+            "an image of " + std::to_string(width) + " x " + std::to_string(height), where,
+            "\"" + camera.name + "\" has " + std::to_string(camera.width) + " x " + std::to_string(camera.height)};
+    }
+    return success();
+}
+
 Status grey_frame(const cv::Mat& image, const Camera& camera, const std::string& where, CameraFrame& frame) {
     if (image.empty() || image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
         return Error{"this is no image of 8 bits", where, "grey or of three colours"};
     }
-    if (image.cols != camera.width || image.rows != camera.height) {
-        return Error{
-            "an image of " + std::to_string(image.cols) + " x " + std::to_string(image.rows), where,
-            "\"" + camera.name + "\" has " + std::to_string(camera.width) + " x " + std::to_string(camera.height)};
+    if (Status fits = check_size(image.cols, image.rows, camera, where); !fits) {
+        return fits;
     }
     frame.width = image.cols;
     frame.height = image.rows;

@@ -10,6 +10,9 @@
 
 namespace rhexis::tracking {
 
+/// The error: another size than the camera's; it names `where`.
+Status check_size(int width, int height, const Camera& camera, const std::string& where);
+
 /// Pixels and size of `frame`, of one channel or three, 8 bits each. The error: nothing to read, or another size than
 /// the camera's; it names `where`.
 Status grey_frame(const cv::Mat& image, const Camera& camera, const std::string& where, CameraFrame& frame);

@@ -17,8 +17,9 @@ public:
     virtual Result<bool> next(std::vector<CameraSpots>& exposures) = 0;
     [[nodiscard]] virtual double rate_hz() const = 0;
     [[nodiscard]] virtual std::uint64_t lost() const { return 0; }
-    /// The images that the last exposures' spots are of; null: there are none.
-    [[nodiscard]] virtual const FrameSet* images() const { return nullptr; }
+    /// The images that the last exposures' spots are of, which stay as they are for whoever keeps them; null: there are
+    /// none.
+    [[nodiscard]] virtual std::shared_ptr<const FrameSet> images() const { return nullptr; }
 };
 
 class ImageSpots final : public SpotSource {
@@ -29,12 +30,12 @@ public:
     Result<bool> next(std::vector<CameraSpots>& exposures) override;
     [[nodiscard]] double rate_hz() const override { return frames_->rate_hz(); }
     [[nodiscard]] std::uint64_t lost() const override { return frames_->lost(); }
-    [[nodiscard]] const FrameSet* images() const override { return &set_; }
+    [[nodiscard]] std::shared_ptr<const FrameSet> images() const override { return set_; }
 
 private:
     std::unique_ptr<FrameSource> frames_;
     SpotFinder finder_;
-    FrameSet set_{};
+    std::shared_ptr<const FrameSet> set_{};
 };
 
 }  // namespace rhexis::tracking

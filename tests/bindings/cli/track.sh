@@ -40,6 +40,17 @@ grep -q "phaco is seen" lines || wrong "it does not say what is seen"
 "$program" track rig/track.json --seconds 0.1 --fast --silent --picture seen.png 2> /dev/null || wrong "no picture"
 [ "$(head -c 8 seen.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || wrong "the picture is no PNG"
 
+# What the cameras see, in a window; what keys and clicks do there, tests of the window say.
+export SDL_VIDEODRIVER=offscreen LIBGL_ALWAYS_SOFTWARE=1
+"$program" track rig/track.json --seconds 1 --silent --window --width 900 --height 640 --screenshot shown.png 2> window_said || wrong "no window: $(cat window_said)"
+python3 - <<'P' || wrong "the window's picture is not that of a window"
+import struct
+png = open("shown.png", "rb").read()
+assert struct.unpack(">II", png[16:24]) == (900, 640) and len(png) > 15000, (png[16:24], len(png))  # letters and spots
+P
+refused "there is none" "$program" track rig/track.json --screenshot shown.png
+refused "no window" env -u DISPLAY -u WAYLAND_DISPLAY SDL_VIDEODRIVER=x11 "$program" track rig/track.json --window
+
 # Heard by another process, and a second server at the same place is refused.
 "$program" track rig/track.json --seconds 6 2> told &
 for _ in $(seq 50); do grep -q "told at" told && break; sleep 0.1; done
