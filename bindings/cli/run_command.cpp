@@ -127,9 +127,10 @@ Status check_whole(const RunOptions& given) {
                          "--from PART and --to PART"};
         }
     }
-    if (given.moved_um > 0.0) {
-        return Error{"--moved is for exercises, and " + given.curriculum + " is an operation", "",
-                     "its parts, one by one"};
+    if (!given.through.empty() || given.moved_um > 0.0) {
+        return Error{std::string(given.through.empty() ? "--moved" : "--through") + " is for exercises, and " +
+                         given.curriculum + " is an operation",
+                     "", "its parts, one by one"};
     }
     return success();
 }

@@ -280,6 +280,12 @@ Result<AttemptResult> attempt_once(const AttemptOptions& options, std::optional<
     if (!session) {
         return session.error();
     }
+    if (options.link != nullptr) {
+        const SceneDescription& scene = session.value().scene();
+        if (const Status begun = options.link->begin(scene.instruments, scene.step_s); !begun) {
+            return begun.error();
+        }
+    }
     const Status prepared = prepare_folder(options.folder);
     if (!prepared) {
         return prepared.error();

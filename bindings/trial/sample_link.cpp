@@ -73,13 +73,9 @@ LinkFigures MovedSamples::figures() const {
 }
 
 Status LinkedOperator::begin(Timeline& timeline) {
-    const SceneDescription& scene = timeline.scene();
-    hands_.resize(scene.instruments.size());
+    hands_.resize(timeline.scene().instruments.size());
     for (std::size_t i = 0; i < hands_.size(); ++i) {
         hands_[i].instrument = static_cast<int>(i);
-    }
-    if (const Status begun = link_.begin(scene.instruments, scene.step_s); !begun) {
-        return begun;
     }
     return inner_.begin(timeline);
 }

@@ -72,7 +72,7 @@ private:
 /// Whoever operates, seen through a link.
 class LinkedOperator final : public Operator {
 public:
-    /// Both outlive it.
+    /// Both outlive it; the link has begun.
     LinkedOperator(Operator& inner, SampleLink& link) : inner_(inner), link_(link) {}
 
     Status begin(Timeline& timeline) override;
