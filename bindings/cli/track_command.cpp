@@ -125,11 +125,13 @@ void add_measure(CLI::App& track, Context& context) {
     command->add_option("--first-seed", given->first_seed, "Of rig, calibration, clips and noise")
         ->capture_default_str();
     command->add_option("--seeds", given->seeds, "So many")->check(CLI::Range(1, 100))->capture_default_str();
+    command->add_option("--marker-seeds", given->marker_seeds, "Of what needs no images [as many]")
+        ->check(CLI::Range(1, 1000));
     command->add_option("--image-seconds", given->image_s, "Of each clip that is rendered")
-        ->check(CLI::Range(0.1, 60.0))
+        ->check(CLI::Range(0.2, 10.0))
         ->capture_default_str();
-    command->add_option("--marker-seconds", given->marker_s, "Of moving clips without images")
-        ->check(CLI::Range(0.5, 600.0))
+    command->add_option("--marker-seconds", given->marker_s, "Of hands that go fast, without images")
+        ->check(CLI::Range(0.2, 20.0))
         ->capture_default_str();
     command->add_option("--identities", given->identity_frames, "Exposures in which a wrong body is looked for")
         ->check(CLI::Range(100, 10000000))
@@ -140,6 +142,8 @@ void add_measure(CLI::App& track, Context& context) {
         ->capture_default_str();
     command->add_flag("--network", given->network_only, "Only those");
     command->add_flag("--json", given->json, "As JSON");
+    command->add_option("--keep", given->keep,
+                        "Folder for each part of each seed: what is there is not measured again");
     command->callback(
         [given, &context] { context.status = call<tracking::MeasureEntry>(tracking::measure_entry_name, *given); });
 }

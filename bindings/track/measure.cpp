@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis track measure: what tracking reaches, against a rig that is not what it takes it to be.
-#include <unistd.h>
-
 #include <cstdio>
 
 #include "track/commands.hpp"
 #include "track/hop.hpp"
 #include "tracking/measure/figures.hpp"
+#include "trial/progress.hpp"
 
 namespace rhexis::tracking {
 
@@ -14,23 +13,21 @@ Status measure(const MeasureOptions& options) {
     MeasurePlan plan;
     plan.first_seed = options.first_seed;
     plan.seeds = options.seeds;
+    plan.marker_seeds = options.marker_seeds;
     plan.image_s = options.image_s;
     plan.marker_s = options.marker_s;
     plan.identity_frames = options.identity_frames;
     plan.chart = options.chart;
-    const bool terminal = isatty(STDERR_FILENO) == 1;
-    const auto say = [terminal](std::string_view what) {
-        if (terminal) {
-            std::fprintf(stderr, "\r\x1b[K%.*s", static_cast<int>(what.size()), what.data());
-        }
-    };
+    plan.keep = options.keep;
+    Progress progress("measuring");
     Result<TrackingFigures> figures = TrackingFigures{};
     if (!options.network_only) {
-        figures = measure_tracking(plan, say);
+        figures = measure_tracking(
+            plan, [&progress](double share, std::string_view what) { progress.show(share, std::string(what)); });
     }
     for (const bool by_datagram : {false, true}) {
         if (figures) {
-            say("the way over the network");
+            progress.show(1.0, "the way over the network");
             const Result<Hop> hop = measure_hop(by_datagram, options.poses);
             if (!hop) {
                 return hop.error();
@@ -38,7 +35,7 @@ Status measure(const MeasureOptions& options) {
             figures.value().figures.push_back(figure_of(hop.value()));
         }
     }
-    say("");
+    progress.clear();
     if (!figures) {
         return figures.error();
     }

@@ -58,6 +58,7 @@ using ChainEntry = void(const ChainOptions& options, Result<std::unique_ptr<Samp
 struct MeasureOptions {
     std::uint64_t first_seed = 101;
     int seeds = 1;
+    int marker_seeds = 0;  ///< of what is measured without images; at least `seeds`
     double image_s = 0.5;  ///< of each clip that is rendered
     double marker_s = 4.0;
     int identity_frames = 20000;
@@ -65,6 +66,7 @@ struct MeasureOptions {
     int poses = 6000;           ///< told over the network, each way
     bool network_only = false;  ///< nothing but that
     bool json = false;
+    std::string keep;  ///< folder for what each part of each seed gave; empty: it is not kept
 };
 
 inline constexpr const char* measure_entry_name = "rhexis_tracking_measure";

@@ -65,6 +65,8 @@ Result<CentroidErrors> measure_centroids(double width_px, int images, std::uint6
                 continue;
             }
             ++result.samples;
+            result.errors_px.push_back(spot->at.x() - wanted.x());
+            result.errors_px.push_back(spot->at.y() - wanted.y());
             result.rms_px += 0.5 * (spot->at - wanted).squaredNorm();
             result.told_sigma_px += spot->sigma_px * spot->sigma_px;
         }

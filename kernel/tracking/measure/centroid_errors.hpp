@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/result.hpp"
 #include "tracking/spots/spot_finder.hpp"
@@ -11,9 +12,10 @@ namespace rhexis::tracking {
 
 struct CentroidErrors {
     std::int64_t samples = 0;
-    std::int64_t missed = 0;     ///< spheres of which no spot was found within 3 pixels
-    double rms_px = 0.0;         ///< each way
-    double told_sigma_px = 0.0;  ///< root mean square of what spots say of themselves
+    std::int64_t missed = 0;          ///< spheres of which no spot was found within 3 pixels
+    double rms_px = 0.0;              ///< each way
+    std::vector<double> errors_px{};  ///< two of each sample, one each way
+    double told_sigma_px = 0.0;       ///< root mean square of what spots say of themselves
 };
 
 /// Whole, unworn spheres all over the images of a true camera, apart from each other; the wanted centre is that of the

@@ -2,12 +2,12 @@
 #include "tracking/measure/detector_chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "base/clock.hpp"
 #include "tracking/measure/other_detectors.hpp"
 #include "tracking/sources/synthetic_source.hpp"
-#include "tracking/synthetic/bodies.hpp"
 
 namespace rhexis::tracking {
 namespace {
@@ -78,12 +78,6 @@ Result<std::vector<FrameSet>> frames_of(const synthetic::SyntheticRig& rig, cons
     }
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Spots of all images; seconds for one image of each camera.
 std::vector<std::vector<CameraSpots>> detect(const std::vector<FrameSet>& frames, const Detector& detector,
                                              std::vector<double>& seconds) {
@@ -112,50 +106,69 @@ synthetic::Clip with_markers(synthetic::Clip clip, std::size_t markers) {
     return clip;
 }
 
-std::vector<TipTrace> instruments_of(const ClipRun& run, const synthetic::Clip& clip) {
-    std::vector<TipTrace> traces;
-    for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
-        if (clip.bodies[i].name != "head") {
-            traces.push_back(run.traces[i]);
-        }
-    }
-    return traces;
+std::string name_of(const Detector& detector, std::size_t cameras, std::size_t markers) {
+    return "detector." + detector.name + "." + std::to_string(cameras) + "." + std::to_string(markers);
 }
+
+/// Two that face each other would see the same side; these are a third of the ring apart.
+const std::vector<std::vector<int>>& chart_cameras() {
+    static const std::vector<std::vector<int>> all{
+        {0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 4}, {0, 1, 3, 4}, {0, 2, 4}, {0, 2}};
+    return all;
+}
+constexpr std::array<std::size_t, 2> chart_markers{4, 3};
 
 }  // namespace
 
-Result<std::vector<ChartRow>> detector_chart(const synthetic::SyntheticRig& rig, const Rig& solver, std::uint64_t seed,
-                                             int exposures) {
+Result<Numbers> measure_detectors(const Setting& setting) {
     constexpr double found_s = 0.1;  // by all cameras, for all rows alike; errors are told from then on
-    // Two that face each other would see the same side; these are a third of the ring apart.
-    const std::vector<std::vector<int>> cameras{{0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 4}, {0, 1, 3, 4}, {0, 2, 4}, {0, 2}};
-    const std::vector<MarkerBody> bodies = synthetic::standard_bodies();
-    const Result<synthetic::Clip> clip = synthetic::make_clip("still", seed, bodies, rig.nominal);
+    constexpr int exposures = 24;
+    const Result<synthetic::Clip> clip = setting.clip("still");
     if (!clip) {
         return clip.error();
     }
-    const Result<std::vector<FrameSet>> frames = frames_of(rig, clip.value(), seed, exposures);
+    const Result<std::vector<FrameSet>> frames = frames_of(setting.rig, clip.value(), setting.seed, exposures);
     if (!frames) {
         return frames.error();
     }
-    std::vector<ChartRow> rows;
+    Numbers numbers;
     for (const Detector& detector : all_detectors()) {
         std::vector<double> seconds;
         const std::vector<std::vector<CameraSpots>> recorded = detect(frames.value(), detector, seconds);
-        for (const std::vector<int>& used : cameras) {
-            for (const std::size_t markers : {std::size_t{4}, std::size_t{3}}) {
+        for (const std::vector<int>& used : chart_cameras()) {
+            for (const std::size_t markers : chart_markers) {
                 const synthetic::Clip seen = with_markers(clip.value(), markers);
-                ClipPlan plan;
+                ClipPlan plan = setting.clip_plan(false, 1e9);
                 plan.tracker = detector.tracker;
                 const std::vector<std::vector<CameraSpots>> fewer = only_cameras(recorded, used, found_s);
                 RecordedSpots source(fewer, plan.delivery.rate_hz);
-                const Result<ClipRun> run = track_spots(source, solver, seen, plan);
+                const Result<ClipRun> run = track_spots(source, setting.solver(), seen, plan);
                 if (!run) {
                     return run.error();
                 }
-                rows.push_back({detector.name, static_cast<int>(used.size()), static_cast<int>(markers),
-                                tip_errors_of(instruments_of(run.value(), seen)),
-                                median(seconds) * static_cast<double>(used.size()), median(run.value().seconds)});
+                const std::string name = name_of(detector, used.size(), markers);
+                add_tips(setting.bodies, run.value(), name, numbers);
+                append({{name + ".detect_s", seconds}, {name + ".track_s", run.value().seconds}}, numbers);
+            }
+        }
+    }
+    return numbers;
+}
+
+std::vector<ChartRow> chart_rows(const Numbers& numbers) {
+    std::vector<ChartRow> rows;
+    for (const Detector& detector : all_detectors()) {
+        for (const std::vector<int>& used : chart_cameras()) {
+            for (const std::size_t markers : chart_markers) {
+                const std::string name = name_of(detector, used.size(), markers);
+                const std::vector<double>& seen = row_of(numbers, name + ".seen");
+                if (!seen.empty()) {
+                    rows.push_back(
+                        {detector.name, static_cast<int>(used.size()), static_cast<int>(markers),
+                         figures_of(row_of(numbers, name + ".tip_mm"), std::ssize(seen)),
+                         static_cast<double>(used.size()) * share_of(row_of(numbers, name + ".detect_s"), 0.5),
+                         share_of(row_of(numbers, name + ".track_s"), 0.5)});
+                }
             }
         }
     }

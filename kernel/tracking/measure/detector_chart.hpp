@@ -2,12 +2,15 @@
 // Accuracy against compute: ways to detect spots, numbers of cameras and of markers.
 #pragma once
 
-#include "tracking/measure/figures.hpp"
+#include "tracking/measure/measured_parts.hpp"
 
 namespace rhexis::tracking {
 
-/// The same images of a still clip for all rows: `exposures` of each camera.
-Result<std::vector<ChartRow>> detector_chart(const synthetic::SyntheticRig& rig, const Rig& solver, std::uint64_t seed,
-                                             int exposures);
+/// The same images of a still clip for all ways to detect, all numbers of cameras and of markers. Rows of tip errors
+/// [mm] and of seconds, as chart_rows() reads them.
+Result<Numbers> measure_detectors(const Setting& setting);
+
+/// Those of several seeds together; none: they were not measured.
+std::vector<ChartRow> chart_rows(const Numbers& numbers);
 
 }  // namespace rhexis::tracking

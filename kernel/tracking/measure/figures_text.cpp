@@ -58,9 +58,50 @@ std::string array_json(const Items& items, ToText to_text) {
 
 std::string figure_json(const Figure& figure) {
     return "\"quantity\": " + quoted(figure.quantity) + ", \"unit\": " + quoted(figure.unit) +
-           ", \"value\": " + number(figure.value) + ", \"goal\": " + number(figure.goal) +
+           ", \"value\": " + number(figure.value) + ", \"mean_of_seeds\": " + number(figure.mean) +
+           ", \"worst_seed\": " + std::to_string(figure.worst_seed) + ", \"of_worst_seed\": " + number(figure.worst) +
+           (figure.goal ? ", \"goal\": " + number(*figure.goal) : "") +
            ", \"met\": " + (figure.met() ? "true" : "false") + ", \"published\": " + quoted(figure.published) +
            ", \"samples\": " + whole(figure.samples) + ", \"from\": " + quoted(figure.from);
+}
+
+std::string spread_json(const Spread& spread) {
+    std::string text = "\"quantity\": " + quoted(spread.quantity) + ", \"unit\": " + quoted(spread.unit) +
+                       ", \"from\": " + quoted(spread.from) + ", \"samples\": " + whole(spread.samples) +
+                       ", \"mean\": " + number(spread.mean) + ", \"rms\": " + number(spread.rms) + ", \"quantiles\": [";
+    const char* before = "";
+    for (const Spread::Quantile& quantile : spread.curve) {
+        char pair[64];
+        std::snprintf(pair, sizeof pair, "%s[%.6f, %.5g]", before, quantile.share, quantile.value);
+        text += pair;
+        before = ", ";
+    }
+    return text + "]";
+}
+
+std::string spread_row(const Spread& spread) {
+    // Shares of things that are so or not are told by their mean alone.
+    const bool share = spread.unit == "%";
+    std::string cells = number(spread.mean) + " | " + (share ? "" : number(spread.rms));
+    for (const double value : spread.at) {
+        cells += " | " + (share ? std::string() : number(value));
+    }
+    return row({spread.quantity, spread.from, spread.unit, whole(spread.samples), cells});
+}
+
+std::string spreads_table(const std::string& title, const std::vector<Spread>& spreads) {
+    std::string text =
+        "\n" + title + ":\n\n" +
+        row({"quantity", "from", "unit", "samples", "mean", "RMS", "50 %", "90 %", "95 %", "99 %", "99.9 %", "worst"}) +
+        "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    bool any = false;
+    for (const Spread& spread : spreads) {
+        if (spread.samples > 0) {
+            text += spread_row(spread);
+            any = true;
+        }
+    }
+    return any ? text : std::string();
 }
 
 std::string chart_json(const ChartRow& entry) {
@@ -72,12 +113,19 @@ std::string chart_json(const ChartRow& entry) {
 }  // namespace
 
 std::string figures_markdown(const TrackingFigures& figures) {
-    std::string text = row({"quantity", "reached", "goal", "", "published by others", "samples", "from"}) +
-                       "|---|---|---|---|---|---|---|\n";
+    std::string text = row({"quantity", "all seeds", "mean of seeds", "worst seed", "goal", "", "published by others",
+                            "samples", "from"}) +
+                       "|---|---|---|---|---|---|---|---|---|\n";
     for (const Figure& figure : figures.figures) {
-        text += row({figure.quantity, number(figure.value) + " " + figure.unit,
-                     std::string(figure.at_least ? ">= " : "<= ") + number(figure.goal),
-                     figure.met() ? "met" : "not met", figure.published, whole(figure.samples), figure.from});
+        if (figure.samples > 0) {
+            text += row({figure.quantity, number(figure.value) + " " + figure.unit, number(figure.mean),
+                         number(figure.worst) + " (" + std::to_string(figure.worst_seed) + ")",
+                         figure.goal ? std::string(figure.at_least ? ">= " : "<= ") + number(*figure.goal) : "",
+                         !figure.goal   ? ""
+                         : figure.met() ? "met"
+                                        : "not met",
+                         figure.published, whole(figure.samples), figure.from});
+        }
     }
     if (!figures.by_cameras.empty()) {
         text += "\nTip errors by how many cameras saw the instrument [µm]:\n\n";
@@ -90,6 +138,8 @@ std::string figures_markdown(const TrackingFigures& figures) {
                          whole(entry.tip.valid)});
         }
     }
+    text += spreads_table("The same clips and seeds with images and without", figures.levels);
+    text += spreads_table("In the terms of standards", figures.standards);
     if (!figures.chart.empty()) {
         text += "\nAccuracy against compute, the same images of a still clip [µm; ms on one core]:\n\n";
         text += row({"detector", "cameras", "markers", "mean", "RMS", "95 %", "99.9 %", "worst", "valid %", "detect",
@@ -106,12 +156,15 @@ std::string figures_markdown(const TrackingFigures& figures) {
 
 std::string figures_json(const TrackingFigures& figures) {
     std::string text = "{\n  \"first_seed\": " + std::to_string(figures.first_seed) +
-                       ",\n  \"seeds\": " + std::to_string(figures.seeds) + ",\n  \"figures\": ";
+                       ",\n  \"seeds\": " + std::to_string(figures.seeds) +
+                       ",\n  \"marker_seeds\": " + std::to_string(figures.marker_seeds) + ",\n  \"figures\": ";
     text += array_json(figures.figures, figure_json) + ",\n  \"by_cameras\": ";
     text += array_json(figures.by_cameras, [](const CamerasFigures& entry) {
         return "\"cameras\": " + std::to_string(entry.cameras) +
                ", \"from\": " + quoted(entry.images ? "images" : "markers") + ", " + tip_json(entry.tip);
     });
+    text += ",\n  \"levels\": " + array_json(figures.levels, spread_json);
+    text += ",\n  \"standards\": " + array_json(figures.standards, spread_json);
     return text + ",\n  \"chart\": " + array_json(figures.chart, chart_json) + "\n}\n";
 }
 

@@ -87,6 +87,19 @@ std::vector<double> collect(const TipTrace& trace, double after_s, std::int64_t&
 
 }  // namespace
 
+double share_of_sorted(const std::vector<double>& sorted, double share) {
+    if (sorted.empty()) {
+        return 0.0;
+    }
+    const auto index = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+    return sorted[std::clamp<std::size_t>(index, 1, sorted.size()) - 1];
+}
+
+double share_of(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return share_of_sorted(values, share);
+}
+
 ErrorFigures figures_of(std::vector<double> errors, std::int64_t frames) {
     ErrorFigures figures;
     figures.frames = frames;
@@ -100,13 +113,9 @@ ErrorFigures figures_of(std::vector<double> errors, std::int64_t frames) {
         figures.mean += error / static_cast<double>(errors.size());
         squares += error * error;
     }
-    const auto share = [&errors](double part) {
-        const auto index = static_cast<std::size_t>(std::ceil(part * static_cast<double>(errors.size())));
-        return errors[std::clamp<std::size_t>(index, 1, errors.size()) - 1];
-    };
     figures.rms = std::sqrt(squares / static_cast<double>(errors.size()));
-    figures.of_95 = share(0.95);
-    figures.of_999 = share(0.999);
+    figures.of_95 = share_of_sorted(errors, 0.95);
+    figures.of_999 = share_of_sorted(errors, 0.999);
     figures.worst = errors.back();
     return figures;
 }
@@ -189,13 +198,15 @@ ErrorFigures tip_errors(const TipTrace& trace, double after_s) {
     return figures_of(std::move(errors), frames);
 }
 
+double axis_off_deg(const TipSample& sample) {
+    const Vec3 is = sample.is.orientation * Vec3::UnitZ();
+    const Vec3 told = sample.told.orientation * Vec3::UnitZ();
+    return std::atan2(is.cross(told).norm(), is.dot(told)) * 180.0 / std::numbers::pi;
+}
+
 ErrorFigures axis_errors(const TipTrace& trace, double after_s) {
     std::int64_t frames = 0;
-    std::vector<double> errors = collect(trace, after_s, frames, [](const TipSample& sample) {
-        const Vec3 is = sample.is.orientation * Vec3::UnitZ();
-        const Vec3 told = sample.told.orientation * Vec3::UnitZ();
-        return std::atan2(is.cross(told).norm(), is.dot(told)) * 180.0 / std::numbers::pi;
-    });
+    std::vector<double> errors = collect(trace, after_s, frames, axis_off_deg);
     return figures_of(std::move(errors), frames);
 }
 

@@ -25,6 +25,10 @@ struct ErrorFigures {
 };
 ErrorFigures figures_of(std::vector<double> errors, std::int64_t frames);
 
+/// The value that this share (0 to 1) of the values does not exceed; 0 of none. Sorted: they rise.
+double share_of_sorted(const std::vector<double>& sorted, double share);
+double share_of(std::vector<double> values, double share);
+
 /// A tip at one exposure, relative to the head.
 struct TipSample {
     double time_s = 0.0;
@@ -86,7 +90,8 @@ private:
 
 /// Millimetres from where a tip was to where it was told; after the first `after_s`.
 ErrorFigures tip_errors(const TipTrace& trace, double after_s = 0.1);
-/// Degrees between axes.
+/// Degrees between the axis that was and the one that was told.
+double axis_off_deg(const TipSample& sample);
 ErrorFigures axis_errors(const TipTrace& trace, double after_s = 0.1);
 /// Standard deviation of the tip about its mean, of the axis where it is greatest [mm].
 double jitter(const TipTrace& trace, double after_s = 0.1);

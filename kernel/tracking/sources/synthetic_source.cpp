@@ -145,7 +145,7 @@ public:
             Rng rng(cameras_.seed_of(shot), "spots");
             CameraSpots exposure{shot.camera, shot.time_s, {}};
             SpotOptions options;
-            options.centre = SpotCentre::outline;
+            options.centre = cameras_.film().centre;
             spots_without_images(cameras_.camera_of(shot), cameras_.instants_of(shot), options, rng, scratch_,
                                  exposure.spots);
             exposures.push_back(std::move(exposure));

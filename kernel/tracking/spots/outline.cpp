@@ -273,23 +273,4 @@ std::optional<FittedOutline> fit_outline(const GreyImage& image, const Vec2& abo
     return outline;
 }
 
-double outline_spread(const std::array<bool, outline_rays>& shown, const OutlineSettings& settings) {
-    Mat5 normal = Mat5::Zero();
-    int count = 0;
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        if (shown[i]) {
-            normal += products[i];
-            ++count;
-        }
-    }
-    if (count < settings.least_share * outline_rays) {
-        return 0.0;
-    }
-    const double prior = ray_sigma_px / settings.stretch_px;
-    normal(3, 3) += prior * prior;
-    normal(4, 4) += prior * prior;
-    const Mat5 inverse = normal.ldlt().solve(Mat5::Identity());
-    return 0.5 * (inverse(1, 1) + inverse(2, 2));
-}
-
 }  // namespace rhexis::tracking

@@ -35,8 +35,4 @@ struct OutlineSettings {
 std::optional<FittedOutline> fit_outline(const GreyImage& image, const Vec2& about, double radius, double bright,
                                          const OutlineSettings& settings);
 
-/// What centre and spread of the centre follow from, when only some rays show the rim: trace of the centre's part of
-/// the inverse normal matrix, halved; times the variance of one ray's rim it is sigma_px squared. 0: too few rays.
-double outline_spread(const std::array<bool, outline_rays>& shown, const OutlineSettings& settings);
-
 }  // namespace rhexis::tracking

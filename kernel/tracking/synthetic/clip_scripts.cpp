@@ -173,6 +173,37 @@ void add_bump(Clip& clip, Rng& rng) {
     clip.bump.turn = turn * Vec3(std::cos(angle), std::sin(angle), 0.0);
 }
 
+/// Of a head that is draped and lies loosely: its eye, and about it.
+void add_breathing(Clip& clip, Rng& rng) {
+    constexpr double drift_mm = 0.5;
+    constexpr double breath_mm = 0.2;
+    constexpr double turn_per_mm = 0.01;  // as of a head that rocks on a point 100 mm away
+    for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
+        if (!is_head(clip.bodies[i])) {
+            continue;
+        }
+        Motion& motion = clip.motions[i];
+        for (const auto& [most_mm, frequency_hz] : {std::pair(drift_mm, 0.05), std::pair(breath_mm, 0.25)}) {
+            const double phase = 2.0 * std::numbers::pi * rng.uniform();
+            motion.moves.push_back({most_mm * random_direction(rng), frequency_hz, phase});
+            motion.turns.push_back({turn_per_mm * most_mm * random_direction(rng), frequency_hz, phase});
+        }
+    }
+}
+
+/// Hands that lean on the head and let it go.
+void add_knocks(Clip& clip, Rng& rng) {
+    constexpr double push_mm = 1.0;
+    constexpr double every_s = 2.0;
+    constexpr double leant_s = 1.0;
+    constexpr double ramp_s = 0.1;
+    for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
+        for (double begin_s = 0.15; is_head(clip.bodies[i]) && begin_s < clip.duration_s; begin_s += every_s) {
+            clip.motions[i].trips.push_back({push_mm * random_direction(rng), begin_s, begin_s + leant_s, ramp_s});
+        }
+    }
+}
+
 void add_script(std::string_view name, Clip& clip, Rng& rng) {
     if (name == "circle") {
         add_circles(clip);
@@ -189,6 +220,13 @@ void add_script(std::string_view name, Clip& clip, Rng& rng) {
     } else if (name == "bump") {
         add_circles(clip);
         add_bump(clip, rng);
+    } else if (name == "breathing" || name == "knocks") {
+        clip.duration_s = 20.0;
+        add_tremor(clip, rng);
+        add_breathing(clip, rng);
+        if (name == "knocks") {
+            add_knocks(clip, rng);
+        }
     }
 }
 

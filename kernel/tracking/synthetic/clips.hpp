@@ -87,13 +87,15 @@ struct Clip {
 /// occlusion    four of six cameras blocked in turn, all 15 choices; then each marker in turn; tremor
 /// crossing     the first two instruments cross before the first camera; all leave the volume and return; 12 s
 /// bump         one camera is turned by 0.1 degrees in the middle; circles; 10 s
-inline constexpr std::array<std::string_view, 7> clip_names{"still",     "circle",   "tremor", "insertions",
-                                                            "occlusion", "crossing", "bump"};
+/// breathing    the head drifts to and fro by 0.5 mm in 20 s, and by 0.2 mm every 4 s, as with breath; tremor; 20 s
+/// knocks       likewise, and every two seconds hands push the head by 1 mm within 0.1 s, and it comes back
+inline constexpr std::array<std::string_view, 9> clip_names{
+    "still", "circle", "tremor", "insertions", "occlusion", "crossing", "bump", "breathing", "knocks"};
 
 inline constexpr int most_instruments = 6;  ///< that there is room for in a clip
 
-/// Bodies named "head" rest on the head; others are instruments, up to six of them, with their tips at the eye, held
-/// along the z axes of their bodies. The error tells the names there are.
+/// Bodies named "head" are on the head, which rests unless told above; others are instruments, up to six of them, with
+/// their tips at the eye, held along the z axes of their bodies. The error tells the names there are.
 Result<Clip> make_clip(std::string_view name, std::uint64_t seed, std::span<const MarkerBody> bodies, const Rig& rig);
 
 /// A body's frame in the rig [mm], at any time; also before 0 and after the end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// scenes of one exposure -> spots, without an image in between: for studies of a million frames.
+// scenes of one exposure -> spots, without whole images in between: for studies of a million frames.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "base/rng.hpp"
 #include "tracking/spot.hpp"
-#include "tracking/synthetic/marker_outline.hpp"
+#include "tracking/synthetic/marker_patch.hpp"
 #include "tracking/synthetic/seen_scene.hpp"
 
 namespace rhexis::tracking::synthetic {
@@ -23,14 +23,27 @@ struct CentroidNoise {
     double floor_px = 0.003;  ///< what the place within a pixel and pixels of unlike response leave
 };
 
-/// What the detector makes of a spot: the centre of light, or of the outline that spots/outline.hpp fits.
+/// The same of outlines that are fitted (spots/outline.hpp) to whole, clean spheres that stand alone. Fitted to images
+/// of spots of 20 to 28 pixels' width, seeds 1 to 6.
+struct OutlineNoise {
+    double shot = 1.33;  ///< times what the sensor's noise at the rim, by the slope of light there, moves 64 rays
+    double within_px = 0.0124;      ///< most by which the place within a pixel moves the centre, both ways
+    double within_from_px = 0.128;  ///< of the radius, at which that is the most
+    double inward = 1.65e-5;        ///< share of the way from the image's middle that outlines lie too near to it
+    double pattern_px = 0.004;      ///< what pixels of unlike response leave, anew every `pattern_of_px`
+    double pattern_of_px = 0.3;
+    double inside_px = 0.19;  ///< by which they are narrower each way than the sphere's image
+};
+
+/// What the detector makes of a spot: the centre of light, or of the outline.
 enum class SpotCentre : std::uint8_t { light, outline };
 
 struct SpotOptions {
     CentroidNoise noise{};
-    SpotCentre centre = SpotCentre::light;
+    SpotCentre centre = SpotCentre::outline;
     OutlineNoise outline{};
-    double least_light = 20.0;  ///< above the black level [DN]: what is dimmer is no spot
+    SpotSettings finder{};      ///< of outlines: what is dimmer or smaller is no spot, and what looks at patches
+    double least_light = 20.0;  ///< of light, above the black level [DN]: what is dimmer is no spot
     double least_share = 0.05;  ///< of a sphere that is seen: what is less is no spot
     double gap_px = 1.0;        ///< discs that are nearer to each other than this are one spot
 };
@@ -45,15 +58,29 @@ struct SpotScratch {
         double radius = 0.0;  ///< [pixels]
         int sphere = -1;
         std::size_t group = 0;  ///< of spots that touch
+        bool settled = false;   ///< it does not touch another that is settled
     };
     std::vector<Part> parts{};
     std::vector<Vec2> disc{};  ///< even samples of a disc of radius 1
+
+    /// A sphere or a glint as it shines in the image.
+    struct Bright {
+        int sphere = -1;
+        int glint = -1;
+        Vec2 at = Vec2::Zero();
+        double radius = 0.0;
+        bool odd = false;       ///< worn, partly hidden, or smeared
+        std::size_t group = 0;  ///< of those whose light meets
+    };
+    std::vector<Bright> bright{};
+    PatchScratch patch{};
 };
 
-/// What a camera makes of a scene, in `spots`: the centre of light of each sphere's true image (an ellipse, its lobe
-/// and the vignetting in it), shifted where it is partly hidden or worn, with noise; or that of its outline, where
-/// enough of that is seen; those that touch are one; glints and specks. `instants`: as of render(); places are their
-/// mean, what hides is taken from the one in the middle.
+/// What a camera makes of a scene, in `spots`. Of light: the centre of light of each sphere's true image (an ellipse,
+/// its lobe and the vignetting in it), shifted where it is partly hidden or worn, with noise; those that touch are one.
+/// Of outlines: the true ellipse's centre with the error that the finder makes of it, where a sphere is whole, clean
+/// and alone; else what the finder makes of a small image (marker_patch.hpp). Glints and specks. `instants`: as of
+/// render(); places are their mean, what hides is taken from the one in the middle.
 void spots_without_images(const TrueCamera& camera, std::span<const Scene> instants, const SpotOptions& options,
                           Rng& rng, SpotScratch& scratch, std::vector<Spot>& spots);
 

@@ -14,19 +14,19 @@
 namespace rhexis::tracking::synthetic {
 namespace {
 
-constexpr int samples = 8;          ///< across a pixel
-constexpr int inner_samples = 2;    ///< likewise, where the light changes evenly
 constexpr double blur_reach = 4.0;  ///< standard deviations
 
 /// Of one sphere at one instant, added to the window's light and share.
 class SphereSampler {
 public:
-    SphereSampler(const Scene& seen, int sphere, const Hiders& hiders, const WindowRays& rays, double pixel)
+    SphereSampler(const Scene& seen, int sphere, const Hiders& hiders, const WindowRays& rays, double pixel,
+                  const Fineness& fineness)
         : seen_(seen),
           sphere_(sphere),
           hiders_(hiders),
           rays_(rays),
           pixel_(pixel),
+          fineness_(fineness),
           even_(hiders.none() && seen.spheres[at(sphere)].worn_cosine > 1.0) {
         const Sphere& it = seen.spheres[at(sphere)];
         const double distance = it.centre.norm();
@@ -40,7 +40,8 @@ public:
         if (off > sine_ + pixel_) {
             return {};
         }
-        return mean(x, y, even_ && off < sine_ - 1.5 * pixel_ ? inner_samples : samples);
+        const bool inside = off < sine_ - 1.5 * pixel_;
+        return mean(x, y, !inside ? fineness_.rays : even_ ? fineness_.inside : fineness_.inside_odd);
     }
 
 private:
@@ -66,7 +67,8 @@ private:
     Vec3 towards_;
     double sine_;
     double pixel_;  ///< angle that a pixel takes on the axis [rad]
-    bool even_;     ///< neither hidden nor worn
+    Fineness fineness_;
+    bool even_;  ///< neither hidden nor worn
 };
 
 std::vector<float> bell(double sigma) {
@@ -129,9 +131,10 @@ Window window_of_all(const TrueCamera& camera, std::span<const Scene> seen, int 
 }
 
 void sample_sphere(const TrueCamera& camera, const Scene& seen, int sphere, const Window& window,
-                   const Window& instant_window, RenderScratch& scratch) {
+                   const Window& instant_window, const Fineness& fineness, RenderScratch& scratch) {
     const WindowRays rays(camera.lens, instant_window);
-    const SphereSampler sampler(seen, sphere, scratch.hiders, rays, 1.0 / std::min(camera.lens.fx, camera.lens.fy));
+    const SphereSampler sampler(seen, sphere, scratch.hiders, rays, 1.0 / std::min(camera.lens.fx, camera.lens.fy),
+                                fineness);
     for (int y = instant_window.top; y < instant_window.bottom; ++y) {
         const WindowRays::Line line = rays.line(y);
         for (int x = instant_window.left; x < instant_window.right; ++x) {
@@ -163,7 +166,7 @@ void lay_over(const Window& window, double each, const RenderScratch& scratch, L
     field.windows.push_back(part);
 }
 
-void add_sphere(const TrueCamera& camera, int sphere, RenderScratch& scratch) {
+void add_sphere(const TrueCamera& camera, int sphere, const Fineness& fineness, RenderScratch& scratch) {
     const Window window = window_of_all(camera, scratch.seen, sphere);
     if (window.empty()) {
         return;
@@ -173,7 +176,8 @@ void add_sphere(const TrueCamera& camera, int sphere, RenderScratch& scratch) {
     scratch.share.assign(count, 0.0F);
     for (const Scene& seen : scratch.seen) {
         find_hiders(seen, sphere, scratch.hiders);
-        sample_sphere(camera, seen, sphere, window, window_of(camera, seen.spheres[at(sphere)], 1.0), scratch);
+        sample_sphere(camera, seen, sphere, window, window_of(camera, seen.spheres[at(sphere)], 1.0), fineness,
+                      scratch);
     }
     const Vec3& middle = scratch.seen[scratch.seen.size() / 2].spheres[at(sphere)].centre;
     const Vec2 pixel = distorted(camera.lens, middle.head<2>() / middle.z());
@@ -203,7 +207,7 @@ Window window_of(const TrueCamera& camera, const Sphere& seen, double more) {
 }
 
 void render_light(const TrueCamera& camera, std::span<const Scene> instants, std::uint64_t image_seed,
-                  RenderScratch& scratch) {
+                  RenderScratch& scratch, const Fineness& fineness) {
     RHEXIS_ASSERT(!instants.empty());
     scratch.field.clear(camera.width, camera.height);
     scratch.seen.resize(instants.size());
@@ -214,7 +218,7 @@ void render_light(const TrueCamera& camera, std::span<const Scene> instants, std
     const Scene& middle = scratch.seen[instants.size() / 2];
     add_capsules(camera, middle, scratch.field);
     for (int i = 0; i < static_cast<int>(middle.spheres.size()); ++i) {
-        add_sphere(camera, i, scratch);
+        add_sphere(camera, i, fineness, scratch);
     }
     add_glints(camera, middle, scratch.field);
     Rng rng(image_seed, "specks");

@@ -28,9 +28,16 @@ struct RenderScratch {
 void render(const TrueCamera& camera, const SensorPattern& pattern, std::span<const Scene> instants,
             std::uint64_t image_seed, RenderScratch& scratch, Image& image);
 
+/// Rays across a pixel.
+struct Fineness {
+    int rays = 8;
+    int inside = 2;      ///< of a sphere that is neither hidden nor worn
+    int inside_odd = 8;  ///< of one that is
+};
+
 /// The same, but without a sensor: light on each pixel, without the ambient one [DN].
 void render_light(const TrueCamera& camera, std::span<const Scene> instants, std::uint64_t image_seed,
-                  RenderScratch& scratch);
+                  RenderScratch& scratch, const Fineness& fineness = {});
 
 /// Where a sphere's light may fall, its blur and `more` pixels with it, perhaps outside the image; empty: behind.
 Window window_of(const TrueCamera& camera, const Sphere& seen, double more);
