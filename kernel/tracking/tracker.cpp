@@ -22,6 +22,15 @@ double middle_time(std::span<const CameraSpots> exposures) {
     return *middle;
 }
 
+/// Three points of others may lie nearly as three markers of a body do: then some images are off.
+bool may_be_others(const Fit& fit, const TrackerSettings& settings) {
+    double squares = 0.0;
+    for (const Vec2& off : fit.offs) {
+        squares += off.squaredNorm() / static_cast<double>(fit.offs.size());
+    }
+    return std::sqrt(squares) > settings.most_new_px;
+}
+
 /// A body that points are taken for.
 struct Claim {
     std::size_t body = 0;
@@ -177,7 +186,8 @@ bool Tracker::accept(int body, const std::vector<Sighting>& sightings, const Pos
     const Motion motion = fresh ? Motion{} : track.filter.motion();
     std::optional<Fit> fit = fit_body(rig_.cameras, shape, sightings, begun, motion, settings_.fit);
     const bool believed = fit && fit->residual_px <= settings_.most_residual_px && fit->cameras >= 2 &&
-                          2 * fit->counted > static_cast<int>(sightings.size());
+                          2 * fit->counted > static_cast<int>(sightings.size()) &&
+                          !(fresh && fit->markers <= 3 && may_be_others(*fit, settings_));
     if (!believed) {
         return false;
     }

@@ -24,6 +24,7 @@ struct TrackerSettings {
     double most_area = 1.06;        ///< more is two in one
     double least_roundness = 0.95;  ///< of a body that stands still
     double most_residual_px = 0.6;  ///< of a pose that is believed
+    double most_new_px = 0.15;      ///< root mean square of all sightings of a body that comes anew by three markers
     double hold_s = 0.1;            ///< that a body is held where it was going when it is not seen
     double distance_mm = 0.5;       ///< that distances between points may be off those of a signature
     double exposure_s = 0.0005;     ///< in which a moving spot smears

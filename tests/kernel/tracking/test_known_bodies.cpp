@@ -139,4 +139,24 @@ TEST_CASE("of several bodies at chance places, with markers hidden, none is take
     }
 }
 
+TEST_CASE("three points that lie nearly as three of a body's markers do are not taken for it by their images") {
+    const Rig rig = small_rig();
+    const std::vector<MarkerBody> set{known_body("phaco").value()};
+    MarkerBody others = set[0];
+    others.markers.pop_back();
+    const auto seen = [&](double off_mm, double most_px) {
+        MarkerBody points = others;
+        points.markers[0] += off_mm * (points.markers[0] - points.markers[1]).normalized();
+        TrackerSettings settings;
+        settings.most_new_px = most_px;
+        Tracker tracker(rig, set, std::nullopt, settings);
+        Rng rng(33);
+        return tracker.step(spots_of(rig, {points}, {Pose{}}, 1.0, 0.05, rng)).bodies[0].seen == Seen::seen;
+    };
+    const TrackerSettings usual;
+    CHECK(seen(0.0, usual.most_new_px));
+    CHECK_FALSE(seen(0.2, usual.most_new_px));
+    CHECK(seen(0.2, 0.6));
+}
+
 }  // namespace rhexis::tracking
