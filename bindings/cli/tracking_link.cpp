@@ -152,6 +152,19 @@ std::vector<SeenStep> as_seen(const Recording& recording) {
     return seen;
 }
 
+/// Hands rest in the end where they are, for who is a little late. How many steps that is.
+std::size_t rest_in_the_end(std::vector<SeenStep>& steps, double step_s) {
+    constexpr double rests_s = 1.0;
+    if (steps.empty()) {
+        return 0;
+    }
+    SeenStep last = steps.back();
+    last.asked.clear();
+    const auto count = static_cast<std::size_t>(std::lround(rests_s / step_s));
+    steps.insert(steps.end(), count, last);
+    return count;
+}
+
 /// How many were told.
 std::size_t tell_in_time(const std::vector<SeenStep>& steps, std::size_t first, double step_s, const Teller& teller) {
     const double begun_s = wall_seconds();
@@ -212,7 +225,7 @@ void add_serve_options(CLI::App& command, ServeArguments& given) {
 
 int serve(const ServeArguments& given, const Recording& recording, const Teller& teller) {
     const double recorded_s = recording.header.scene.step_s;
-    const std::vector<SeenStep> steps = as_seen(recording);
+    std::vector<SeenStep> steps = as_seen(recording);
     if (const Status there = check_range("--from", given.from_s, 0.0, recorded_s * static_cast<double>(steps.size()),
                                          given.recording, " s");
         !there) {
@@ -227,10 +240,11 @@ int serve(const ServeArguments& given, const Recording& recording, const Teller&
         turn(teller);
     }
     linger(teller);
+    const std::size_t resting = rest_in_the_end(steps, recorded_s / given.speed);
     const std::size_t told =
         tell_in_time(steps, static_cast<std::size_t>(given.from_s / recorded_s), recorded_s / given.speed, teller);
     linger(teller);
-    std::printf("%zu steps told\n", told);
+    std::printf("%zu steps told\n", told - resting);
     return done;
 }
 

@@ -5,6 +5,7 @@
   scripts/dev/tracked_exercises.py                    those that are quick first; again to go on where it stopped
   scripts/dev/tracked_exercises.py groove incision    these
   scripts/dev/tracked_exercises.py --out runs/tracked --minutes 30
+  scripts/dev/tracked_exercises.py --out runs/coarse --set patient.tetrahedra=500    where the computer is slow
 
 Each exercise of curricula/ is done by the surgeon and seed of one of its recordings/*.json (group d if there is one),
 told by rhexis vrpn serve and done again by rhexis run --input vrpn://, one exercise at a time and by the wall clock:
@@ -111,6 +112,7 @@ def main():
     parser.add_argument("--minutes", type=float, default=1e6, help="begin no other exercise after so many")
     parser.add_argument("--again", type=float, default=100, help="[%%]")
     parser.add_argument("--transport", choices=["vrpn", "vrpn+tcp"], default="vrpn")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="of both, as of rhexis run")
     given = parser.parse_args()
     out = given.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
@@ -119,6 +121,7 @@ def main():
     for _, name, recording in exercises(given.exercise):
         if time.monotonic() - begun > 60 * given.minutes:
             break
+        recording = {**recording, "set": {**recording.get("set", {}), **dict(one.split("=", 1) for one in given.set)}}
         try:
             before = told(given.program, name, recording, out / "told" / name)
             after, said = came(given.program, name, recording, out / "told" / name, out / "came" / name, given.transport,

@@ -27,14 +27,14 @@ served() {
 }
 
 serve 4
-expect 0 "it has closed the connection" "$rhexis" igtl listen "localhost:$port" --json --seconds 1.5
+expect 0 "it has closed the connection" "$rhexis" igtl listen "localhost:$port" --json --seconds 3
 served
 cp "$work/stdout" "$work/by_ours"
 python3 - "$work/by_ours" <<'P' || fail "what was heard is not what was told"
 import json, sys
 lines = [json.loads(line) for line in open(sys.argv[1])]
 poses = [l for l in lines if l["kind"] == "pose"]
-assert 150 < len(poses) <= 200, len(poses)
+assert 550 < len(poses) <= 600, len(poses)  # of half a second, and where they end for another second
 assert all(l["device"] == "probe" and l["sensor"] == 0 for l in poses)
 assert all(abs(sum(q * q for q in l["quaternion_xyzw"]) - 1) < 1e-9 for l in poses)
 assert len({tuple(l["position_mm"]) for l in poses}) > 20, "it does not move"
