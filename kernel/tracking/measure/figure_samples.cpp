@@ -228,6 +228,15 @@ Status measure_compute(const Setting& setting, Samples& samples) {
     }
 }
 
+Status add_knock(const Setting& setting, Samples& samples) {
+    const Result<KnockErrors> errors = measure_knock(setting.rig, setting.solver, setting.bodies, setting.seed);
+    if (!errors) {
+        return errors.error();
+    }
+    samples.knocks.push_back(errors.value());
+    return success();
+}
+
 /// Crossings, over and over with other noise, until enough exposures were looked at.
 Status measure_identity(const Setting& setting, std::int64_t frames, Samples& samples) {
     const Result<synthetic::Clip> clip = setting.clip("crossing");
@@ -285,6 +294,7 @@ Status measure_seed(const Setting& setting, const MeasureProgress& progress, Sam
         {"occlusion", [&] { return measure_occlusion(setting, samples); }},
         {"finding again", [&] { return measure_reacquiring(setting, samples); }},
         {"compute", [&] { return measure_compute(setting, samples); }},
+        {"a knocked camera", [&] { return add_knock(setting, samples); }},
         {"identity", [&] { return measure_identity(setting, identity_frames, samples); }}};
     for (const auto& [what, measure] : parts) {
         progress(seed + what);

@@ -4,6 +4,7 @@
 
 #include "tracking/measure/calibrated_rig.hpp"
 #include "tracking/measure/figures.hpp"
+#include "tracking/measure/knocks.hpp"
 #include "tracking/synthetic/bodies.hpp"
 
 namespace rhexis::tracking {
@@ -32,6 +33,7 @@ struct Samples {
     std::vector<double> reacquired{};
     std::vector<double> frame_seconds{};
     std::vector<SyntheticCalibration> calibrations{};
+    std::vector<KnockErrors> knocks{};
     std::int64_t identity_frames = 0;
     std::int64_t wrong = 0;
 };

@@ -89,6 +89,19 @@ void add_calibration(const Samples& samples, std::vector<Figure>& figures) {
     figures.push_back({"calibration, adjustment, worst", "s", worst_of(seconds), 1.0, false, "", count, "wand"});
 }
 
+void add_knocks(const Samples& samples, std::vector<Figure>& figures) {
+    double latest_s = 0.0;
+    double false_alarms = 0.0;
+    for (const KnockErrors& knock : samples.knocks) {
+        latest_s = std::max(latest_s, knock.named_after_s);
+        false_alarms += knock.false_alarms;
+    }
+    const auto count = static_cast<std::int64_t>(samples.knocks.size());
+    figures.push_back({"knocked camera, named after, worst", "s", latest_s, 1.0, false, "", count, "markers"});
+    figures.push_back(
+        {"cameras named that were not knocked", "runs", false_alarms, 0, false, "", 2 * count, "markers"});
+}
+
 void add_figures(const Samples& samples, std::vector<Figure>& figures) {
     const auto waves = static_cast<std::int64_t>(samples.gains.size());
     const auto frames = static_cast<std::int64_t>(samples.frame_seconds.size());
@@ -129,6 +142,7 @@ void add_figures(const Samples& samples, std::vector<Figure>& figures) {
     figures.push_back({"six images to poses, one core, p99", "ms", um * quantile(samples.frame_seconds, 0.99), 4, false,
                        "", frames, "images"});
     add_calibration(samples, figures);
+    add_knocks(samples, figures);
 }
 
 void add_by_cameras(const Samples& samples, TrackingFigures& result) {

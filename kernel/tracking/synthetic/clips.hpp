@@ -87,8 +87,9 @@ struct Clip {
 /// occlusion    four of six cameras blocked in turn, all 15 choices; then each marker in turn; tremor
 /// crossing     the first two instruments cross before the first camera; all leave the volume and return; 12 s
 /// bump         one camera is turned by 0.1 degrees in the middle; circles; 10 s
-inline constexpr std::array<std::string_view, 7> clip_names{"still",     "circle",   "tremor", "insertions",
-                                                            "occlusion", "crossing", "bump"};
+/// pivot        tips rest in hollows while instruments swing through cones of 40 degrees; 10 s
+inline constexpr std::array<std::string_view, 8> clip_names{"still",     "circle",   "tremor", "insertions",
+                                                            "occlusion", "crossing", "bump",   "pivot"};
 
 /// Bodies named "head" rest on the head; others are instruments, up to six, with their tips at the eye. The error
 /// tells the names there are.
