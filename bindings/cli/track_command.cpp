@@ -14,6 +14,7 @@ constexpr const char* track_help =
     "over VRPN and OpenIGTLink. rhexis train --input vrpn://ADDRESS operates with them, on this computer or another.\n"
     "\n"
     "  rhexis track begin my_rig                  a rig without cameras to try it with\n"
+    "  rhexis track lenses my_rig/track.json --board dots:13x9x14    what the lenses do, by a board shown to each\n"
     "  rhexis track calibrate my_rig/track.json   where the cameras stand, by a wand that is waved; with a page\n"
     "  rhexis track my_rig/track.json             until it is ended; each body on a line\n"
     "  rhexis track my_rig/track.json --window    with what each camera sees, in a window\n"
@@ -78,6 +79,28 @@ void add_calibrate(CLI::App& track, Context& context) {
     command->callback([given, window, &context] {
         context.status = call_with_window<tracking::CalibrateEntry>(tracking::calibrate_entry_name, *given, *window);
     });
+}
+
+void add_lenses(CLI::App& track, Context& context) {
+    CLI::App* command = track.add_subcommand("lenses", "The lens of each camera, by a board that is shown to it");
+    auto given = std::make_shared<tracking::LensesOptions>();
+    command->add_option("config", given->setup, "The rig's file, as of rhexis track")->required();
+    command
+        ->add_option("--board", given->board,
+                     "dots:COLUMNSxROWSxMM or chess:COLUMNSxROWSxMM: how many dots or inner corners, how far apart")
+        ->required();
+    command->add_option("--views", given->views, "Of the board for each camera, at most")
+        ->check(CLI::Range(8, 400))
+        ->capture_default_str();
+    command->add_option("--seconds", given->seconds, "For which images are looked at, at most")
+        ->check(CLI::Range(1.0, 3600.0))
+        ->capture_default_str();
+    command->add_option("--images", given->images, "Folder with a folder of images for each camera [the rig's source]");
+    command->add_option("--keep", given->keep, "Folder for all images, to look at them again with --images");
+    command->add_option("--out", given->rig, "File for the rig [the one that it has]");
+    command->add_option("--page", given->page, "HTML page with how good it is [calibration.html beside the rig]");
+    command->callback(
+        [given, &context] { context.status = call<tracking::LensesEntry>(tracking::lenses_entry_name, *given); });
 }
 
 void add_pivot(CLI::App& track, Context& context) {
@@ -173,6 +196,7 @@ void add_track(CLI::App& app, Context& context) {
     command->add_flag("--fast", given->as_fast_as_can_be, "Images that are there already, as fast as can be");
     command->add_option("--keep", given->keep, "Folder for all images, to track them again");
     command->add_option("--picture", given->picture, "PNG file for what the cameras saw in the end");
+    add_lenses(*command, context);
     add_calibrate(*command, context);
     add_pivot(*command, context);
     add_begin(*command, context);
@@ -186,7 +210,7 @@ void add_track(CLI::App& app, Context& context) {
         }
         if (given->setup.empty()) {
             context.status =
-                complain({"nothing to track", "track", "CONFIG, or calibrate, pivot, begin, print, measure"});
+                complain({"nothing to track", "track", "CONFIG, or begin, lenses, calibrate, pivot, print, measure"});
             return;
         }
         context.status = call_with_window<tracking::TrackEntry>(tracking::track_entry_name, *given, *window);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // rhexis track calibrate and pivot.
 #include <cstdio>
-#include <filesystem>
 
 #include "base/output_file.hpp"
 #include "track/camera_views.hpp"
 #include "track/commands.hpp"
 #include "track/onlooker.hpp"
+#include "track/page.hpp"
 #include "tracking/calibration/pivot.hpp"
 #include "tracking/calibration/rig_calibration.hpp"
 #include "trial/progress.hpp"
@@ -56,8 +56,7 @@ Status calibrate(const CalibrateOptions& options) {
         return report.error();
     }
     const std::string rig = options.rig.empty() ? setup.value().rig_path : options.rig;
-    const std::string page =
-        options.page.empty() ? (std::filesystem::path(rig).parent_path() / "calibration.html").string() : options.page;
+    const std::string page = page_beside(rig, options.page);
     if (const Status written = write_rig(report.value().wand.rig, rig); !written) {
         return written.error();
     }

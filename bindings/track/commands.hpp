@@ -7,6 +7,7 @@
 namespace rhexis::tracking {
 
 Status track(const TrackOptions& options);
+Status lenses(const LensesOptions& options);
 Status calibrate(const CalibrateOptions& options);
 Status pivot(const PivotOptions& options);
 Status begin(const BeginOptions& options);

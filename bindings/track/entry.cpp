@@ -13,6 +13,10 @@ extern "C" {
                                                               rhexis::Status& status) {
     status = rhexis::tracking::calibrate(options);
 }
+[[gnu::visibility("default")]] void rhexis_tracking_lenses(const rhexis::tracking::LensesOptions& options,
+                                                           rhexis::Status& status) {
+    status = rhexis::tracking::lenses(options);
+}
 [[gnu::visibility("default")]] void rhexis_tracking_pivot(const rhexis::tracking::PivotOptions& options,
                                                           rhexis::Status& status) {
     status = rhexis::tracking::pivot(options);

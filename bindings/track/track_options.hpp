@@ -37,6 +37,18 @@ struct CalibrateOptions {
     OpenScreen* open_screen = nullptr;  ///< window for where the wand was seen; null: none
 };
 
+/// rhexis track lenses CONFIG --board BOARD
+struct LensesOptions {
+    std::string setup;
+    std::string board;       ///< as parse_board() reads it
+    int views = 40;          ///< of each camera, at most
+    double seconds = 300.0;  ///< for which images are looked at, at most
+    std::string images;      ///< folder with a folder for each camera; empty: the setup's own source
+    std::string keep;        ///< folder for all images; empty: they are not kept
+    std::string rig;         ///< file for the result; empty: the setup's own
+    std::string page;        ///< HTML file; empty: calibration.html beside the rig
+};
+
 /// rhexis track pivot CONFIG BODY
 struct PivotOptions {
     std::string setup;
@@ -75,6 +87,8 @@ inline constexpr const char* track_entry_name = "rhexis_tracking_track";
 using TrackEntry = void(const TrackOptions& options, Status& status);
 inline constexpr const char* calibrate_entry_name = "rhexis_tracking_calibrate";
 using CalibrateEntry = void(const CalibrateOptions& options, Status& status);
+inline constexpr const char* lenses_entry_name = "rhexis_tracking_lenses";
+using LensesEntry = void(const LensesOptions& options, Status& status);
 inline constexpr const char* pivot_entry_name = "rhexis_tracking_pivot";
 using PivotEntry = void(const PivotOptions& options, Status& status);
 /// rhexis track begin FOLDER

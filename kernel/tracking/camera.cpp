@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tracking/camera.hpp"
 
+#include "tracking/lens_model.hpp"
+
 namespace rhexis::tracking {
 namespace {
 
@@ -17,8 +19,7 @@ Bent bent(const Lens& lens, const Vec2& direction) {
     const double radial = 1.0 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3));
     const double radial_slope = lens.k1 + r2 * (2.0 * lens.k2 + 3.0 * r2 * lens.k3);  // d radial / d r2
     Bent result;
-    result.at = {x * radial + 2.0 * lens.p1 * x * y + lens.p2 * (r2 + 2.0 * x * x),
-                 y * radial + lens.p1 * (r2 + 2.0 * y * y) + 2.0 * lens.p2 * x * y};
+    result.at = bent_direction(numbers_of(lens).data(), direction);
     result.slope << radial + 2.0 * x * x * radial_slope + 2.0 * lens.p1 * y + 6.0 * lens.p2 * x,
         2.0 * x * y * radial_slope + 2.0 * lens.p1 * x + 2.0 * lens.p2 * y,
         2.0 * x * y * radial_slope + 2.0 * lens.p1 * x + 2.0 * lens.p2 * y,
@@ -28,10 +29,7 @@ Bent bent(const Lens& lens, const Vec2& direction) {
 
 }  // namespace
 
-Vec2 distorted(const Lens& lens, const Vec2& direction) {
-    const Vec2 at = bent(lens, direction).at;
-    return {lens.fx * at.x() + lens.cx, lens.fy * at.y() + lens.cy};
-}
+Vec2 distorted(const Lens& lens, const Vec2& direction) { return lens_image(numbers_of(lens).data(), direction); }
 
 Vec2 undistorted(const Lens& lens, const Vec2& pixel) {
     constexpr int most_steps = 12;

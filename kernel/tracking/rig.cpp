@@ -89,6 +89,54 @@ Result<MarkerBody> body_of(const Json& json, const std::string& where) {
     return body;
 }
 
+Result<LensFigures> lens_figures_of(const Json& json, const std::string& where) {
+    constexpr int most = 1000000000;
+    Fields fields(json, where);
+    fields.only({"views", "left_out", "without", "residual_px", "focal_sigma_px", "coverage"});
+    LensFigures figures;
+    figures.views = fields.whole("views", 0, most);
+    figures.left_out = fields.whole("left_out", 0, most);
+    figures.without = fields.whole("without", 0, most);
+    figures.residual_px = fields.number("residual_px", 0.0, 1e5);
+    figures.focal_sigma_px = fields.number("focal_sigma_px", 0.0, 1e6);
+    const VecX cells = fields.numbers("coverage", figures.coverage.columns * figures.coverage.rows, most);
+    for (const double points : cells) {
+        figures.coverage.points.push_back(static_cast<int>(points));
+    }
+    if (const Status status = fields.status(); !status) {
+        return status.error();
+    }
+    return figures;
+}
+
+Json json_of(const LensFigures& figures) {
+    return {{"views", figures.views},
+            {"left_out", figures.left_out},
+            {"without", figures.without},
+            {"residual_px", figures.residual_px},
+            {"focal_sigma_px", figures.focal_sigma_px},
+            {"coverage", figures.coverage.points}};
+}
+
+/// Of all cameras; where one lacks them there are none.
+Status read_lens_figures(const Json& cameras, const std::string& path, Rig& rig) {
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const auto lens = cameras[i].find("lens");
+        if (lens == cameras[i].end()) {
+            continue;
+        }
+        Result<LensFigures> figures = lens_figures_of(*lens, path + ", camera " + std::to_string(i + 1) + ", \"lens\"");
+        if (!figures) {
+            return figures.error();
+        }
+        rig.lenses.push_back(std::move(figures).value());
+    }
+    if (rig.lenses.size() < cameras.size()) {
+        rig.lenses.clear();
+    }
+    return success();
+}
+
 Status check_cameras(const std::vector<Camera>& cameras, const std::string& path) {
     if (cameras.size() < fewest_cameras || cameras.size() > most_cameras) {
         return Error{std::to_string(cameras.size()) + " cameras", path, range_text(fewest_cameras, most_cameras)};
@@ -125,13 +173,17 @@ Result<Rig> read_rig(const std::string& path) {
     if (const Status status = check_cameras(rig.cameras, path); !status) {
         return status.error();
     }
+    if (const Status status = read_lens_figures(*list, path, rig); !status) {
+        return status.error();
+    }
     rig.calibrated = json.value().value("calibrated", Json(false)) == Json(true);
     return rig;
 }
 
 Status write_rig(const Rig& rig, const std::string& path) {
     Json cameras = Json::array();
-    for (const Camera& camera : rig.cameras) {
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        const Camera& camera = rig.cameras[i];
         const Quat& turned = camera.pose.orientation;
         Json entry{{"name", camera.name},
                    {"width", camera.width},
@@ -140,6 +192,9 @@ Status write_rig(const Rig& rig, const std::string& path) {
                    {"orientation_xyzw", {turned.x(), turned.y(), turned.z(), turned.w()}}};
         for (const LensField& field : lens_fields) {
             entry[field.name] = camera.lens.*field.value;
+        }
+        if (rig.lenses.size() == rig.cameras.size()) {
+            entry["lens"] = json_of(rig.lenses[i]);
         }
         cameras.push_back(std::move(entry));
     }

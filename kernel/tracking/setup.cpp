@@ -7,6 +7,7 @@
 
 #include "tracking/bodies/known_bodies.hpp"
 #include "tracking/json_fields.hpp"
+#include "tracking/sources/board_source.hpp"
 #include "tracking/sources/synthetic_source.hpp"
 #include "tracking/synthetic/clips.hpp"
 
@@ -128,6 +129,13 @@ Result<std::unique_ptr<SpotSource>> film_spots(const synthetic::SyntheticRig& ri
                   : film_markers(rig, std::move(stage), film);
 }
 
+/// Images that are there, or that cameras take.
+Result<std::unique_ptr<FrameSource>> open_seen(const Setup& setup) {
+    const auto* folder = std::get_if<FolderPlan>(&setup.source);
+    return folder != nullptr ? open_folder(*folder, setup.rig)
+                             : open_capture(std::get<CapturePlan>(setup.source), setup.rig);
+}
+
 /// A stage and what it is seen by, kept together: the stage's functions look into both.
 struct Play {
     synthetic::SyntheticRig rig{};
@@ -193,7 +201,7 @@ Result<Setup> read_setup(const std::string& path) {
     Setup setup;
     setup.path = path;
     Fields fields(json.value(), path);
-    fields.only({"rig", "bodies", "head", "source", "serve", "inputs", "threshold", "wand_mm"});
+    fields.only({"rig", "bodies", "head", "source", "serve", "inputs", "threshold", "wand_mm", "wand_radius_mm"});
     const std::string rig = fields.text("rig");
     const std::vector<std::string> bodies = fields.texts("bodies");
     const std::string head = fields.text("head", "");
@@ -208,6 +216,7 @@ Result<Setup> read_setup(const std::string& path) {
     } else {
         setup.wand_mm.assign(synthetic::wand_mm.begin(), synthetic::wand_mm.end());
     }
+    setup.wand_radius_mm = fields.number("wand_radius_mm", 0.0, 20.0, setup.wand_radius_mm);
     if (const Status status = fields.status(); !status) {
         return status.error();
     }
@@ -242,18 +251,22 @@ Result<Setup> read_setup(const std::string& path) {
 }
 
 Result<std::unique_ptr<SpotSource>> open_source(const Setup& setup) {
-    if (const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source)) {
-        return open_synthetic(*synthetic, setup);
-    }
-    if (const auto* folder = std::get_if<FolderPlan>(&setup.source)) {
-        return with_spots(open_folder(*folder, setup.rig), setup);
-    }
-    return with_spots(open_capture(std::get<CapturePlan>(setup.source), setup.rig), setup);
+    const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source);
+    return synthetic != nullptr ? open_synthetic(*synthetic, setup) : with_spots(open_seen(setup), setup);
 }
 
 Result<std::unique_ptr<SpotSource>> open_wand(const Setup& setup) {
     const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source);
     return synthetic != nullptr ? open_synthetic_wand(*synthetic, setup) : open_source(setup);
+}
+
+Result<std::unique_ptr<FrameSource>> open_boards(const Setup& setup, const GridPlan& board, int views) {
+    const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source);
+    if (synthetic == nullptr) {
+        return open_seen(setup);
+    }
+    const Result<synthetic::SyntheticRig> rig = synthetic::SyntheticRig::create(synthetic->seed);
+    return rig ? film_boards(rig.value(), board, views, synthetic->seed) : rig.error();
 }
 
 }  // namespace rhexis::tracking

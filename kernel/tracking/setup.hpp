@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "tracking/calibration/board.hpp"
 #include "tracking/sources/capture_source.hpp"
 #include "tracking/sources/folder_source.hpp"
 #include "tracking/sources/spot_source.hpp"
@@ -40,6 +41,7 @@ struct Setup {
     std::optional<int> head{};              ///< index of the body on the mannequin's head
     SourcePlan source{};
     std::vector<double> wand_mm{};  ///< where the spheres of the calibration's wand lie along it
+    double wand_radius_mm = 3.0;    ///< of these spheres
     SpotSettings spots{};
     ServePlan serve{};
     std::string inputs{};  ///< address of a VRPN server with jaws, pedal and staff; empty: none
@@ -47,7 +49,7 @@ struct Setup {
 
 /// A JSON file; paths in it are relative to it:
 /// {"rig": "rig.json", "bodies": ["head.json", ...], "head": "head", "threshold": 60, "wand_mm": [0, 80, 200],
-///  "source": {"kind": "synthetic", "seed": 1, "clip": "tremor", "level": "images"}
+///  "wand_radius_mm": 3, "source": {"kind": "synthetic", "seed": 1, "clip": "tremor", "level": "images"}
 ///         or {"kind": "folder", "path": "shots", "rate_hz": 120}
 ///         or {"kind": "cameras", "devices": ["0", "1", ...], "rate_hz": 120},
 ///  "serve": {"address": "127.0.0.1", "vrpn": 3883, "igtl": 18944, "others_may_hear": false},
@@ -61,5 +63,9 @@ Result<std::unique_ptr<SpotSource>> open_source(const Setup& setup);
 
 /// Spots of a waved wand: the synthetic rig waves one; of other sources it is what they show.
 Result<std::unique_ptr<SpotSource>> open_wand(const Setup& setup);
+
+/// Images of a board: before each camera of the synthetic rig it is held so often; of other sources they are what they
+/// show.
+Result<std::unique_ptr<FrameSource>> open_boards(const Setup& setup, const GridPlan& board, int views);
 
 }  // namespace rhexis::tracking

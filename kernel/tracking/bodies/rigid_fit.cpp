@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tracking/lens_model.hpp"
+
 namespace rhexis::tracking {
 namespace {
 
@@ -162,9 +164,7 @@ Pose moved(const Pose& pose, const Motion& motion, double ahead_s) {
 }
 
 Vec2 sphere_image(const Lens& lens, const Vec3& in_camera, double radius_mm) {
-    // The cone that touches the sphere meets the plane at 1 in an ellipse about (X Z, Y Z) / (Z^2 - R^2).
-    const double z = in_camera.z();
-    return distorted(lens, in_camera.head<2>() * (z / (z * z - radius_mm * radius_mm)));
+    return distorted(lens, sphere_direction(in_camera, radius_mm));
 }
 
 double sphere_area(const Lens& lens, const Vec3& in_camera, double radius_mm) {

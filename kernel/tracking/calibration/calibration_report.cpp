@@ -74,8 +74,7 @@ std::string camera_table(const CalibrationReport& report) {
     return html + "</table>\n";
 }
 
-std::string advice_list(const CalibrationReport& report) {
-    const std::vector<std::string> advice = calibration_advice(report);
+std::string advice_list(const std::vector<std::string>& advice) {
     if (advice.empty()) {
         return "<p class=\"good\">All goals are met.</p>\n";
     }
@@ -90,13 +89,46 @@ std::string section(const std::string& heading, const std::string& content) {
     return "<section><h2>" + escaped(heading) + "</h2>\n" + content + "</section>\n";
 }
 
-std::string coverage_section(const CalibrationReport& report) {
+std::string coverage_maps(const Rig& rig, const std::vector<Coverage>& coverage, const char* of) {
     std::string html = "<div class=\"maps\">\n";
-    for (std::size_t i = 0; i < report.coverage.size() && i < report.wand.rig.cameras.size(); ++i) {
-        html += coverage_map(report.wand.rig.cameras[i], report.coverage[i]);
+    for (std::size_t i = 0; i < coverage.size() && i < rig.cameras.size(); ++i) {
+        html += coverage_map(rig.cameras[i], coverage[i]);
     }
-    return html +
-           "</div>\n<p class=\"soft\">Darker cells have more of the wand's spots; outlined ones have none.</p>\n";
+    return html + "</div>\n<p class=\"soft\">Darker cells have more " + of + "; outlined ones have none.</p>\n";
+}
+
+bool lenses_are_told(const Rig& rig) { return !rig.lenses.empty() && rig.lenses.size() == rig.cameras.size(); }
+
+std::string lens_table(const Rig& rig) {
+    std::string html =
+        "<table><tr><th>Camera</th><th>Views of the board</th><th>Left out</th><th>Images without it</th>"
+        "<th>Residual [px]</th><th>Focal length, with sigma [px]</th><th>Image covered</th></tr>\n";
+    for (std::size_t i = 0; i < rig.lenses.size(); ++i) {
+        const LensFigures& lens = rig.lenses[i];
+        html += "<tr><td>" + escaped(rig.cameras[i].name) + "</td><td>" + std::to_string(lens.views) + "</td><td>" +
+                std::to_string(lens.left_out) + "</td><td>" + std::to_string(lens.without) + "</td><td>" +
+                fixed_text(lens.residual_px, 3) + "</td><td>" + fixed_text(rig.cameras[i].lens.fx, 1) + " &plusmn; " +
+                fixed_text(lens.focal_sigma_px, 2) + "</td><td>" + percent(lens.coverage.share(), 0) + "</td></tr>\n";
+    }
+    return html + "</table>\n";
+}
+
+std::string lens_sections(const Rig& rig) {
+    if (!lenses_are_told(rig)) {
+        return "";
+    }
+    std::vector<Coverage> coverage;
+    for (const LensFigures& lens : rig.lenses) {
+        coverage.push_back(lens.coverage);
+    }
+    return section("Lenses, by a board", lens_table(rig)) +
+           section("Where each image saw the board", coverage_maps(rig, coverage, "of the board's points"));
+}
+
+std::string page_of(const std::string& title, const std::string& about, const std::string& sections) {
+    return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>" + escaped(title) +
+           "</title>\n<style>" + page_style() + "</style></head><body>\n<header><h1>" + escaped(title) +
+           "</h1>\n<p class=\"soft\">" + escaped(about) + "</p></header>\n" + sections + "</body></html>\n";
 }
 
 }  // namespace
@@ -152,21 +184,59 @@ std::vector<std::string> calibration_advice(const CalibrationReport& report) {
     return advice;
 }
 
+std::vector<std::string> lens_advice(const Rig& rig, const CalibrationGoals& goals) {
+    std::vector<std::string> advice;
+    if (!lenses_are_told(rig)) {
+        return advice;
+    }
+    for (std::size_t i = 0; i < rig.lenses.size(); ++i) {
+        const LensFigures& lens = rig.lenses[i];
+        const std::string name = "\"" + rig.cameras[i].name + "\"";
+        if (!(lens.residual_px <= goals.lens_residual_px)) {
+            advice.push_back("The board's points do not fit the lens of " + name +
+                             " well. See that the board is flat and its spacing as it was told, hold it still, and "
+                             "look to the focus.");
+        }
+        if (!(lens.coverage.share() >= goals.lens_coverage)) {
+            advice.push_back("Parts of the image of " + name +
+                             " saw no board. Show it where the outlined cells of its map are, up to the rims.");
+        }
+        if (lens.views < goals.lens_views) {
+            advice.push_back(name + " has few views of the board. Take " + std::to_string(goals.lens_views) +
+                             " or more, near and far.");
+        }
+        if (!(lens.focal_sigma_px <= goals.lens_focal_sigma * rig.cameras[i].lens.fx)) {
+            advice.push_back("The focal length of " + name +
+                             " is uncertain. Slant the board by 20 to 40 degrees, to different sides.");
+        }
+    }
+    return advice;
+}
+
+std::string lens_page(const std::string& title, const Rig& rig, const CalibrationGoals& goals) {
+    return page_of(title,
+                   "Lenses of " + std::to_string(rig.cameras.size()) +
+                       " cameras from images of a board. Where the cameras stand is still to be found, by a wand.",
+                   section("What to do", advice_list(lens_advice(rig, goals))) + lens_sections(rig));
+}
+
 std::string calibration_page(const CalibrationReport& report) {
-    std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>" +
-                       escaped(report.title) + "</title>\n<style>" + page_style() +
-                       "</style></head><body>\n<header><h1>" + escaped(report.title) +
-                       "</h1>\n<p class=\"soft\">Calibration of " + std::to_string(report.wand.rig.cameras.size()) +
-                       " cameras from " + std::to_string(report.wand.frames_used) + " frames of a wand</p></header>\n";
-    html += section("Figures and goals", figure_table(report));
-    html += section("What to do", advice_list(report));
+    const Rig& rig = report.wand.rig;
+    std::vector<std::string> advice = calibration_advice(report);
+    const std::vector<std::string> of_lenses = lens_advice(rig, report.goals);
+    advice.insert(advice.end(), of_lenses.begin(), of_lenses.end());
+    std::string html = section("Figures and goals", figure_table(report));
+    html += section("What to do", advice_list(advice));
     html +=
         section("Residual of each camera", residual_bars(report.wand, report.goals.residual_px) + camera_table(report));
     if (!report.coverage.empty()) {
-        html += section("Where each image saw the wand", coverage_section(report));
+        html += section("Where each image saw the wand", coverage_maps(rig, report.coverage, "of the wand's spots"));
     }
-    html += section("The rig from above", rig_from_above(report.wand.rig));
-    return html + "</body></html>\n";
+    html += lens_sections(rig) + section("The rig from above", rig_from_above(rig));
+    return page_of(report.title,
+                   "Calibration of " + std::to_string(rig.cameras.size()) + " cameras from " +
+                       std::to_string(report.wand.frames_used) + " frames of a wand",
+                   html);
 }
 
 }  // namespace rhexis::tracking

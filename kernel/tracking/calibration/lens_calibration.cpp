@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgproc.hpp>
 
-#include "base/assert.hpp"
+#include "base/index.hpp"
 #include "base/numbers.hpp"
+#include "tracking/calibration/dot_image.hpp"
 
 namespace rhexis::tracking {
 namespace {
@@ -25,24 +25,11 @@ std::vector<cv::Point2f> pixels_of(const BoardView& view) {
 
 std::vector<cv::Point3f> points_of(const GridPlan& plan) {
     std::vector<cv::Point3f> points;
-    for (int row = 0; row < plan.rows; ++row) {
-        for (int column = 0; column < plan.columns; ++column) {
-            points.emplace_back(static_cast<float>(column * plan.spacing_mm), static_cast<float>(row * plan.spacing_mm),
-                                0.0F);
-        }
+    for (int i = 0; i < plan.points(); ++i) {
+        const Vec2 at = point_of(plan, i);
+        points.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()), 0.0F);
     }
     return points;
-}
-
-Status check_plan(const GridPlan& plan) {
-    for (const Status& status :
-         {check_range("columns", plan.columns, 3, 100, "board"), check_range("rows", plan.rows, 3, 100, "board"),
-          check_range("spacing", plan.spacing_mm, 0.1, 1000.0, "board", "mm")}) {
-        if (!status) {
-            return status;
-        }
-    }
-    return success();
 }
 
 Status check_view(const BoardView& view, const BoardView& first, const GridPlan& plan) {
@@ -51,9 +38,9 @@ Status check_view(const BoardView& view, const BoardView& first, const GridPlan&
                      view.name,
                      std::to_string(first.width) + " x " + std::to_string(first.height) + " as " + first.name};
     }
-    if (view.points.size() != static_cast<std::size_t>(plan.columns * plan.rows)) {
+    if (view.points.size() != rhexis::at(plan.points())) {
         return Error{std::to_string(view.points.size()) + " points", view.name,
-                     std::to_string(plan.columns * plan.rows) + ", as the board has"};
+                     std::to_string(plan.points()) + ", as the board has"};
     }
     if (!std::all_of(view.points.begin(), view.points.end(), [](const Vec2& point) { return point.allFinite(); })) {
         return Error{"a point is not a number", view.name, "pixels"};
@@ -138,8 +125,17 @@ struct LensFit {
     Lens lens{};
     double residual_px = 0.0;
     double focal_sigma_px = 0.0;
-    std::vector<double> residuals{};
+    std::vector<std::size_t> used{};  ///< views
+    std::vector<double> residuals{};  ///< of each
+    std::vector<Pose> boards{};       ///< where it was held, in the camera's frame
 };
+
+Pose pose_of_board(const cv::Mat& turn, const cv::Mat& shift) {
+    const Vec3 turned(turn.at<double>(0), turn.at<double>(1), turn.at<double>(2));
+    const double angle = turned.norm();
+    return {{shift.at<double>(0), shift.at<double>(1), shift.at<double>(2)},
+            angle > 0.0 ? Quat(Eigen::AngleAxisd(angle, turned / angle)) : Quat::Identity()};
+}
 
 LensFit fit_lens(std::span<const BoardView> views, const std::vector<std::size_t>& used, const GridPlan& plan) {
     const std::vector<std::vector<cv::Point3f>> points(used.size(), points_of(plan));
@@ -161,13 +157,15 @@ LensFit fit_lens(std::span<const BoardView> views, const std::vector<std::size_t
                 matrix.at<double>(1, 2), bends.at<double>(0),     bends.at<double>(1),
                 bends.at<double>(2),     bends.at<double>(3),     bends.at<double>(4)};
     fit.focal_sigma_px = sigmas.at<double>(0);
+    fit.used = used;
     for (int i = 0; i < static_cast<int>(used.size()); ++i) {
         fit.residuals.push_back(residuals.at<double>(i));
+        fit.boards.push_back(pose_of_board(turns[static_cast<std::size_t>(i)], shifts[static_cast<std::size_t>(i)]));
     }
     return fit;
 }
 
-double median_residual_of_views(std::vector<double> values) {
+double median_over_views(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
@@ -184,13 +182,42 @@ LensFit fit_without_bad(std::span<const BoardView> views, const GridPlan& plan, 
             fits[used[i]] = {true, fit.residuals[i]};
         }
         const auto worst = std::max_element(fit.residuals.begin(), fit.residuals.end());
-        if (*worst <= bad_view * median_residual_of_views(fit.residuals) || 2 * used.size() <= views.size()) {
+        if (*worst <= bad_view * median_over_views(fit.residuals) || 2 * used.size() <= views.size()) {
             return fit;
         }
         const std::ptrdiff_t at = worst - fit.residuals.begin();
         fits[used[static_cast<std::size_t>(at)]].used = false;
         used.erase(used.begin() + at);
     }
+}
+
+bool dots_are_told(std::span<const BoardView> views) {
+    return std::all_of(views.begin(), views.end(),
+                       [](const BoardView& view) { return view.areas.size() == view.points.size(); });
+}
+
+double radius_of_dots(std::span<const BoardView> views, const GridPlan& plan, const LensFit& fit) {
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < fit.used.size(); ++i) {
+        const std::vector<double>& areas = views[fit.used[i]].areas;
+        for (int point = 0; point < plan.points(); ++point) {
+            radii.push_back(dot_radius(fit.lens, fit.boards[i], point_of(plan, point), areas[rhexis::at(point)]));
+        }
+    }
+    return median_over_views(std::move(radii));
+}
+
+/// Views that a lens was fitted to, with each point where the dot's centre is seen: not the middle of its image.
+std::vector<BoardView> with_centres(std::span<const BoardView> views, const GridPlan& plan, const LensFit& fit,
+                                    double radius_mm) {
+    std::vector<BoardView> moved(views.begin(), views.end());
+    for (std::size_t i = 0; i < fit.used.size(); ++i) {
+        BoardView& view = moved[fit.used[i]];
+        for (int point = 0; point < plan.points(); ++point) {
+            view.points[rhexis::at(point)] -= dot_off(fit.lens, fit.boards[i], point_of(plan, point), radius_mm);
+        }
+    }
+    return moved;
 }
 
 Status check_fit(const LensCalibration& result, const LensSettings& settings) {
@@ -213,61 +240,11 @@ Status check_fit(const LensCalibration& result, const LensSettings& settings) {
     return success();
 }
 
-std::vector<cv::Point2f> found_points(const cv::Mat& image, const GridPlan& plan) {
-    const cv::Size size(plan.columns, plan.rows);
-    std::vector<cv::Point2f> points;
-    const bool found = plan.kind == GridKind::chess
-                           ? cv::findChessboardCornersSB(image, size, points)
-                           : cv::findCirclesGrid(image, size, points, cv::CALIB_CB_SYMMETRIC_GRID);
-    if (!found || points.size() != static_cast<std::size_t>(plan.columns * plan.rows)) {
-        points.clear();
-    }
-    return points;
-}
-
 }  // namespace
-
-std::optional<BoardView> find_board(const GreyImage& image, const GridPlan& plan, const std::string& name) {
-    RHEXIS_ASSERT(image.pixels != nullptr && image.stride >= image.width);
-    // OpenCV's header wants what it may write to, though neither search writes.
-    const cv::Mat view(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels),
-                       static_cast<std::size_t>(image.stride));
-    std::vector<cv::Point2f> points;
-    try {
-        points = found_points(view, plan);
-    } catch (const cv::Exception&) {  // of images in which nothing can be sought
-    }
-    if (points.empty()) {
-        return std::nullopt;
-    }
-    BoardView result{name, image.width, image.height, {}};
-    for (const cv::Point2f& point : points) {
-        result.points.emplace_back(point.x, point.y);
-    }
-    return result;
-}
-
-double Coverage::share() const {
-    const auto filled = std::count_if(points.begin(), points.end(), [](int count) { return count > 0; });
-    return points.empty() ? 0.0 : static_cast<double>(filled) / static_cast<double>(points.size());
-}
-
-Coverage coverage_of(std::span<const Vec2> points, int width, int height) {
-    Coverage coverage;
-    coverage.points.assign(static_cast<std::size_t>(coverage.columns * coverage.rows), 0);
-    for (const Vec2& point : points) {
-        const int column = static_cast<int>(std::floor((point.x() + 0.5) * coverage.columns / width));
-        const int row = static_cast<int>(std::floor((point.y() + 0.5) * coverage.rows / height));
-        if (column >= 0 && column < coverage.columns && row >= 0 && row < coverage.rows) {
-            ++coverage.points[static_cast<std::size_t>(row * coverage.columns + column)];
-        }
-    }
-    return coverage;
-}
 
 Result<LensCalibration> calibrate_lens(std::span<const BoardView> views, const GridPlan& plan,
                                        const LensSettings& settings) {
-    for (const Status& status : {check_plan(plan), check_views(views, plan, settings.fewest_views)}) {
+    for (const Status& status : {check_board(plan), check_views(views, plan, settings.fewest_views)}) {
         if (!status) {
             return status.error();
         }
@@ -284,7 +261,14 @@ Result<LensCalibration> calibrate_lens(std::span<const BoardView> views, const G
         if (const Status status = check_slants(views, plan, settings); !status) {
             return status.error();
         }
-        const LensFit fit = fit_without_bad(views, plan, settings.bad_view, result.views);
+        LensFit fit = fit_without_bad(views, plan, settings.bad_view, result.views);
+        if (dots_are_told(views)) {
+            result.dot_mm = radius_of_dots(views, plan, fit);
+            fit = fit_lens(with_centres(views, plan, fit, result.dot_mm), fit.used, plan);
+            for (std::size_t i = 0; i < fit.used.size(); ++i) {
+                result.views[fit.used[i]].residual_px = fit.residuals[i];
+            }
+        }
         result.lens = fit.lens;
         result.residual_px = fit.residual_px;
         result.focal_sigma_px = fit.focal_sigma_px;

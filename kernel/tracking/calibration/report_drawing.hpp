@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "tracking/calibration/lens_calibration.hpp"
+#include "tracking/calibration/coverage.hpp"
 #include "tracking/calibration/wand.hpp"
 
 namespace rhexis::tracking {

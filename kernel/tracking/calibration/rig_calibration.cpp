@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tracking/calibration/rig_calibration.hpp"
 
-#include "tracking/sources/synthetic_source.hpp"
+#include "tracking/calibration/lens_calibration.hpp"
+#include "tracking/sources/board_source.hpp"
 
 namespace rhexis::tracking {
 namespace {
-
-/// One view of each camera that sees as many spots as the wand has spheres.
-WandFrame frame_of(const std::vector<CameraSpots>& exposures, std::size_t spheres) {
-    WandFrame frame;
-    for (const CameraSpots& exposure : exposures) {
-        if (exposure.spots.size() != spheres) {
-            continue;
-        }
-        WandView view{exposure.camera, {}};
-        for (const Spot& spot : exposure.spots) {
-            view.spots.push_back(spot.at);
-        }
-        frame.views.push_back(std::move(view));
-    }
-    return frame;
-}
 
 Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds,
                                      const std::function<bool(const WandLook&)>& look) {
@@ -39,7 +24,7 @@ Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds,
         if (!more.value()) {
             break;
         }
-        frames.push_back(frame_of(exposures, setup.wand_mm.size()));
+        frames.push_back(wand_frame(exposures, setup.wand_mm.size()));
         if (!look({count / most, exposures, source.value()->images(), frames})) {
             return Error{"it was ended before the wand was waved; nothing is written", setup.path, ""};
         }
@@ -51,7 +36,7 @@ Result<std::vector<WandFrame>> watch(const Setup& setup, double seconds,
 Status find_lenses(const SyntheticPlan& plan, Rig& rig) {
     constexpr int views = 24;
     constexpr double noise_px = 0.02;
-    const GridPlan board{13, 9, 14.0, GridKind::dots};
+    const GridPlan& board = synthetic::standard_board;
     const Result<synthetic::SyntheticRig> true_rig = synthetic::SyntheticRig::create(plan.seed);
     if (!true_rig) {
         return true_rig.error();
@@ -70,10 +55,27 @@ Status find_lenses(const SyntheticPlan& plan, Rig& rig) {
 
 }  // namespace
 
+WandFrame wand_frame(const std::vector<CameraSpots>& exposures, std::size_t spheres) {
+    constexpr double least_roundness = 0.9;
+    WandFrame frame;
+    for (const CameraSpots& exposure : exposures) {
+        WandView view{exposure.camera, {}};
+        for (const Spot& spot : exposure.spots) {
+            if (!spot.at_rim && !spot.crowded && spot.roundness > least_roundness) {
+                view.spots.push_back(spot.at);
+            }
+        }
+        if (view.spots.size() == spheres) {
+            frame.views.push_back(std::move(view));
+        }
+    }
+    return frame;
+}
+
 Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bool refine_lenses,
                                           const std::function<bool(const WandLook&)>& look) {
     Rig given = setup.rig;
-    if (const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source)) {
+    if (const auto* synthetic = std::get_if<SyntheticPlan>(&setup.source); synthetic && setup.rig.lenses.empty()) {
         if (const Status found = find_lenses(*synthetic, given); !found) {
             return found.error();
         }
@@ -84,6 +86,7 @@ Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bo
     }
     Wand wand;
     wand.at_mm = setup.wand_mm;
+    wand.radius_mm = setup.wand_radius_mm;
     WandSettings settings;
     settings.refine_lenses = refine_lenses;
     Result<WandCalibration> calibrated = calibrate_wand(given, wand, frames.value(), settings);
@@ -95,6 +98,7 @@ Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bo
     report.coverage = wand_coverage(calibrated.value().rig, frames.value());
     report.wand = std::move(calibrated).value();
     report.wand.rig.calibrated = true;
+    report.wand.rig.lenses = setup.rig.lenses;
     return report;
 }
 

@@ -17,10 +17,13 @@ struct WandLook {
     std::span<const WandFrame> frames{};        ///< all so far
 };
 
+/// Of each camera that sees as many whole spheres as the wand has: half of one, or two that touch, would be beside.
+WandFrame wand_frame(const std::vector<CameraSpots>& exposures, std::size_t spheres);
+
 /// Takes the setup's wand until its source ends or `seconds` have passed; look is called after each exposure and once
-/// at the end, and says whether to go on. Lenses of a synthetic rig come from boards held before its cameras; those of
-/// others are the rig's own, refined where `refine_lenses`. The error: that of calibrate_wand(), calibrate_lens() or
-/// the source, or it was not to go on.
+/// at the end, and says whether to go on. Lenses are the rig's own, refined where `refine_lenses`; a synthetic rig
+/// whose lenses nobody measured has them from noisy views of a board first. The error: that of calibrate_wand(),
+/// calibrate_lens() or the source, or it was not to go on.
 Result<CalibrationReport> calibrate_setup(const Setup& setup, double seconds, bool refine_lenses,
                                           const std::function<bool(const WandLook&)>& look);
 

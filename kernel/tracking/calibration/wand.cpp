@@ -2,9 +2,9 @@
 #include "tracking/calibration/wand.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "base/clock.hpp"
 #include "base/numbers.hpp"
 #include "tracking/calibration/wand_adjustment.hpp"
 #include "tracking/calibration/wand_start.hpp"
@@ -44,8 +44,11 @@ Status check_wand(const Wand& wand) {
         !status) {
         return status;
     }
-    if (const Status status = check_range("sigma", wand.sigma_mm, 1e-6, 10.0, "wand", "mm"); !status) {
-        return status;
+    for (const Status& status : {check_range("sigma", wand.sigma_mm, 1e-6, 10.0, "wand", "mm"),
+                                 check_range("radius", wand.radius_mm, 0.0, 20.0, "wand", "mm")}) {
+        if (!status) {
+            return status;
+        }
     }
     return check_gaps(wand);
 }
@@ -77,11 +80,10 @@ Status check_frames(const Rig& rig, std::span<const WandFrame> frames) {
 
 /// Frames that at least two cameras saw.
 std::vector<LabelledFrame> labelled(std::span<const Camera> cameras, const Wand& wand,
-                                    std::span<const WandFrame> frames) {
+                                    std::span<const WandFrame> frames, bool by_poses) {
     std::vector<LabelledFrame> result;
     for (const WandFrame& frame : frames) {
-        LabelledFrame one =
-            wand.at_mm.size() == 3 ? label_by_gaps(cameras, wand, frame) : label_by_poses(cameras, wand, frame);
+        LabelledFrame one = by_poses ? label_by_poses(cameras, wand, frame) : label_by_gaps(cameras, wand, frame);
         if (one.views.size() >= 2) {
             result.push_back(std::move(one));
         }
@@ -97,20 +99,28 @@ Status check_enough(std::size_t frames, int fewest) {
     return success();
 }
 
-/// Adjusts, drops what does not fit, and adjusts again.
+/// Drops what does not fit, and adjusts. Frames with a wrong spot, or with a wand that was taken the other way round,
+/// weigh a lot while the poses are still wrong: under Huber's loss an adjustment to the end would creep after them.
 Result<int> adjust_without_outliers(WandEstimate& estimate, const Wand& wand, const WandSettings& settings) {
-    constexpr double wild = 10.0;  // times the median of worst residuals: before anything was adjusted
+    constexpr double wild = 10.0;  // times the median of worst residuals: before all is adjusted
     constexpr double apart = 3.0;  // likewise, afterwards: about 8 standard deviations of a spot
     drop_outliers(estimate, wand, wild);
-    Result<int> first = adjust(estimate, wand, settings);
-    if (!first || drop_outliers(estimate, wand, apart) == 0) {
-        return first;
+    int iterations = approach(estimate, wand, settings);
+    drop_outliers(estimate, wand, wild);
+    for (const bool last : {false, true}) {
+        if (const Status status = check_enough(estimate.frames.size(), settings.fewest_frames); !status) {
+            return status.error();
+        }
+        const Result<int> more = adjust(estimate, wand, settings);
+        if (!more) {
+            return more;
+        }
+        iterations += more.value();
+        if (last || drop_outliers(estimate, wand, apart) == 0) {
+            break;
+        }
     }
-    if (const Status status = check_enough(estimate.frames.size(), settings.fewest_frames); !status) {
-        return status.error();
-    }
-    const Result<int> second = adjust(estimate, wand, settings);
-    return second ? Result<int>(first.value() + second.value()) : second;
+    return iterations;
 }
 
 /// Squares of both coordinates, of each camera.
@@ -118,19 +128,14 @@ void measure_residuals(const WandEstimate& estimate, const Wand& wand, WandCalib
     std::vector<double> squares(estimate.cameras.size(), 0.0);
     std::vector<double> counts(estimate.cameras.size(), 0.0);
     result.cameras.assign(estimate.cameras.size(), {});
-    for (std::size_t i = 0; i < estimate.frames.size(); ++i) {
-        const Eigen::Map<const Vec3> first(estimate.ends[i].data());
-        const Eigen::Map<const Vec3> last(estimate.ends[i].data() + 3);
-        for (const LabelledView& view : estimate.frames[i].views) {
-            const auto camera = static_cast<std::size_t>(view.camera);
-            ++result.cameras[camera].views;
-            for (std::size_t label = 0; label < view.pixels.size(); ++label) {
-                const double share = (wand.at_mm[label] - wand.at_mm.front()) / wand.length_mm();
-                const std::optional<Vec2> image = project(estimate.cameras[camera], first + (last - first) * share);
-                squares[camera] += image ? (*image - view.pixels[label]).squaredNorm() : 0.0;
-                counts[camera] += 2.0;
-            }
+    for (const LabelledFrame& frame : estimate.frames) {
+        for (const LabelledView& view : frame.views) {
+            ++result.cameras[static_cast<std::size_t>(view.camera)].views;
         }
+    }
+    for (const SpotOff& spot : spot_offs(estimate, wand)) {
+        squares[static_cast<std::size_t>(spot.camera)] += spot.off.squaredNorm();
+        counts[static_cast<std::size_t>(spot.camera)] += 2.0;
     }
     double all_squares = 0.0;
     double all_counts = 0.0;
@@ -193,10 +198,10 @@ Status measure_certainty(const WandEstimate& estimate, const Wand& wand, const W
     return success();
 }
 
-/// Labels once more where poses decide, now that they are nearly right.
+/// Labels once more by poses, now that they are nearly right.
 Result<WandEstimate> started(const Rig& given, const Wand& wand, std::span<const WandFrame> frames,
                              const WandSettings& settings) {
-    std::vector<LabelledFrame> seen = labelled(given.cameras, wand, frames);
+    std::vector<LabelledFrame> seen = labelled(given.cameras, wand, frames, wand.at_mm.size() == 2);
     if (const Status status = check_enough(seen.size(), settings.fewest_frames); !status) {
         return status.error();
     }
@@ -205,11 +210,9 @@ Result<WandEstimate> started(const Rig& given, const Wand& wand, std::span<const
     if (!cameras) {
         return cameras.error();
     }
-    if (wand.at_mm.size() == 2) {
-        seen = labelled(cameras.value(), wand, frames);
-        if (const Status status = check_enough(seen.size(), settings.fewest_frames); !status) {
-            return status.error();
-        }
+    seen = labelled(cameras.value(), wand, frames, true);
+    if (const Status status = check_enough(seen.size(), settings.fewest_frames); !status) {
+        return status.error();
     }
     return wand_estimate(std::move(cameras).value(), std::move(seen), wand.length_mm());
 }
@@ -218,7 +221,7 @@ Result<WandEstimate> started(const Rig& given, const Wand& wand, std::span<const
 
 Result<WandCalibration> calibrate_wand(const Rig& given, const Wand& wand, std::span<const WandFrame> frames,
                                        const WandSettings& settings) {
-    const auto begun = std::chrono::steady_clock::now();
+    const double begun_s = thread_cpu_seconds();
     for (const Status& status : {check_wand(wand), check_frames(given, frames)}) {
         if (!status) {
             return status.error();
@@ -246,7 +249,7 @@ Result<WandCalibration> calibrate_wand(const Rig& given, const Wand& wand, std::
     result.frames_used = static_cast<int>(estimate.frames.size());
     result.frames_dropped = static_cast<int>(all_frames - estimate.frames.size());
     result.iterations = iterations.value();
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    result.seconds = thread_cpu_seconds() - begun_s;
     return result;
 }
 

@@ -16,6 +16,7 @@ struct Wand {
     /// at least.
     std::vector<double> at_mm{};
     double sigma_mm = 0.01;  ///< standard deviation of the distance between the outer two, as it was measured
+    double radius_mm = 0.0;  ///< of its spheres, 0 to 20: the image of one is not about that of its centre
 
     [[nodiscard]] double length_mm() const { return at_mm.back() - at_mm.front(); }
 };
@@ -61,14 +62,15 @@ struct WandCalibration {
     int frames_used = 0;
     int frames_dropped = 0;  ///< that at least two cameras saw, but that do not fit
     int iterations = 0;      ///< of all adjustments
-    double seconds = 0.0;    ///< that all of it took
+    double seconds = 0.0;    ///< of one processor, that all of it took
 };
 
 /// Poses of a rig's cameras, whose lenses are known. Essential matrices between pairs [Nister2004], scaled by the wand,
 /// are the start of a bundle adjustment [Triggs2000] over poses, the wand's places and its length. Standard deviations
 /// are those of the adjustment's covariance, times the residual over the one that was expected, where that is greater.
 ///
-/// Which spot is which: three by the gaps between them, so the rig's poses may be anything. Two by what the poses that
+/// Which spot is which: three by the gaps between them, so the rig's poses may be anything, and once more by the poses
+/// that were found. Two by what the poses that
 /// were given make of it: those have to be right to about 5 degrees and a tenth of the distance to the wand.
 ///
 /// The error says which camera never sees the wand, which groups of cameras share no frames, that there are too few

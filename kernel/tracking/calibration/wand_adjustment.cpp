@@ -6,26 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/lens_model.hpp"
+
 namespace rhexis::tracking {
 namespace {
 
 constexpr double huber_sigmas = 3.0;
 
-using LensBlock = std::array<double, 9>;  // fx fy cx cy k1 k2 p1 p2 k3
-
-LensBlock block_of(const Lens& lens) {
-    return {lens.fx, lens.fy, lens.cx, lens.cy, lens.k1, lens.k2, lens.p1, lens.p2, lens.k3};
-}
-
-Lens lens_of(const LensBlock& block) {
-    return {block[0], block[1], block[2], block[3], block[4], block[5], block[6], block[7], block[8]};
-}
-
 /// What Ceres changes; addresses stay while a problem lives.
 struct WandBlocks {
     std::vector<Quat> orientations{};
     std::vector<Vec3> positions{};
-    std::vector<LensBlock> lenses{};
+    std::vector<LensNumbers> lenses{};
     std::vector<std::array<double, 6>> ends{};
     double length_mm = 0.0;
 
@@ -33,7 +25,7 @@ struct WandBlocks {
         for (const Camera& camera : estimate.cameras) {
             orientations.push_back(camera.pose.orientation);
             positions.push_back(camera.pose.position);
-            lenses.push_back(block_of(camera.lens));
+            lenses.push_back(numbers_of(camera.lens));
         }
     }
     void write_to(WandEstimate& estimate) const {
@@ -46,21 +38,17 @@ struct WandBlocks {
     }
 };
 
+/// Whether a sphere at this depth is before the camera.
 template <typename T>
-Eigen::Matrix<T, 2, 1> image_of(const Eigen::Matrix<T, 3, 1>& seen, const T* lens) {
-    const T x = seen.x() / seen.z();
-    const T y = seen.y() / seen.z();
-    const T r2 = x * x + y * y;
-    const T radial = T(1.0) + r2 * (lens[4] + r2 * (lens[5] + r2 * lens[8]));
-    const T bent_x = x * radial + T(2.0) * lens[6] * x * y + lens[7] * (r2 + T(2.0) * x * x);
-    const T bent_y = y * radial + lens[6] * (r2 + T(2.0) * y * y) + T(2.0) * lens[7] * x * y;
-    return {lens[0] * bent_x + lens[2], lens[1] * bent_y + lens[3]};
+bool is_before(const T& depth_mm, double radius_mm) {
+    return depth_mm > T(2.0 * radius_mm);
 }
 
-/// A spot against the image of the place at `share` of the way between the wand's ends.
+/// A spot against the image of a sphere at `share` of the way between the wand's ends.
 struct SpotResidual {
     Vec2 pixel;
     double share;
+    double radius_mm;
     double sigma_px;
 
     template <typename T>
@@ -71,7 +59,10 @@ struct SpotResidual {
         const Eigen::Map<const Eigen::Matrix<T, 3, 1>> last(ends + 3);
         const Eigen::Matrix<T, 3, 1> point = first + (last - first) * T(share);
         const Eigen::Matrix<T, 3, 1> seen = turned.conjugate() * Eigen::Matrix<T, 3, 1>(point - at);
-        const Eigen::Matrix<T, 2, 1> image = image_of<T>(seen, lens);
+        if (!is_before(seen.z(), radius_mm)) {
+            return false;  // no spot is of what is behind the camera: a step that is not taken
+        }
+        const Eigen::Matrix<T, 2, 1> image = lens_image<T>(lens, sphere_direction<T>(seen, radius_mm));
         residual[0] = (image.x() - T(pixel.x())) / T(sigma_px);
         residual[1] = (image.y() - T(pixel.y())) / T(sigma_px);
         return true;
@@ -127,10 +118,11 @@ void add_frame(ceres::Problem& problem, WandBlocks& blocks, const LabelledFrame&
     for (const LabelledView& view : frame.views) {
         const auto camera = static_cast<std::size_t>(view.camera);
         for (std::size_t label = 0; label < view.pixels.size(); ++label) {
-            problem.AddResidualBlock(new ceres::AutoDiffCostFunction<SpotResidual, 2, 4, 3, 9, 6>(new SpotResidual{
-                                         view.pixels[label], share_of(wand, label), settings.spot_sigma_px}),
-                                     new ceres::HuberLoss(huber_sigmas), blocks.orientations[camera].coeffs().data(),
-                                     blocks.positions[camera].data(), blocks.lenses[camera].data(), ends.data());
+            problem.AddResidualBlock(
+                new ceres::AutoDiffCostFunction<SpotResidual, 2, 4, 3, 9, 6>(new SpotResidual{
+                    view.pixels[label], share_of(wand, label), wand.radius_mm, settings.spot_sigma_px}),
+                new ceres::HuberLoss(huber_sigmas), blocks.orientations[camera].coeffs().data(),
+                blocks.positions[camera].data(), blocks.lenses[camera].data(), ends.data());
         }
     }
     problem.AddResidualBlock(
@@ -169,6 +161,24 @@ ceres::Solver::Options solver_options(const ceres::Problem& problem, WandBlocks&
     return options;
 }
 
+struct Solved {
+    int iterations = 0;
+    bool converged = false;
+};
+
+/// Until a step takes off less than this share of the cost.
+Solved solve(WandEstimate& estimate, const Wand& wand, const WandSettings& settings, double least_share) {
+    WandBlocks blocks(estimate);
+    ceres::Problem problem;
+    build(problem, blocks, estimate, wand, settings);
+    ceres::Solver::Options options = solver_options(problem, blocks, settings.most_iterations);
+    options.function_tolerance = least_share;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    blocks.write_to(estimate);
+    return {static_cast<int>(summary.iterations.size()) - 1, summary.termination_type == ceres::CONVERGENCE};
+}
+
 double median_of(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -188,21 +198,30 @@ WandEstimate wand_estimate(std::vector<Camera> cameras, std::vector<LabelledFram
     return estimate;
 }
 
-std::vector<double> worst_residuals(const WandEstimate& estimate, const Wand& wand) {
-    std::vector<double> worst(estimate.frames.size(), 0.0);
-    for (std::size_t i = 0; i < worst.size(); ++i) {
+std::vector<SpotOff> spot_offs(const WandEstimate& estimate, const Wand& wand) {
+    std::vector<SpotOff> offs;
+    for (std::size_t i = 0; i < estimate.frames.size(); ++i) {
         const Eigen::Map<const Vec3> first(estimate.ends[i].data());
         const Eigen::Map<const Vec3> last(estimate.ends[i].data() + 3);
         for (const LabelledView& view : estimate.frames[i].views) {
+            const Camera& camera = estimate.cameras[static_cast<std::size_t>(view.camera)];
             for (std::size_t label = 0; label < view.pixels.size(); ++label) {
-                const Vec3 point = first + (last - first) * share_of(wand, label);
-                const std::optional<Vec2> image =
-                    project(estimate.cameras[static_cast<std::size_t>(view.camera)], point);
-                const double off =
-                    image ? (*image - view.pixels[label]).norm() : std::numeric_limits<double>::infinity();
-                worst[i] = std::max(worst[i], off);
+                const Vec3 seen = camera.pose.to_body(first + (last - first) * share_of(wand, label));
+                Vec2 off = Vec2::Constant(std::numeric_limits<double>::infinity());
+                if (is_before(seen.z(), wand.radius_mm)) {
+                    off = distorted(camera.lens, sphere_direction(seen, wand.radius_mm)) - view.pixels[label];
+                }
+                offs.push_back({i, view.camera, off});
             }
         }
+    }
+    return offs;
+}
+
+std::vector<double> worst_residuals(const WandEstimate& estimate, const Wand& wand) {
+    std::vector<double> worst(estimate.frames.size(), 0.0);
+    for (const SpotOff& spot : spot_offs(estimate, wand)) {
+        worst[spot.frame] = std::max(worst[spot.frame], spot.off.norm());
     }
     return worst;
 }
@@ -223,18 +242,21 @@ int drop_outliers(WandEstimate& estimate, const Wand& wand, double factor) {
     return static_cast<int>(worst.size() - kept);
 }
 
+int approach(WandEstimate& estimate, const Wand& wand, const WandSettings& settings) {
+    constexpr double near_enough = 1e-2;
+    return solve(estimate, wand, settings, near_enough).iterations;
+}
+
 Result<int> adjust(WandEstimate& estimate, const Wand& wand, const WandSettings& settings) {
-    WandBlocks blocks(estimate);
-    ceres::Problem problem;
-    build(problem, blocks, estimate, wand, settings);
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(problem, blocks, settings.most_iterations), &problem, &summary);
-    if (summary.termination_type != ceres::CONVERGENCE) {
+    constexpr double still = 1e-6;
+    WandEstimate adjusted = estimate;
+    const Solved solved = solve(adjusted, wand, settings, still);
+    if (!solved.converged) {
         return Error{"the adjustment did not converge in " + std::to_string(settings.most_iterations) + " iterations",
                      "wand", "spots of the wand only, and lenses that are calibrated"};
     }
-    blocks.write_to(estimate);
-    return static_cast<int>(summary.iterations.size()) - 1;
+    estimate = std::move(adjusted);
+    return solved.iterations;
 }
 
 Result<WandCertainty> certainty_of(const WandEstimate& estimate, const Wand& wand, const WandSettings& settings) {

@@ -25,11 +25,23 @@ struct WandCertainty {
 /// The frames' ends where rays meet.
 WandEstimate wand_estimate(std::vector<Camera> cameras, std::vector<LabelledFrame> frames, double length_mm);
 
+/// One spot's distance from where the estimate has it; infinite where that is behind the camera.
+struct SpotOff {
+    std::size_t frame = 0;
+    int camera = 0;
+    Vec2 off = Vec2::Zero();  ///< [pixels]
+};
+std::vector<SpotOff> spot_offs(const WandEstimate& estimate, const Wand& wand);
+
 /// Greatest distance between a spot and where the estimate has it [pixels], of each frame.
 std::vector<double> worst_residuals(const WandEstimate& estimate, const Wand& wand);
 
 /// Removes frames whose worst residual is over `factor` times the median's one; how many.
 int drop_outliers(WandEstimate& estimate, const Wand& wand, double factor);
+
+/// Adjusts in place as adjust() does, but only until a step takes off less than a hundredth of what is left: near
+/// enough to tell frames that do not fit, which a whole adjustment would creep after. The number of iterations.
+int approach(WandEstimate& estimate, const Wand& wand, const WandSettings& settings);
 
 /// Adjusts in place, by Levenberg-Marquardt steps and with Huber's loss [Triggs2000]; the number of iterations. The
 /// error: it did not converge.

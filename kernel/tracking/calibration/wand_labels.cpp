@@ -62,16 +62,36 @@ std::array<std::size_t, 3> order_on_line(const std::vector<Vec2>& at) {
     return order;
 }
 
-std::optional<LabelledView> ordered_by_gaps(const LabelledView& view, const Wand& wand) {
+/// A view whose first and last spots are the wand's ends, whichever is which; none: its spots are no wand's.
+std::optional<LabelledView> ordered_on_line(const LabelledView& view) {
     constexpr double straight = 0.02;  // of the image's length: how far the middle one may be off the line
-    constexpr double clear = 0.1;      // by how much the better way's logarithm of depths is nearer to 0
-    std::array<std::size_t, 3> order = order_on_line(view.directions);
+    if (view.directions.size() < 3) {
+        return view;
+    }
+    const std::array<std::size_t, 3> order = order_on_line(view.directions);
     const Vec2 line = view.directions[order[2]] - view.directions[order[0]];
     const Vec2 to_middle = view.directions[order[1]] - view.directions[order[0]];
     const double off = line.x() * to_middle.y() - line.y() * to_middle.x();
-    if (std::abs(off) > straight * line.squaredNorm()) {
+    return std::abs(off) > straight * line.squaredNorm() ? std::nullopt : std::optional(reordered(view, order));
+}
+
+LabelledView reversed_view(const LabelledView& view) {
+    return {
+        view.camera, {view.pixels.rbegin(), view.pixels.rend()}, {view.directions.rbegin(), view.directions.rend()}};
+}
+
+const Vec2& end_of(const LabelledView& view, std::size_t end) {
+    return end == 0 ? view.directions.front() : view.directions.back();
+}
+
+std::optional<LabelledView> ordered_by_gaps(const LabelledView& given, const Wand& wand) {
+    constexpr double clear = 0.1;  // by how much the better way's logarithm of depths is nearer to 0
+    const std::optional<LabelledView> view = ordered_on_line(given);
+    if (!view) {
         return std::nullopt;
     }
+    const Vec2 line = view->directions[2] - view->directions[0];
+    const Vec2 to_middle = view->directions[1] - view->directions[0];
     const double seen = std::log(to_middle.norm() / (line - to_middle).norm());
     const double built = std::log((wand.at_mm[1] - wand.at_mm[0]) / (wand.at_mm[2] - wand.at_mm[1]));
     const double as_it_is = std::abs(seen - built);
@@ -79,10 +99,7 @@ std::optional<LabelledView> ordered_by_gaps(const LabelledView& view, const Wand
     if (!(std::abs(as_it_is - reversed) > clear)) {
         return std::nullopt;
     }
-    if (reversed < as_it_is) {
-        std::swap(order[0], order[2]);
-    }
-    return reordered(view, order);
+    return reversed < as_it_is ? reversed_view(*view) : *view;
 }
 
 /// Two places that the wand's ends may have, and how well the views agree.
@@ -106,8 +123,8 @@ double distance_px(const Camera& camera, const Vec3& point, const Vec2& directio
 std::array<double, 2> costs_of_view(const Camera& camera, const LabelledView& view, const std::array<Vec3, 2>& ends) {
     std::array<double, 2> costs{};
     for (std::size_t swapped = 0; swapped < 2; ++swapped) {
-        costs[swapped] = distance_px(camera, ends[0], view.directions[swapped]) +
-                         distance_px(camera, ends[1], view.directions[1 - swapped]);
+        costs[swapped] = distance_px(camera, ends[0], end_of(view, swapped)) +
+                         distance_px(camera, ends[1], end_of(view, 1 - swapped));
     }
     return costs;
 }
@@ -120,8 +137,8 @@ EndsGuess guess_of_pair(std::span<const Camera> cameras, double length_mm, const
         const LabelledView& one = frame.views[pair[0]];
         const LabelledView& other = frame.views[pair[1]];
         RayCrossing crossing;
-        crossing.add(camera_of_view(cameras, one.camera), one.directions[end]);
-        crossing.add(camera_of_view(cameras, other.camera), other.directions[swapped == 0 ? end : 1 - end]);
+        crossing.add(camera_of_view(cameras, one.camera), end_of(one, end));
+        crossing.add(camera_of_view(cameras, other.camera), end_of(other, swapped == 0 ? end : 1 - end));
         guess.ends[end] = crossing.point();
     }
     const double share = std::abs((guess.ends[1] - guess.ends[0]).norm() - length_mm) / length_mm;
@@ -146,6 +163,20 @@ EndsGuess best_guess(std::span<const Camera> cameras, double length_mm, const La
         }
     }
     return best;
+}
+
+/// Whether the sphere between the ends lies where it would if the ends were exchanged.
+bool is_reversed(std::span<const Camera> cameras, const Wand& wand, const LabelledFrame& frame,
+                 const std::array<Vec3, 2>& ends) {
+    const double share = (wand.at_mm[1] - wand.at_mm[0]) / wand.length_mm();
+    double as_it_is = 0.0;
+    double reversed = 0.0;
+    for (const LabelledView& view : frame.views) {
+        const Camera& camera = camera_of_view(cameras, view.camera);
+        as_it_is += distance_px(camera, ends[0] + share * (ends[1] - ends[0]), view.directions[1]);
+        reversed += distance_px(camera, ends[1] + share * (ends[0] - ends[1]), view.directions[1]);
+    }
+    return reversed < as_it_is;
 }
 
 LabelledFrame as_seen(std::span<const Camera> cameras, const Wand& wand, const WandFrame& frame) {
@@ -173,9 +204,12 @@ LabelledFrame label_by_gaps(std::span<const Camera> cameras, const Wand& wand, c
 
 LabelledFrame label_by_poses(std::span<const Camera> cameras, const Wand& wand, const WandFrame& frame) {
     constexpr double clear = 0.7;  // of the worse way's cost, at most
-    constexpr std::array<std::size_t, 2> as_it_is{0, 1};
-    constexpr std::array<std::size_t, 2> swapped{1, 0};
-    const LabelledFrame seen = as_seen(cameras, wand, frame);
+    LabelledFrame seen;
+    for (const LabelledView& view : as_seen(cameras, wand, frame).views) {
+        if (std::optional<LabelledView> on_line = ordered_on_line(view)) {
+            seen.views.push_back(std::move(*on_line));
+        }
+    }
     if (seen.views.size() < 2) {
         return {};
     }
@@ -184,8 +218,11 @@ LabelledFrame label_by_poses(std::span<const Camera> cameras, const Wand& wand, 
     for (const LabelledView& view : seen.views) {
         const std::array<double, 2> costs = costs_of_view(camera_of_view(cameras, view.camera), view, guess.ends);
         if (std::min(costs[0], costs[1]) < clear * std::max(costs[0], costs[1])) {
-            result.views.push_back(reordered(view, costs[0] < costs[1] ? as_it_is : swapped));
+            result.views.push_back(costs[0] < costs[1] ? view : reversed_view(view));
         }
+    }
+    if (wand.at_mm.size() == 3 && is_reversed(cameras, wand, result, guess.ends)) {
+        std::transform(result.views.begin(), result.views.end(), result.views.begin(), reversed_view);
     }
     return result;
 }

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rng.hpp"
 #include "tracking/bodies/identity.hpp"
 #include "tracking/bodies/rigid_fit.hpp"
-#include "tracking/calibration/lens_calibration.hpp"
+#include "tracking/calibration/rig_calibration.hpp"
+#include "tracking/calibration/rig_lenses.hpp"
 #include "tracking/points/triangulation.hpp"
+#include "tracking/sources/board_source.hpp"
 #include "tracking/sources/synthetic_source.hpp"
 
 namespace rhexis::tracking {
@@ -17,40 +18,33 @@ namespace {
 
 const GridPlan board{9, 7, 15.0, GridKind::dots};
 
-/// A board held slanted before a camera, its middle in one of nine parts of the image by turns.
-BoardView board_view(const synthetic::TrueCamera& camera, int number, double sigma_px, Rng& rng) {
-    constexpr double slant = 0.5;
-    const double depth = 380.0 + 80.0 * rng.uniform();
-    const Vec3 middle(70.0 * (number % 3 - 1), 55.0 * (number / 3 % 3 - 1), depth);
-    const Quat turn = Quat(Eigen::AngleAxisd(slant * (2.0 * rng.uniform() - 1.0), Vec3::UnitX())) *
-                      Quat(Eigen::AngleAxisd(slant * (2.0 * rng.uniform() - 1.0), Vec3::UnitY()));
-    BoardView view{camera.name + " board " + std::to_string(number + 1), camera.width, camera.height, {}};
-    for (int row = 0; row < board.rows; ++row) {
-        for (int column = 0; column < board.columns; ++column) {
-            const Vec3 flat(board.spacing_mm * (column - 0.5 * (board.columns - 1)),
-                            board.spacing_mm * (row - 0.5 * (board.rows - 1)), 0.0);
-            const Vec3 at = turn * flat + middle;
-            const Vec2 image = distorted(camera.lens, at.head<2>() / at.z());
-            view.points.push_back(image + sigma_px * Vec2(rng.normal(), rng.normal()));
-        }
+/// What each camera sees of the board.
+Result<std::vector<SeenBoards>> boards_of(const synthetic::SyntheticRig& rig, const CalibrationPlan& plan) {
+    if (plan.board_images) {
+        const Result<std::unique_ptr<FrameSource>> source = film_boards(rig, board, plan.boards, plan.seed);
+        return source ? look_for_boards(*source.value(), rig.nominal, {board, plan.boards}, [](double) {})
+                      : source.error();
     }
-    return view;
+    std::vector<SeenBoards> seen;
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+        seen.push_back({held_board(rig.cameras[i], board, plan.boards, plan.board_sigma_px, plan.seed * 100U + i)});
+    }
+    return seen;
 }
 
-Status calibrate_lenses(const synthetic::SyntheticRig& rig, const CalibrationPlan& plan, Rig& solver,
-                        SyntheticCalibration& result) {
-    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-        Rng rng(plan.seed, "boards " + std::to_string(i));
-        std::vector<BoardView> views;
-        for (int number = 0; number < plan.boards; ++number) {
-            views.push_back(board_view(rig.cameras[i], number, plan.board_sigma_px, rng));
-        }
-        const Result<LensCalibration> lens = calibrate_lens(views, board);
-        if (!lens) {
-            return lens.error();
-        }
-        solver.cameras[i].lens = lens.value().lens;
-        result.board_residual_px = std::max(result.board_residual_px, lens.value().residual_px);
+Status find_lenses_by_boards(const synthetic::SyntheticRig& rig, const CalibrationPlan& plan, Rig& solver,
+                             SyntheticCalibration& result) {
+    Result<std::vector<SeenBoards>> seen = boards_of(rig, plan);
+    if (!seen) {
+        return seen.error();
+    }
+    Result<RigLenses> lenses = calibrate_lenses(solver, std::move(seen).value(), {board, plan.boards});
+    if (!lenses) {
+        return lenses.error();
+    }
+    solver = std::move(lenses.value().rig);
+    for (const LensFigures& figures : solver.lenses) {
+        result.board_residual_px = std::max(result.board_residual_px, figures.residual_px);
     }
     return success();
 }
@@ -71,20 +65,6 @@ Result<std::unique_ptr<SpotSource>> wand_source(const synthetic::SyntheticRig& r
     return std::unique_ptr<SpotSource>(std::make_unique<ImageSpots>(std::move(frames).value(), SpotSettings{}));
 }
 
-/// Views of a wand of which all spheres are whole: what a person's program would take.
-void add_view(const CameraSpots& exposure, WandFrame& frame) {
-    constexpr double least_roundness = 0.9;
-    std::vector<Vec2> spots;
-    for (const Spot& spot : exposure.spots) {
-        if (!spot.at_rim && !spot.crowded && spot.roundness > least_roundness) {
-            spots.push_back(spot.at);
-        }
-    }
-    if (spots.size() == synthetic::wand_mm.size()) {
-        frame.views.push_back({exposure.camera, spots});
-    }
-}
-
 Result<std::vector<WandFrame>> wand_frames(const synthetic::SyntheticRig& rig, const CalibrationPlan& plan) {
     Result<std::unique_ptr<SpotSource>> source = wand_source(rig, plan);
     if (!source) {
@@ -100,11 +80,7 @@ Result<std::vector<WandFrame>> wand_frames(const synthetic::SyntheticRig& rig, c
         if (!more.value()) {
             return frames;
         }
-        WandFrame frame;
-        for (const CameraSpots& exposure : exposures) {
-            add_view(exposure, frame);
-        }
-        frames.push_back(std::move(frame));
+        frames.push_back(wand_frame(exposures, synthetic::wand_mm.size()));
     }
 }
 
@@ -150,7 +126,7 @@ void compare_with_truth(const synthetic::SyntheticRig& rig, SyntheticCalibration
 Result<SyntheticCalibration> calibrate_synthetic(const synthetic::SyntheticRig& rig, const CalibrationPlan& plan) {
     SyntheticCalibration result;
     Rig given = rig.nominal;
-    if (const Status status = calibrate_lenses(rig, plan, given, result); !status) {
+    if (const Status status = find_lenses_by_boards(rig, plan, given, result); !status) {
         return status.error();
     }
     const Result<std::vector<WandFrame>> frames = wand_frames(rig, plan);
@@ -161,9 +137,9 @@ Result<SyntheticCalibration> calibrate_synthetic(const synthetic::SyntheticRig& 
     for (const double at : synthetic::wand_mm) {
         wand.at_mm.push_back(at * (1.0 - plan.wand_error_mm / synthetic::wand_mm.back()));
     }
+    wand.radius_mm = synthetic::Sphere{}.radius;
     WandSettings settings;
     settings.refine_lenses = true;
-    settings.most_iterations = 200;  // some rigs take more than 50, lenses and poses being so much alike
     const Result<WandCalibration> found = calibrate_wand(given, wand, frames.value(), settings);
     if (!found) {
         return found.error();
@@ -172,6 +148,7 @@ Result<SyntheticCalibration> calibrate_synthetic(const synthetic::SyntheticRig& 
     result.wand_residual_px = found.value().residual_px;
     result.scale_sigma = found.value().scale_sigma;
     result.seconds = found.value().seconds;
+    result.iterations = found.value().iterations;
     compare_with_truth(rig, result);
     return result;
 }

@@ -96,7 +96,9 @@ const std::vector<Quantity>& quantities() {
         {"calibration, residual, worst", "px RMS", "calibration.residual_px", greatest, 1, 0.05, "wand"},
         {"calibration, scale error, worst", "%", "calibration.scale_percent", greatest, 1, 0.02, "wand",
          "0.02 (Bi 2021)"},
-        {"calibration, adjustment, worst", "s", "calibration.s", greatest, 1, 1.0, "wand"}};
+        {"calibration, adjustment, worst", "s", "calibration.s", greatest, 1, 1.0, "wand"},
+        {"knocked camera, named after, worst", "s", "knocked.named_after_s", greatest, 1, 1.0, "markers"},
+        {"cameras named that were not knocked", "runs", "knocked.false", sum_of, 1, 0, "markers"}};
     return all;
 }
 

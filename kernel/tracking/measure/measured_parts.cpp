@@ -7,6 +7,7 @@
 #include "base/numbers.hpp"
 #include "tracking/measure/centroid_errors.hpp"
 #include "tracking/measure/detector_chart.hpp"
+#include "tracking/measure/knocks.hpp"
 #include "tracking/measure/standard_tests.hpp"
 
 namespace rhexis::tracking {
@@ -35,6 +36,15 @@ Result<Numbers> centroid_numbers(const Setting& setting) {
         }
     }
     return numbers;
+}
+
+Result<Numbers> knocked_camera_numbers(const Setting& setting) {
+    const Result<KnockErrors> errors = measure_knock(setting.rig, setting.solver(), setting.bodies, setting.seed);
+    if (!errors) {
+        return errors.error();
+    }
+    return Numbers{{"knocked.named_after_s", {errors.value().named_after_s}},
+                   {"knocked.false", {static_cast<double>(errors.value().false_alarms)}}};
 }
 
 /// Chunks of it, each of which is kept: of a million exposures nothing is lost that took more than a minute.
@@ -85,6 +95,7 @@ std::vector<Part> measured_parts(const MeasurePlan& plan) {
                             {"moving", moving, false, measure_moving},
                             {"hidden", "", false, measure_hidden},
                             {"found_again", "", false, measure_found_again},
+                            {"knocked_camera", "", false, knocked_camera_numbers},
                             {"head", rendered + ", " + moving, true, measure_head},
                             {"artifact", rendered, true, measure_artifact},
                             {"phantom", "", true, measure_phantom}};

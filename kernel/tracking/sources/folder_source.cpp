@@ -85,6 +85,7 @@ public:
                 !read) {
                 return read.error();
             }
+            frame.from = path;
             set.frames.push_back(std::move(frame));
         }
         ++next_;

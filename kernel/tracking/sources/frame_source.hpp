@@ -18,6 +18,7 @@ struct CameraFrame {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels{};  ///< line by line
+    std::string from{};                  ///< file that it was read from; empty: from none
 
     [[nodiscard]] GreyImage view() const { return {pixels.data(), width, height, width}; }
 };

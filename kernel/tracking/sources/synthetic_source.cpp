@@ -215,32 +215,4 @@ Stage waved_wand(std::uint64_t seed) {
     return stage;
 }
 
-std::vector<BoardView> held_board(const TrueCamera& camera, const GridPlan& plan, int views, double noise_px,
-                                  std::uint64_t seed) {
-    Rng rng(seed, "board");
-    const auto within = [&rng](double most) { return most * (2.0 * rng.uniform() - 1.0); };
-    const Vec3 middle{0.5 * (plan.columns - 1) * plan.spacing_mm, 0.5 * (plan.rows - 1) * plan.spacing_mm, 0.0};
-    std::vector<BoardView> all;
-    constexpr int most_tries = 2000;
-    for (int tried = 0; tried < most_tries && static_cast<int>(all.size()) < views; ++tried) {
-        const Vec3 place{within(150.0), within(120.0), 420.0 + within(80.0)};
-        const Pose pose =
-            moved({place, Quat::Identity()}, {Vec3::Zero(), {within(0.6), within(0.6), within(0.8)}}, 1.0);
-        BoardView view{"board " + std::to_string(all.size() + 1), camera.width, camera.height, {}};
-        bool whole = true;
-        for (int i = 0; i < plan.columns * plan.rows; ++i) {
-            const Vec3 on_board{plan.spacing_mm * (i % plan.columns), plan.spacing_mm * (i / plan.columns), 0.0};
-            const Vec3 seen = pose.to_world(on_board - middle);
-            const Vec2 at = distorted(camera.lens, seen.head<2>() / seen.z());
-            whole =
-                whole && at.x() > 5.0 && at.y() > 5.0 && at.x() < camera.width - 6.0 && at.y() < camera.height - 6.0;
-            view.points.push_back(at + noise_px * Vec2(rng.normal(), rng.normal()));
-        }
-        if (whole) {
-            all.push_back(std::move(view));
-        }
-    }
-    return all;
-}
-
 }  // namespace rhexis::tracking::synthetic

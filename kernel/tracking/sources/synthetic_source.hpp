@@ -5,7 +5,6 @@
 #include <array>
 #include <functional>
 
-#include "tracking/calibration/lens_calibration.hpp"
 #include "tracking/sources/spot_source.hpp"
 #include "tracking/synthetic/delivery.hpp"
 #include "tracking/synthetic/marker_spots.hpp"
@@ -37,10 +36,5 @@ Result<std::unique_ptr<SpotSource>> film_markers(const SyntheticRig& rig, Stage 
 /// A wand of three spheres, at 0, 80 and 200 mm, waved through the volume about the eye for as long as one likes.
 inline constexpr std::array<double, 3> wand_mm{0.0, 80.0, 200.0};
 Stage waved_wand(std::uint64_t seed);
-
-/// Views of a flat board, held before one camera in many ways, each point with noise of `noise_px`: as a detector
-/// would give them.
-std::vector<BoardView> held_board(const TrueCamera& camera, const GridPlan& plan, int views, double noise_px,
-                                  std::uint64_t seed);
 
 }  // namespace rhexis::tracking::synthetic

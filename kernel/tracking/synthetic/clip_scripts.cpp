@@ -204,6 +204,20 @@ void add_knocks(Clip& clip, Rng& rng) {
     }
 }
 
+/// About their tips, as they are turned to be found.
+void add_pivots(Clip& clip) {
+    constexpr double half_cone = 0.35;  // [rad]
+    constexpr double frequency = 0.4;
+    for (std::size_t i = 0; i < clip.bodies.size(); ++i) {
+        if (!is_head(clip.bodies[i])) {
+            Motion& motion = clip.motions[i];
+            const Mat3 axes = motion.tip.orientation.toRotationMatrix();
+            motion.turns.push_back({half_cone * axes.col(0), frequency, 0.0});
+            motion.turns.push_back({half_cone * axes.col(1), frequency, 0.5 * std::numbers::pi});
+        }
+    }
+}
+
 void add_script(std::string_view name, Clip& clip, Rng& rng) {
     if (name == "circle") {
         add_circles(clip);
@@ -227,6 +241,8 @@ void add_script(std::string_view name, Clip& clip, Rng& rng) {
         if (name == "knocks") {
             add_knocks(clip, rng);
         }
+    } else if (name == "pivot") {
+        add_pivots(clip);
     }
 }
 

@@ -89,8 +89,9 @@ struct Clip {
 /// bump         one camera is turned by 0.1 degrees in the middle; circles; 10 s
 /// breathing    the head drifts to and fro by 0.5 mm in 20 s, and by 0.2 mm every 4 s, as with breath; tremor; 20 s
 /// knocks       likewise, and every two seconds hands push the head by 1 mm within 0.1 s, and it comes back
-inline constexpr std::array<std::string_view, 9> clip_names{
-    "still", "circle", "tremor", "insertions", "occlusion", "crossing", "bump", "breathing", "knocks"};
+/// pivot        tips rest in hollows while instruments swing through cones of 40 degrees; 10 s
+inline constexpr std::array<std::string_view, 10> clip_names{
+    "still", "circle", "tremor", "insertions", "occlusion", "crossing", "bump", "breathing", "knocks", "pivot"};
 
 inline constexpr int most_instruments = 6;  ///< that there is room for in a clip
 

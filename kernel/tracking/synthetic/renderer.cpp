@@ -8,13 +8,13 @@
 #include "base/assert.hpp"
 #include "base/index.hpp"
 #include "base/rng.hpp"
+#include "tracking/synthetic/blur.hpp"
+#include "tracking/synthetic/board_light.hpp"
 #include "tracking/synthetic/diffuse_light.hpp"
 #include "tracking/synthetic/window_rays.hpp"
 
 namespace rhexis::tracking::synthetic {
 namespace {
-
-constexpr double blur_reach = 4.0;  ///< standard deviations
 
 /// Of one sphere at one instant, added to the window's light and share.
 class SphereSampler {
@@ -70,49 +70,6 @@ private:
     Fineness fineness_;
     bool even_;  ///< neither hidden nor worn
 };
-
-std::vector<float> bell(double sigma) {
-    std::vector<float> weights;
-    double sum = 0.0;
-    const int reach = static_cast<int>(std::ceil(blur_reach * sigma));
-    for (int i = -reach; i <= reach; ++i) {
-        const double weight = std::exp(-0.5 * i * i / (sigma * sigma));
-        weights.push_back(static_cast<float>(weight));
-        sum += weight;
-    }
-    for (float& weight : weights) {
-        weight = static_cast<float>(weight / sum);
-    }
-    return weights;
-}
-
-/// Along one line of `count` values that are `stride` apart; nothing is beyond its ends.
-void blur_line(float* values, int count, std::size_t stride, const std::vector<float>& weights,
-               std::vector<float>& line) {
-    const int reach = static_cast<int>(weights.size()) / 2;
-    line.assign(static_cast<std::size_t>(count + 2 * reach), 0.0F);
-    for (int i = 0; i < count; ++i) {
-        line[static_cast<std::size_t>(i + reach)] = values[static_cast<std::size_t>(i) * stride];
-    }
-    for (int i = 0; i < count; ++i) {
-        float sum = 0.0F;
-        for (std::size_t j = 0; j < weights.size(); ++j) {
-            sum += weights[j] * line[static_cast<std::size_t>(i) + j];
-        }
-        values[static_cast<std::size_t>(i) * stride] = sum;
-    }
-}
-
-void blur(std::vector<float>& values, const Window& window, double sigma, std::vector<float>& line) {
-    const std::vector<float> weights = bell(sigma);
-    const auto width = static_cast<std::size_t>(window.width());
-    for (int y = 0; y < window.height(); ++y) {
-        blur_line(values.data() + static_cast<std::size_t>(y) * width, window.width(), 1, weights, line);
-    }
-    for (int x = 0; x < window.width(); ++x) {
-        blur_line(values.data() + x, window.height(), width, weights, line);
-    }
-}
 
 /// All of the instants' windows; empty: out of the image, or behind the camera.
 Window window_of_all(const TrueCamera& camera, std::span<const Scene> seen, int sphere) {
@@ -182,8 +139,8 @@ void add_sphere(const TrueCamera& camera, int sphere, const Fineness& fineness, 
     const Vec3& middle = scratch.seen[scratch.seen.size() / 2].spheres[at(sphere)].centre;
     const Vec2 pixel = distorted(camera.lens, middle.head<2>() / middle.z());
     const double sigma = psf_sigma(camera, pixel, middle.z());
-    blur(scratch.light, window, sigma, scratch.line);
-    blur(scratch.share, window, sigma, scratch.line);
+    blur(scratch.light, window.width(), window.height(), sigma, scratch.line);
+    blur(scratch.share, window.width(), window.height(), sigma, scratch.line);
     lay_over(window, 1.0 / static_cast<double>(scratch.seen.size()), scratch, scratch.field);
 }
 
@@ -216,6 +173,7 @@ void render_light(const TrueCamera& camera, std::span<const Scene> instants, std
         seen_from(camera.pose, instants[i], scratch.seen[i]);
     }
     const Scene& middle = scratch.seen[instants.size() / 2];
+    add_boards(camera, middle, scratch.board, scratch.field);
     add_capsules(camera, middle, scratch.field);
     for (int i = 0; i < static_cast<int>(middle.spheres.size()); ++i) {
         add_sphere(camera, i, fineness, scratch);

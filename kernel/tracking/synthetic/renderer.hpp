@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tracking/synthetic/board_light.hpp"
 #include "tracking/synthetic/seen_scene.hpp"
 #include "tracking/synthetic/sensor.hpp"
 
@@ -18,11 +19,13 @@ struct RenderScratch {
     std::vector<float> light{};  ///< of one sphere's window
     std::vector<float> share{};  ///< of each pixel that the sphere fills
     std::vector<float> line{};
+    BoardScratch board{};
 };
 
 /// One exposure: `instants` (at least one) at even distances in it, each with as many spheres, are added up. Rays meet
 /// each sphere, 8 x 8 in a pixel and instant (2 x 2 inside one that is neither hidden nor worn), and what is before it;
-/// diffuse light, that of the middle instant, has a ray in a pixel and no blur but its own soft edges. `image_seed`
+/// diffuse light, that of the middle instant, has a ray in a pixel and no blur but its own soft edges; boards, likewise
+/// of the middle instant, lie behind all else. `image_seed`
 /// draws noise and specks: the same image for the same seed. `camera` may have another pose and lens than the one that
 /// the pattern was drawn for, but not another sensor.
 void render(const TrueCamera& camera, const SensorPattern& pattern, std::span<const Scene> instants,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "math/types.hpp"
+#include "tracking/calibration/board.hpp"
 
 namespace rhexis::tracking::synthetic {
 
@@ -46,11 +47,23 @@ struct Glint {
     double sigma_px = 1.0;  ///< 0.3 to 6
 };
 
+/// A flat board with a pattern, lit by each camera's own ring light: dots that reflect like spheres do, or printed
+/// fields. Its middle is the origin of its frame, x runs along its rows and y along its columns, both as in an image;
+/// z looks away from who sees it.
+struct Board {
+    Pose pose{};
+    GridPlan plan{};
+    double light = 130.0;  ///< of dots, or of the brighter fields and their margin
+    double ground = 6.0;   ///< between dots, or of the darker fields
+    double dot = 0.25;     ///< radius of a dot, as a share of the spacing
+};
+
 struct Scene {
     std::vector<Sphere> spheres{};
     std::vector<Capsule> capsules{};
     std::vector<Disc> discs{};
     std::vector<Glint> glints{};
+    std::vector<Board> boards{};
     double ambient = 3.0;  ///< light on every pixel [DN]
     double specks = 0.0;   ///< random bright points, mean number in an image
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "math/poses.hpp"
 
 namespace rhexis::tracking::synthetic {
 namespace {
@@ -56,6 +57,9 @@ void seen_from(const Pose& camera, const Scene& scene, Scene& seen) {
     }
     for (Glint& glint : seen.glints) {
         glint.at = camera.to_body(glint.at);
+    }
+    for (Board& board : seen.boards) {
+        board.pose = relative(camera, board.pose);
     }
 }
 

@@ -10,7 +10,7 @@
 
 namespace rhexis::tracking::synthetic {
 
-/// In the camera's frame; spheres, capsules and discs in the order of the scene.
+/// In the camera's frame; spheres, capsules, discs and boards in the order of the scene.
 void seen_from(const Pose& camera, const Scene& scene, Scene& seen);
 
 /// What stands between the camera, at the origin, and one sphere: indices.

@@ -7,6 +7,7 @@
 
 #include "base/rng.hpp"
 #include "support/sanitized.hpp"
+#include "tracking/calibration/board_finder.hpp"
 #include "tracking/calibration/lens_calibration.hpp"
 
 namespace rhexis::tracking {

@@ -87,6 +87,45 @@ TEST_CASE("each figure that misses its goal has a sentence that says what to do,
     CHECK(count_of(calibration_page(report), "missed") == 1);
 }
 
+TEST_CASE("lenses that were measured are on the page, with what to do about each that is not good enough") {
+    Rig rig = good_report().wand.rig;
+    CHECK(lens_advice(rig).empty());
+    CHECK(calibration_page(good_report()).find("by a board") == std::string::npos);
+    for (int i = 0; i < 3; ++i) {
+        rig.lenses.push_back({24, i, 2, 0.03, 0.5, {2, 2, {3, 1, 4, 2}}});
+    }
+    CHECK(lens_advice(rig).empty());
+    const std::string page = lens_page("Ring of three", rig);
+    CHECK(page.find("All goals are met.") != std::string::npos);
+    CHECK(page.find("Where the cameras stand is still to be found") != std::string::npos);
+    CHECK(page.find("<td>camera-3</td><td>24</td><td>2</td><td>2</td><td>0.030</td><td>1667.0 &plusmn; 0.50</td>") !=
+          std::string::npos);
+    CHECK(count_of(page, "<svg") == 3);
+    CalibrationReport whole = good_report();
+    whole.wand.rig = rig;
+    CHECK(calibration_page(whole).find("by a board") != std::string::npos);
+
+    const auto only = [&rig](LensFigures changed, const char* what) {
+        std::swap(rig.lenses[1], changed);
+        const std::vector<std::string> advice = lens_advice(rig);
+        std::swap(rig.lenses[1], changed);
+        return advice.size() == 1 && advice[0].find(what) != std::string::npos &&
+               advice[0].find("\"camera-2\"") != std::string::npos;
+    };
+    LensFigures worse = rig.lenses[1];
+    worse.residual_px = 0.3;
+    CHECK(only(worse, "the board is flat"));
+    worse = rig.lenses[1];
+    worse.coverage.points = {0, 0, 5, 0};
+    CHECK(only(worse, "saw no board"));
+    worse = rig.lenses[1];
+    worse.views = 9;
+    CHECK(only(worse, "Take 12 or more"));
+    worse = rig.lenses[1];
+    worse.focal_sigma_px = 5.0;
+    CHECK(only(worse, "Slant the board"));
+}
+
 TEST_CASE("names that look like marks are shown as they are") {
     CalibrationReport report = good_report();
     report.title = "<script>alert('1')</script> & \"more\"";

@@ -52,18 +52,21 @@ Rig guessed(const Rig& truth, double shift_mm, double turn, std::uint64_t seed =
 struct Waving {
     int frames = 600;
     double noise_px = 0.05;
-    double prism = 5e-5;    ///< s1 and s3 of OpenCV's thin prism terms
-    double outliers = 0.0;  ///< share of frames with one wrong spot
-    double stretch = 1.0;   ///< true length of the wand over the one told
+    double prism = 5e-5;     ///< s1 and s3 of OpenCV's thin prism terms
+    double outliers = 0.0;   ///< share of frames with one wrong spot
+    double stretch = 1.0;    ///< true length of the wand over the one told
+    double radius_mm = 0.0;  ///< of its spheres, whose images are ellipses
     std::uint64_t seed = 1;
 };
 
-std::vector<cv::Point2d> seen_through_prism(const Camera& camera, const std::vector<Vec3>& points, double prism) {
+std::vector<cv::Point2d> seen_through_prism(const Camera& camera, const std::vector<Vec3>& points, double prism,
+                                            double radius_mm = 0.0) {
     const Lens& lens = camera.lens;
     std::vector<cv::Point3d> seen;
     for (const Vec3& point : points) {
         const Vec3 at = camera.pose.to_body(point);
-        seen.emplace_back(at.x(), at.y(), at.z());
+        // a point whose image is the middle of the sphere's
+        seen.emplace_back(at.x(), at.y(), at.z() - radius_mm * radius_mm / at.z());
     }
     const std::vector<double> bends{lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, 0, 0, 0, prism, 0, -prism, 0};
     std::vector<cv::Point2d> images;
@@ -90,7 +93,7 @@ bool inside(const Camera& camera, const cv::Point2d& at) {
 WandView view_of_wand(const Rig& rig, int camera, const std::vector<Vec3>& points, const Waving& waving, Rng& rng) {
     WandView view{camera, {}};
     const Camera& with = rig.cameras[static_cast<std::size_t>(camera)];
-    for (const cv::Point2d& at : seen_through_prism(with, points, waving.prism)) {
+    for (const cv::Point2d& at : seen_through_prism(with, points, waving.prism, waving.radius_mm)) {
         if (inside(with, at)) {
             view.spots.emplace_back(at.x + waving.noise_px * rng.normal(), at.y + waving.noise_px * rng.normal());
         }
@@ -295,6 +298,42 @@ TEST_CASE("a wand's length that was told wrongly makes the rig as much too large
     CHECK(point_error(found.value().rig, truth, waving.prism).scale == doctest::Approx(0.01).epsilon(0.05));
 }
 
+TEST_CASE("a wand that points at a camera is not taken the other way round, and no frame is lost by it") {
+    const Rig truth = ring(6);
+    const Wand long_one{{0.0, 80.0, 200.0}, 0.01};
+    Waving waving;
+    waving.frames = rhexis::testing::sanitized ? 80 : 150;
+    const Result<WandCalibration> found =
+        calibrate_wand(guessed(truth, 50.0, 0.3), long_one, waved(truth, long_one, waving));
+    REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));
+    print_found("a long wand", found.value(), truth, point_error(found.value().rig, truth, waving.prism));
+    CHECK(found.value().frames_dropped == 0);
+    CHECK(found.value().frames_used > waving.frames * 9 / 10);
+    CHECK(found.value().residual_px < 0.06);
+    CHECK(found.value().iterations < 15);
+}
+
+TEST_CASE("a sphere's image is not about that of its centre, and the scale is right where that is known") {
+    const Rig truth = ring(4);
+    Waving waving;
+    waving.frames = rhexis::testing::sanitized ? 80 : 150;
+    waving.noise_px = 0.005;
+    waving.radius_mm = 6.0;
+    const std::vector<WandFrame> frames = waved(truth, three, waving);
+    const auto scale_of = [&](double radius_mm) {
+        Wand wand = three;
+        wand.radius_mm = radius_mm;
+        const Result<WandCalibration> found = calibrate_wand(truth, wand, frames);
+        REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));
+        return point_error(found.value().rig, truth, waving.prism).scale;
+    };
+    const double of_points = scale_of(0.0);
+    const double of_spheres = scale_of(waving.radius_mm);
+    MESSAGE("scale ", of_points, " with points, ", of_spheres, " with spheres");
+    CHECK(std::abs(of_points) > 1e-4);
+    CHECK(std::abs(of_spheres) < 2e-5);
+}
+
 TEST_CASE("what is wrong with a wand calibration is told") {
     const Rig truth = ring(4);
     Waving waving;
@@ -331,6 +370,7 @@ TEST_CASE("what is wrong with a wand calibration is told") {
     CHECK(text_of({{0.0}, 0.01}, frames).find("a wand of 1 spheres") != std::string::npos);
     CHECK(text_of({{0.0, 3.0}, 0.01}, frames).find("length is 3") != std::string::npos);
     CHECK(text_of({{0.0, 130.0}, 0.0}, frames).find("sigma is 0") != std::string::npos);
+    CHECK(text_of({{0.0, 130.0}, 0.01, -1.0}, frames).find("radius is -1") != std::string::npos);
 
     WandSettings hasty;
     hasty.most_iterations = 1;

@@ -156,6 +156,10 @@ TEST_CASE("clips move as their names say, and the head only where they say so") 
     CHECK(greatest_speed(clip_named("still"), 1) == 0.0);
     CHECK(greatest_speed(clip_named("circle"), 1) == doctest::Approx(2.0 * std::numbers::pi).epsilon(0.001));
     CHECK(greatest_speed(clip_named("insertions"), 2) == doctest::Approx(500.0).epsilon(0.01));
+    const Clip pivot = clip_named("pivot");
+    CHECK(greatest_speed(pivot, 1) == 0.0);
+    const double swung = tip_at(pivot, 1, 0.0).orientation.angularDistance(tip_at(pivot, 1, 1.25).orientation);
+    CHECK(swung == doctest::Approx(0.7).epsilon(0.05));
     const Clip tremor = clip_named("tremor");
     const Motion& motion = tremor.motions[1];
     double square = 0.0;
