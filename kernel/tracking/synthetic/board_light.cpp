@@ -12,9 +12,9 @@
 namespace rhexis::tracking::synthetic {
 namespace {
 
-constexpr int part_px = 48;          ///< side of a part that is drawn at once
-constexpr int blur_px = 4;           ///< that light of a part's neighbours reaches into it
-constexpr int edge_samples = 8;      ///< across a pixel
+constexpr int part_px = 48;                ///< side of a part that is drawn at once
+constexpr int blur_px = 4;                 ///< that light of a part's neighbours reaches into it
+constexpr int edge_samples = 8;            ///< across a pixel
 constexpr double nearest_board_mm = 20.0;  ///< that a board is to a camera
 
 /// Half its width and height [mm]: a spacing beyond the outer dots; of chess the outer fields, and a margin as wide.
