@@ -55,7 +55,7 @@ double believed_sigma(const Spot& spot, double area, double smear_px, const Trac
     }
     const double least = settings.spot_sigma_px * (1.0 + 0.1 * smear_px);
     if (spot.sigma_px > 0.0) {
-        return std::hypot(spot.sigma_px, least);
+        return std::hypot(std::hypot(spot.sigma_px, least), settings.area_px * (share - 1.0));
     }
     return spot.crowded ? 5.0 * least : least;
 }

@@ -18,7 +18,9 @@ namespace rhexis::tracking {
 
 struct TrackerSettings {
     double gate_px = 12.0;          ///< from where a marker should be to the spot that is taken for it
-    double spot_sigma_px = 0.03;    ///< of a spot's centre, with what its own says in squares
+    double spot_sigma_px = 0.02;    ///< of a spot's centre, with what its own says in squares
+    double area_px = 6.0;           ///< and this times the share by which its area is off: what hides or wears a part
+                                    ///< of a sphere makes it smaller, and moves it
     double blur_px = -0.19;         ///< by which a spot is wider each way than the sphere's image
     double least_area = 0.96;       ///< of what the sphere's image should have: less is half hidden
     double most_area = 1.06;        ///< more is two in one

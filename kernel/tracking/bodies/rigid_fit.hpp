@@ -34,7 +34,7 @@ struct Sighting {
 struct FitSettings {
     int most_steps = 10;
     double outlier_sigmas = 4.0;  ///< a sighting farther off has ever less weight [Beaton1974]
-    double floor_px = 0.03;       ///< least sigma: what calibration leaves
+    double floor_px = 0.02;       ///< least sigma: what calibration leaves
 };
 
 struct Fit {

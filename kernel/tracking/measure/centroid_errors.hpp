@@ -15,7 +15,9 @@ struct CentroidErrors {
     std::int64_t missed = 0;          ///< spheres of which no spot was found within 3 pixels
     double rms_px = 0.0;              ///< each way
     std::vector<double> errors_px{};  ///< two of each sample, one each way
-    double told_sigma_px = 0.0;       ///< root mean square of what spots say of themselves
+    std::vector<double>
+        bounds_px{};  ///< of each sphere of the first image, each way: no finder without bias has less noise [Rao1945]
+    double told_sigma_px = 0.0;  ///< root mean square of what spots say of themselves
 };
 
 /// Whole, unworn spheres all over the images of a true camera, apart from each other; the wanted centre is that of the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clips that are rendered: tips by six, three and two cameras, and the same clips without images beside them.
-#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 
 #include "base/clock.hpp"
 #include "tracking/measure/measured_parts.hpp"
@@ -54,11 +56,38 @@ Status add_fewer_cameras(const Setting& setting, const synthetic::Clip& clip, co
     return success();
 }
 
+/// "NAME.noise_px": of each sphere in each camera, about its mean, each way; in a clip in which nothing moves.
+void add_spot_noise(const std::vector<SightedSphere>& spheres, const std::string& name, Numbers& numbers) {
+    constexpr std::size_t least = 8;
+    std::map<std::tuple<int, int, int>, std::vector<Vec2>> offs;
+    for (const SightedSphere& sphere : spheres) {
+        if (sphere.sighted == Sighted::believed) {
+            offs[{sphere.camera, sphere.body, sphere.marker}].push_back(sphere.off);
+        }
+    }
+    for (const auto& [which, off] : offs) {
+        if (off.size() < least) {
+            continue;
+        }
+        const auto count = static_cast<double>(off.size());
+        const Vec2 mean = std::accumulate(off.begin(), off.end(), Vec2(Vec2::Zero())) / count;
+        double squares = 0.0;
+        for (const Vec2& one : off) {
+            squares += (one - mean).squaredNorm();
+        }
+        numbers[name + ".noise_px"].push_back(std::sqrt(0.5 * squares / (count - 1.0)));
+    }
+}
+
 void add_spots(const Setting& setting, const synthetic::Clip& clip, const Recorded& recorded, const std::string& name,
                Numbers& numbers) {
     std::vector<double>& missing = numbers[name + ".missing"];
     std::vector<double>& refused = numbers[name + ".refused"];
-    for (const SightedSphere& sphere : sighted_spheres(setting.rig, clip, recorded, TrackerSettings{})) {
+    const std::vector<SightedSphere> spheres = sighted_spheres(setting.rig, clip, recorded, TrackerSettings{});
+    if (clip.name == "still") {
+        add_spot_noise(spheres, name, numbers);
+    }
+    for (const SightedSphere& sphere : spheres) {
         missing.push_back(sphere.sighted == Sighted::missing ? 1.0 : 0.0);
         if (sphere.sighted != Sighted::missing) {
             refused.push_back(sphere.sighted == Sighted::refused ? 1.0 : 0.0);

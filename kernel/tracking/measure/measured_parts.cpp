@@ -33,6 +33,7 @@ Result<Numbers> centroid_numbers(const Setting& setting) {
                 return found.error();
             }
             errors.insert(errors.end(), found.value().errors_px.begin(), found.value().errors_px.end());
+            append({{std::string("centroid.") + name + "_bound_px", found.value().bounds_px}}, numbers);
         }
     }
     return numbers;

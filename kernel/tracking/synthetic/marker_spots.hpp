@@ -32,6 +32,7 @@ struct OutlineNoise {
     double inward = 1.65e-5;        ///< share of the way from the image's middle that outlines lie too near to it
     double pattern_px = 0.004;      ///< what pixels of unlike response leave, anew every `pattern_of_px`
     double pattern_of_px = 0.3;
+    double stretch = 0.5;     ///< share of an ellipse's stretch that the fit tells
     double inside_px = 0.19;  ///< by which they are narrower each way than the sphere's image
 };
 

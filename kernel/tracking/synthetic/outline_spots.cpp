@@ -60,6 +60,9 @@ void add_outline(const TrueCamera& camera, int sphere, const SpotOptions& option
                        outline_sigma(camera, seen, options.outline) * normal;
     }
     part.spot.area *= narrower * narrower;
+    const double stretch =
+        options.outline.stretch * (1.0 - part.spot.roundness) / (1.0 + part.spot.roundness);  // by the radius
+    part.spot.roundness = (1.0 - stretch) / (1.0 + stretch);
     scratch.parts.push_back(part);
 }
 

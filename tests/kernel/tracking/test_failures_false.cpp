@@ -68,7 +68,7 @@ int ghosts(const std::vector<MatchedPoint>& points, const synthetic::Clip& clip,
 TEST_CASE("glints, fixed and moving, disturb no body, and alone they make none") {
     synthetic::Clip clip = clip_named("tremor");
     clip.specks = 3.0;
-    const int frames = rhexis::testing::sanitized ? 30 : 240;
+    const int frames = rhexis::testing::sanitized ? 30 : 120;
     const Worst bare = worst_of(run_stage(clip, true, false, frames));
     const ClipRun run = run_stage(clip, true, true, frames);
     const Worst worst = worst_of(run);

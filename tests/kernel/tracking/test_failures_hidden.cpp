@@ -120,7 +120,7 @@ TEST_CASE("two spheres whose images merge are refused as one; a little farther a
 
 TEST_CASE("tools that cross before a camera keep their names and places; so do tools that do not cross") {
     for (const char* name : {"crossing", "circle"}) {
-        const ClipRun run = run_of(clip_named(name), marker_plan(rhexis::testing::sanitized ? 1.0 : 3.0));
+        const ClipRun run = run_of(clip_named(name), marker_plan(rhexis::testing::sanitized ? 1.0 : 1.5));
         const Worst worst = worst_of(run);
         MESSAGE(std::string(name), ": 95 % ", 1e3 * worst.of_95_mm, " um, farthest ", 1e3 * worst.worst_mm, " um");
         CHECK(run.wrong == 0);

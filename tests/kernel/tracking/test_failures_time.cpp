@@ -75,7 +75,7 @@ HeadRun follow_head(double average_s, double speed_mm_s) {
 
 TEST_CASE("a tool at half a metre a second is followed without a gap, as one that rests is") {
     for (const char* name : {"insertions", "still"}) {
-        const ClipRun run = run_of(clip_named(name), marker_plan(rhexis::testing::sanitized ? 0.4 : 2.0));
+        const ClipRun run = run_of(clip_named(name), marker_plan(rhexis::testing::sanitized ? 0.4 : 0.8));
         const Worst worst = worst_of(run);
         MESSAGE(std::string(name), ": 95 % ", 1e3 * worst.of_95_mm, " um, farthest ", 1e3 * worst.worst_mm, " um");
         CHECK(worst.missing == 0);

@@ -95,7 +95,11 @@ TEST_CASE("figures are of all seeds together, with their mean and the seed that 
     const Json json = Json::parse(figures_json(figures), nullptr, false);
     REQUIRE(json.is_object());
     CHECK(json["figures"].size() == figures.figures.size());
-    CHECK(json["levels"][2]["quantiles"][0][1] == 10.0);
+    const auto tip_of_images = std::find_if(json["levels"].begin(), json["levels"].end(),
+                                            [](const Json& level) { return level["quantity"] == "tip, six cameras"; });
+    REQUIRE(tip_of_images != json["levels"].end());
+    CHECK((*tip_of_images)["samples"] == 4);
+    CHECK((*tip_of_images)["quantiles"][0][1] == 10.0);
 }
 
 TEST_CASE("how a quantity spreads is told by size, its mean with the sign, and no finer than there are samples") {
