@@ -66,6 +66,13 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
     return words;
 }
 
+/// A file of a command that takes one where others have their commands: rhexis track CONFIG.
+bool is_file_of(const CLI::App& command, const std::string& word) {
+    const std::vector<const CLI::Option*> options = command.get_options();
+    return word.find_first_of("./") != std::string::npos &&
+           std::any_of(options.begin(), options.end(), [](const CLI::Option* one) { return one->get_positional(); });
+}
+
 /// A misspelt option of a command, with its near names; CLI11 alone only says that it does not know it.
 Error usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
     const CLI::App* command = &app;
@@ -73,7 +80,7 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, c
     std::vector<std::string> options;
     for (const std::string& word : words_of(argc, argv)) {  // rhexis records list
         const std::vector<std::string> commands = command_names(*command);
-        if (commands.empty()) {
+        if (commands.empty() || is_file_of(*command, word)) {
             break;
         }
         if (std::find(commands.begin(), commands.end(), word) == commands.end()) {

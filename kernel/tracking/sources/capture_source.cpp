@@ -23,7 +23,9 @@ bool is_device(const std::string& name) {
 
 bool open_one(cv::VideoCapture& capture, const std::string& name, const Camera& camera, double rate_hz) {
     if (!is_device(name)) {
-        return capture.open(name);
+        // Not whichever of OpenCV's readers takes it: some look for photo cameras at USB, and never give that list
+        // back.
+        return capture.open(name, cv::CAP_FFMPEG);
     }
     return capture.open(std::stoi(name), cv::CAP_V4L2) && capture.set(cv::CAP_PROP_FRAME_WIDTH, camera.width) &&
            capture.set(cv::CAP_PROP_FRAME_HEIGHT, camera.height) && capture.set(cv::CAP_PROP_FPS, rate_hz);

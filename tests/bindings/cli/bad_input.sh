@@ -8,6 +8,8 @@ quick=(--limit 0.3 --no-pictures --out "$work/out" --set patient.tetrahedra=500)
 # Usage.
 expect 2 "there is no command rnu (did you mean run?)" "$rhexis" rnu
 expect 2 "there is no option --sead (did you mean --seed" "$rhexis" run groove --sead 3
+expect 2 "there is no option --windo (did you mean --window?)" "$rhexis" track my_rig/track.json --windo
+expect 2 "track: there is no command calibarte (did you mean calibrate?)" "$rhexis" track calibarte my_rig/track.json
 expect 2 "curriculum is required" "$rhexis" run
 expect 2 "rhexis --help shows what there is" "$rhexis"
 expect 2 "--threads" "$rhexis" run groove --threads 0
