@@ -9,6 +9,7 @@ find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc imgcodecs videoio calib3d
 find_package(Ceres REQUIRED)
 find_package(doctest REQUIRED)
 pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
+pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(SDL REQUIRED IMPORTED_TARGET sdl2)

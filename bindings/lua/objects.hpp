@@ -14,13 +14,13 @@
 #include "lua/scene_body.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/tri_mesh.hpp"
-#include "render/image_file.hpp"
 #include "render/renderer.hpp"
+#include "video/video.hpp"
 
 namespace rhexis::lua {
 
 struct SizedVideo {
-    VideoFile file;
+    std::unique_ptr<Video> file{};
     int width = 0;
     int height = 0;
 };

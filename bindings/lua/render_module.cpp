@@ -7,6 +7,8 @@
 #include "lua/objects.hpp"
 #include "lua/selection.hpp"
 #include "lua/stack.hpp"
+#include "lua/video_library.hpp"
+#include "render/image_file.hpp"
 
 namespace rhexis::lua {
 namespace {
@@ -62,7 +64,7 @@ int video(lua_State* L) {
     const auto height = static_cast<int>(options.integer("height", 480, 16, 4096));
     const double rate = options.number("frames_per_second", 25.0, {1.0, 1000.0, "1/s"});
     options.finish();
-    Result<VideoFile> file = VideoFile::create(path, width, height, rate);
+    Result<std::unique_ptr<Video>> file = open_video(path, width, height, rate);
     if (!file) {
         raise(L, "rhexis.render.video: " + file.error().text());
     }
@@ -107,12 +109,12 @@ int add(lua_State* L) {
         raise(L, "add: the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                      ", the video " + std::to_string(video_file.width) + " x " + std::to_string(video_file.height));
     }
-    raise_if_failed(L, "add", video_file.file.add(image));
+    raise_if_failed(L, "add", video_file.file->add(image));
     return 0;
 }
 
 int finish(lua_State* L) {
-    const Status status = check_video(L, 1).file.finish();
+    const Status status = check_video(L, 1).file->finish();
     close_video(L);
     raise_if_failed(L, "finish", status);
     return 0;

@@ -5,6 +5,7 @@
 
 #include "base/hash.hpp"
 #include "base/index.hpp"
+#include "base/program.hpp"
 #include "session/build_world.hpp"
 #include "session/folded_start.hpp"
 #include "session/implant_fold.hpp"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "lua/video_library.hpp"
 #include "render/image_file.hpp"
 #include "render/renderer.hpp"
 #include "trial/places.hpp"
@@ -51,7 +52,7 @@ void FilmClock::advance_beyond(double time_s) {
 struct PictureBook::Parts {
     std::string folder;
     Renderer renderer;
-    std::optional<VideoFile> video;
+    std::unique_ptr<Video> video;
     std::optional<Renderer> filming;  ///< its pictures follow one another: what does not change is kept
     FilmClock clock;
     std::vector<Picture> pictures;
@@ -78,9 +79,9 @@ Result<PictureBook> PictureBook::create(const std::string& folder, bool video, d
     }
     remove_old_pictures(folder + "/frames");
     std::unique_ptr<Parts> parts(
-        new Parts{folder, std::move(renderer).value(), std::nullopt, std::nullopt, FilmClock(pictures_per_second), {}});
+        new Parts{folder, std::move(renderer).value(), nullptr, std::nullopt, FilmClock(pictures_per_second), {}});
     if (video) {
-        Result<VideoFile> file = VideoFile::create(folder + "/video.mp4", width, height, pictures_per_second);
+        Result<std::unique_ptr<Video>> file = open_video(folder + "/video.mp4", width, height, pictures_per_second);
         if (!file) {
             return file.error();
         }
@@ -88,7 +89,7 @@ Result<PictureBook> PictureBook::create(const std::string& folder, bool video, d
         if (!filming) {
             return filming.error();
         }
-        parts->video.emplace(std::move(file).value());
+        parts->video = std::move(file).value();
         parts->filming.emplace(std::move(filming).value());
     }
     return PictureBook(std::move(parts));
@@ -137,7 +138,7 @@ Status PictureBook::finish() {
 }
 
 const std::vector<Picture>& PictureBook::pictures() const { return parts_->pictures; }
-bool PictureBook::has_video() const { return parts_->video.has_value(); }
+bool PictureBook::has_video() const { return parts_->video != nullptr; }
 FilmClock PictureBook::clock() const { return parts_->clock; }
 
 }  // namespace rhexis

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trial/places.hpp"
 
-#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
 #include "base/output_file.hpp"
+#include "base/program.hpp"
 
 namespace rhexis {
 namespace {
@@ -28,17 +28,6 @@ bool is_root(const fs::path& folder) {
 }
 
 }  // namespace
-
-std::string program_path() {
-    constexpr const char* of_system = "/proc/self/exe";
-    if (::access(of_system, R_OK) == 0) {
-        return of_system;
-    }
-    const auto* const called = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
-    std::error_code failed;
-    const fs::path path = called != nullptr ? fs::canonical(called, failed) : fs::path();
-    return failed ? std::string() : path.string();
-}
 
 std::string find_root() {
     const char* home = std::getenv("RHEXIS_HOME");

@@ -10,9 +10,6 @@
 
 namespace rhexis {
 
-/// Of the program that runs: as the system says, or, where there is no /proc, as it was called.
-std::string program_path();
-
 /// The folder with scripts/ and curricula/: RHEXIS_HOME, or beside the program (in the source tree that it was built
 /// in, or share/rhexis of where it is installed). Empty when there is none.
 std::string find_root();

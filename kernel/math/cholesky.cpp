@@ -9,8 +9,7 @@
 
 #include "base/assert.hpp"
 #include "base/index.hpp"
-
-extern "C" void openblas_set_num_threads(int threads);
+#include "math/blas.hpp"
 
 namespace rhexis {
 namespace {
@@ -107,7 +106,7 @@ struct Cholesky::Parts {
         : pattern(blocks), upper(3 * at(blocks.rows()), scalar_entries(blocks), CHOLMOD_REAL, common) {
         fill_scalar_pattern(pattern, upper);
         if (kind == CholeskyKind::supernodal) {
-            openblas_set_num_threads(1);
+            use_one_blas_thread();
         }
         common.supernodal = kind == CholeskyKind::supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
         common.final_ll = kind == CholeskyKind::indefinite ? 0 : 1;

@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-STAGES = ["input", "tracking", "eye", "tools", "physics", "topology", "observe", "render"]
+STAGES = ["input", "tracking", "eye", "tools", "physics", "topology", "observe", "render", "video"]
 BELOW_STAGES = ["base", "math", "mesh", "energy", "flow", "net"]
 # Which folders a kernel folder may include from.
 MAY_INCLUDE = {name: BELOW_STAGES[: i + 1] for i, name in enumerate(BELOW_STAGES)}
@@ -24,7 +24,8 @@ BINDINGS = {"lua": ["lua"], "records": ["records"], "trial": ["lua", "trial"],
 
 # A library may be included only where these prefixes say.
 WALLS = {
-    r"opencv2/": ["kernel/tracking/", "kernel/render/", "tests/"],
+    r"opencv2/": ["kernel/tracking/", "kernel/video/", "tests/"],
+    r"png\.h": ["kernel/render/"],
     r"(epoxy/|EGL/|GL/)": ["kernel/render/", "bindings/station/window/", "bindings/theatre/",
                              "tests/bindings/station/window/"],
     r"(SDL\.h|SDL2/|imgui|backends/imgui)": ["bindings/station/window/", "bindings/theatre/",

@@ -8,6 +8,7 @@
 
 #include "base/index.hpp"
 #include "base/numbers.hpp"
+#include "math/blas.hpp"
 #include "tracking/calibration/dot_image.hpp"
 
 namespace rhexis::tracking {
@@ -257,6 +258,7 @@ Result<LensCalibration> calibrate_lens(std::span<const BoardView> views, const G
     if (const Status status = check_coverage(result.coverage, settings.least_coverage); !status) {
         return status.error();
     }
+    use_one_blas_thread();  // which OpenCV calls
     try {
         if (const Status status = check_slants(views, plan, settings); !status) {
             return status.error();

@@ -5,6 +5,8 @@
 #include <opencv2/calib3d.hpp>
 #include <optional>
 
+#include "math/blas.hpp"
+
 namespace rhexis::tracking {
 namespace {
 
@@ -195,6 +197,7 @@ Eigen::MatrixXi shared_frames(std::span<const LabelledFrame> frames, std::size_t
 
 Result<std::vector<Camera>> start_of_wand(std::vector<Camera> cameras, double length_mm,
                                           std::span<const LabelledFrame> frames, int fewest_shared) {
+    use_one_blas_thread();  // which OpenCV calls
     Eigen::MatrixXi left = shared_frames(frames, cameras.size());
     if (const Status status = check_links(cameras, left, fewest_shared); !status) {
         return status.error();

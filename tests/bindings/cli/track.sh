@@ -24,9 +24,12 @@ refused "cannot be begun in" "$program" track begin rig
 refused "not calibrated" "$program" track rig/track.json
 sed -i 's/"clip": "tremor"/"clip": "tremor", "level": "markers"/; s/"vrpn": 3883/"vrpn": 0/' rig/track.json
 
+cp -r rig onecore
 "$program" track calibrate rig/track.json > calibrated || wrong "calibrate fails"
 residual=$(sed -n 's/.*residual \([0-9.]*\) pixels.*/\1/p' calibrated)
 awk "BEGIN { exit !($residual > 0 && $residual < 0.05) }" || wrong "calibrated to $residual pixels"
+OPENBLAS_NUM_THREADS=1 "$program" track calibrate onecore/track.json > calibrated || wrong "calibrate fails"
+cmp rig/rig.json onecore/rig.json || wrong "on one core a rig is calibrated to other digits"
 grep -q "<svg" rig/calibration.html || wrong "no page of the calibration"
 grep -q '"calibrated": true' rig/rig.json || wrong "the rig does not say that it is calibrated"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/mp4_boxes.hpp"
+#include "video/mp4_boxes.hpp"
 
 #include <algorithm>
 #include <array>

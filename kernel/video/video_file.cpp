@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "video/video_file.hpp"
+
 #include <unistd.h>
 
 #include <array>
@@ -12,8 +14,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "base/output_file.hpp"
-#include "render/image_file.hpp"
-#include "render/mp4_boxes.hpp"
+#include "video/mp4_boxes.hpp"
 
 namespace rhexis {
 
@@ -78,46 +79,78 @@ int readable_frames(const std::string& path) {
     return video.isOpened() ? static_cast<int>(std::lround(video.get(cv::CAP_PROP_FRAME_COUNT))) : 0;
 }
 
-}  // namespace
-
-struct VideoFile::Parts {
-    std::string path;
-    std::string part;  ///< name while it is written; the ending tells the container
-    std::string codec;
-    int width = 0;
-    int height = 0;
-    int frames = 0;
-    cv::VideoWriter writer;
-    cv::Mat bgr;
-
-    Parts() = default;
-    ~Parts() {
-        writer.release();
-        if (!part.empty()) {
-            std::remove(part.c_str());
+class VideoFile final : public Video {
+public:
+    VideoFile(std::string path, std::string part, int width, int height)
+        : path_(std::move(path)), part_(std::move(part)), width_(width), height_(height) {}
+    ~VideoFile() override {
+        writer_.release();
+        if (!part_.empty()) {
+            std::remove(part_.c_str());
         }
     }
-    Parts(const Parts&) = delete;
-    Parts& operator=(const Parts&) = delete;
 
     bool open(double frames_per_second) {
         const QuietOpenCv quiet;
         for (const Codec& one : codecs) {
             const int code = cv::VideoWriter::fourcc(one.code[0], one.code[1], one.code[2], one.code[3]);
-            if (writer.open(part, cv::CAP_FFMPEG, code, frames_per_second, cv::Size(width, height))) {
-                codec = one.name;
+            if (writer_.open(part_, cv::CAP_FFMPEG, code, frames_per_second, cv::Size(width_, height_))) {
+                codec_ = one.name;
                 return true;
             }
         }
         return false;
     }
+
+    Status add(const Image& image) override {
+        if (image.width != width_ || image.height != height_) {
+            return Error{
+                "a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels", path_,
+                "the video's size, " + std::to_string(width_) + " x " + std::to_string(height_)};
+        }
+        RHEXIS_ASSERT(writer_.isOpened());
+        const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<unsigned char*>(image.rgb.data()));
+        cv::cvtColor(rgb, bgr_, cv::COLOR_RGB2BGR);
+        writer_.write(bgr_);
+        ++frames_;
+        return success();
+    }
+
+    Status finish() override {
+        if (frames_ == 0) {
+            return cannot_write_video("it has no pictures", path_);
+        }
+        writer_.release();
+        const QuietOpenCv quiet;
+        const int readable = readable_frames(part_);
+        if (readable != frames_) {
+            return cannot_write_video(
+                "only " + std::to_string(readable) + " of " + std::to_string(frames_) + " pictures can be read back",
+                path_);
+        }
+        const Status written = write_index_first(part_, path_);
+        if (!written.ok()) {
+            return cannot_write_video(written.error().what, path_);
+        }
+        std::remove(part_.c_str());
+        part_.clear();
+        return success();
+    }
+
+    [[nodiscard]] const std::string& codec() const override { return codec_; }
+
+private:
+    std::string path_;
+    std::string part_;  ///< name while it is written; the ending tells the container
+    std::string codec_{};
+    int width_;
+    int height_;
+    int frames_ = 0;
+    cv::VideoWriter writer_{};
+    cv::Mat bgr_{};
 };
 
-VideoFile::VideoFile(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
-VideoFile::~VideoFile() = default;
-VideoFile::VideoFile(VideoFile&&) noexcept = default;
-
-Result<VideoFile> VideoFile::create(const std::string& path, int width, int height, double frames_per_second) {
+Status check_plan(const std::string& path, int width, int height, double frames_per_second) {
     if (!ends_in(path, ".mp4")) {
         return Error{"this is not the name of a video", path, "a name that ends in .mp4"};
     }
@@ -128,10 +161,16 @@ Result<VideoFile> VideoFile::create(const std::string& path, int width, int heig
     if (!(frames_per_second >= 1.0 && frames_per_second <= 240.0)) {
         return Error{"a video of " + std::to_string(frames_per_second) + " pictures per second", path, "1 to 240"};
     }
-    std::unique_ptr<Parts> parts = std::make_unique<Parts>();
-    parts->path = path;
-    parts->width = width;
-    parts->height = height;
+    return success();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Video>> create_video_file(const std::string& path, int width, int height,
+                                                 double frames_per_second) {
+    if (const Status possible = check_plan(path, width, height, frames_per_second); !possible) {
+        return possible.error();
+    }
     const Result<OutputPlace> place = output_place(path);
     if (!place) {
         return cannot_write_video(place.error().what, path);
@@ -140,48 +179,11 @@ Result<VideoFile> VideoFile::create(const std::string& path, int width, int heig
     if (const Status status = check_writable(part); !status.ok()) {
         return Error{status.error().what, path, status.error().allowed};
     }
-    parts->part = part;
-    if (!parts->open(frames_per_second)) {
+    auto file = std::make_unique<VideoFile>(path, part, width, height);
+    if (!file->open(frames_per_second)) {
         return cannot_write_video("this machine encodes neither H.264 (avc1) nor MPEG-4 (mp4v)", path);
     }
-    return VideoFile(std::move(parts));
-}
-
-const std::string& VideoFile::codec() const { return parts_->codec; }
-
-Status VideoFile::add(const Image& image) {
-    if (image.width != parts_->width || image.height != parts_->height) {
-        return Error{"a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
-                     parts_->path,
-                     "the video's size, " + std::to_string(parts_->width) + " x " + std::to_string(parts_->height)};
-    }
-    RHEXIS_ASSERT(parts_->writer.isOpened());
-    const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<unsigned char*>(image.rgb.data()));
-    cv::cvtColor(rgb, parts_->bgr, cv::COLOR_RGB2BGR);
-    parts_->writer.write(parts_->bgr);
-    ++parts_->frames;
-    return success();
-}
-
-Status VideoFile::finish() {
-    if (parts_->frames == 0) {
-        return cannot_write_video("it has no pictures", parts_->path);
-    }
-    parts_->writer.release();
-    const QuietOpenCv quiet;
-    const int readable = readable_frames(parts_->part);
-    if (readable != parts_->frames) {
-        return cannot_write_video(
-            "only " + std::to_string(readable) + " of " + std::to_string(parts_->frames) + " pictures can be read back",
-            parts_->path);
-    }
-    const Status written = write_index_first(parts_->part, parts_->path);
-    if (!written.ok()) {
-        return cannot_write_video(written.error().what, parts_->path);
-    }
-    std::remove(parts_->part.c_str());
-    parts_->part.clear();
-    return success();
+    return std::unique_ptr<Video>(std::move(file));
 }
 
 }  // namespace rhexis
