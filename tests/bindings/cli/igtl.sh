@@ -106,7 +106,7 @@ grep -q "Receiving STATUS" "$work/receiver.out" || fail "their receiver heard no
 # Their client that tells transforms to ours disturbs nobody.
 serve 0.5
 theirs tracker_client 127.0.0.1 "$port" 50
-expect 0 "" "$rhexis" igtl listen "localhost:$port" --json --seconds 1
+expect 0 "" "$rhexis" igtl listen "localhost:$port" --json --seconds 2  # the probe is taken up in the first one
 [ "$(grep -c '"pose"' "$work/stdout")" -gt 10 ] || fail "a peer that tells disturbs who hears"
 served
 
