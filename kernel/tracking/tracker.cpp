@@ -179,15 +179,27 @@ void Tracker::follow() {
     }
 }
 
+/// True of a body that was lost.
+bool Tracker::near_where_it_was(int body, const Fit& fit) const {
+    const Track& track = tracks_[static_cast<std::size_t>(body)];
+    const Pose& tip = bodies_[static_cast<std::size_t>(body)].tip;
+    if (track.seen == Seen::lost) {
+        return true;
+    }
+    const Vec3 foreseen = times(track.filter.foreseen(time_s_), tip).position;
+    return (times(fit.pose, tip).position - foreseen).norm() <= settings_.most_leap_mm;
+}
+
 /// A pose of these sightings, if it is to be believed. fresh: the body was not where it should have been.
 bool Tracker::accept(int body, const std::vector<Sighting>& sightings, const Pose& begun, bool fresh) {
     const MarkerBody& shape = bodies_[static_cast<std::size_t>(body)];
     Track& track = tracks_[static_cast<std::size_t>(body)];
     const Motion motion = fresh ? Motion{} : track.filter.motion();
     std::optional<Fit> fit = fit_body(rig_.cameras, shape, sightings, begun, motion, settings_.fit);
-    const bool believed = fit && fit->residual_px <= settings_.most_residual_px && fit->cameras >= 2 &&
-                          2 * fit->counted > static_cast<int>(sightings.size()) &&
-                          !(fresh && fit->markers <= 3 && may_be_others(*fit, settings_));
+    const bool believed =
+        fit && fit->residual_px <= settings_.most_residual_px && fit->cameras >= 2 &&
+        2 * fit->counted > static_cast<int>(sightings.size()) &&
+        (fit->markers > 3 || (near_where_it_was(body, *fit) && !(fresh && may_be_others(*fit, settings_))));
     if (!believed) {
         return false;
     }

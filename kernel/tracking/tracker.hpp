@@ -27,9 +27,11 @@ struct TrackerSettings {
     double least_roundness = 0.95;  ///< of a body that stands still
     double most_residual_px = 0.6;  ///< of a pose that is believed
     double most_new_px = 0.15;      ///< root mean square of all sightings of a body that comes anew by three markers
-    double hold_s = 0.1;            ///< that a body is held where it was going when it is not seen
-    double distance_mm = 0.5;       ///< that distances between points may be off those of a signature
-    double exposure_s = 0.0005;     ///< in which a moving spot smears
+    double most_leap_mm = 2.0;   ///< of a tip from where it should be, by three markers: one of them may be another's
+                                 ///< point, on the circle about the other two
+    double hold_s = 0.1;         ///< that a body is held where it was going when it is not seen
+    double distance_mm = 0.5;    ///< that distances between points may be off those of a signature
+    double exposure_s = 0.0005;  ///< in which a moving spot smears
     FilterSettings filter{};
     RestingSettings head{};  ///< what others are told relative to; its own pose is told as it was seen
     FitSettings fit{};
@@ -86,6 +88,7 @@ private:
     void acquire();
     void acquire_with(int least_views);
     bool acquire_at(int body, const Pose& pose);
+    [[nodiscard]] bool near_where_it_was(int body, const Fit& fit) const;
     bool accept(int body, const std::vector<Sighting>& sightings, const Pose& begun, bool fresh);
     void add_candidates(int body, const Pose& at_time, const Motion& motion, double gate_px);
     void assign();
