@@ -46,6 +46,36 @@ ClipRun run_stage(const synthetic::Clip& clip, bool bodies, bool glints, int fra
     return track_spots(*source.value(), workplace().solver, clip, marker_plan(1e9)).value();
 }
 
+/// For a while an instrument's last marker is hidden and the third lies turned by so much about the line through the
+/// other two, as another's point may.
+ClipRun run_with_turned_point(double turn_deg, double most_leap_mm) {
+    constexpr double from_s = 0.3;
+    constexpr double until_s = 0.36;
+    const synthetic::Clip clip = clip_named("still");
+    const std::size_t first = clip.bodies[0].markers.size();
+    REQUIRE(clip.bodies[1].markers.size() == 4);
+    synthetic::Stage stage;
+    stage.scene = [&clip, first, turn_deg](double time_s, synthetic::Scene& scene) {
+        scene_at(clip, time_s, scene);
+        if (time_s < from_s || time_s > until_s) {
+            return;
+        }
+        const Vec3 foot = scene.spheres[first].centre;
+        const Vec3 axis = (scene.spheres[first + 1].centre - foot).normalized();
+        Vec3& third = scene.spheres[first + 2].centre;
+        third = foot + Eigen::AngleAxisd(turn_deg * std::numbers::pi / 180.0, axis) * (third - foot);
+        scene.spheres.erase(scene.spheres.begin() + static_cast<std::ptrdiff_t>(first + 3));
+    };
+    synthetic::Film film;
+    film.frames = 60;
+    film.seed = 3;
+    const auto source = film_markers(workplace().rig, stage, film);
+    REQUIRE(source.ok());
+    ClipPlan plan = marker_plan(1e9);
+    plan.tracker.most_leap_mm = most_leap_mm;
+    return track_spots(*source.value(), workplace().solver, clip, plan).value();
+}
+
 /// Points that no marker is near.
 int ghosts(const std::vector<MatchedPoint>& points, const synthetic::Clip& clip, double time_s) {
     constexpr double near_mm = 5.0;  // the solver's frame is some millimetres from the true one
@@ -158,6 +188,18 @@ TEST_CASE("of two bodies whose distances differ by 2 mm the one that is there is
         CHECK(told > frames / 2 - frames / 50);
         CHECK(mistaken == 0);
     }
+}
+
+TEST_CASE("a point on the circle about two markers is not taken for the third; a third marker in its place is") {
+    for (const double turn_deg : {4.0, 0.0}) {
+        const TipTrace trace = run_with_turned_point(turn_deg, TrackerSettings{}.most_leap_mm).traces[1];
+        const ErrorFigures figures = tip_errors(trace);
+        CHECK(figures.worst < 1.0);
+        // Held, and then seen again as soon as the others are back.
+        CHECK((figures.frames - figures.valid > 0) == (turn_deg > 0.0));
+        CHECK(figures.frames - figures.valid <= 9);
+    }
+    CHECK(tip_errors(run_with_turned_point(4.0, 1e9).traces[1]).worst > 4.0);
 }
 
 }  // namespace rhexis::tracking
