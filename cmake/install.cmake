@@ -20,5 +20,6 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rhexis-config-version.cmake DESTINATIO
 install(DIRECTORY scripts curricula courses rubrics assets DESTINATION ${CMAKE_INSTALL_DATADIR}/rhexis)
 if(TARGET rhexis)
   install(TARGETS rhexis RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(TARGETS rhexis_window rhexis_track rhexis_video_library LIBRARY DESTINATION lib/rhexis)
+  get_property(loaded GLOBAL PROPERTY RHEXIS_LOADED)
+  install(TARGETS ${loaded} LIBRARY DESTINATION lib/rhexis)
 endif()

@@ -59,6 +59,15 @@ function(rhexis_kernel_folder name)
   endif()
 endfunction()
 
+# rhexis_loaded(TARGET NAME): a module that load_library("NAME.so") finds beside the program, and where it is installed. Of
+# all that is linked into it only the entries are seen: it shares nothing with the program but the C++ library.
+function(rhexis_loaded target name)
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bindings/cli)
+  target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL -Wl,-Bsymbolic)
+  set_property(GLOBAL APPEND PROPERTY RHEXIS_LOADED ${target})
+endfunction()
+
 # rhexis_embed(NAME FOLDER FUNCTION): the files of assets/FOLDER travel inside kernel folder NAME, as the function that
 # NAME/FUNCTION.hpp declares.
 function(rhexis_embed name folder function)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "video/video_entry.hpp"
 #include "video/video_file.hpp"
 
 extern "C" [[gnu::visibility("default")]] void rhexis_create_video(

@@ -2,7 +2,7 @@
 #include "lua/video_library.hpp"
 
 #include "base/program.hpp"
-#include "video/video_entry.hpp"
+#include "video/video_file.hpp"
 
 namespace rhexis {
 

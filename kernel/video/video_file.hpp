@@ -10,4 +10,9 @@ namespace rhexis {
 Result<std::unique_ptr<Video>> create_video_file(const std::string& path, int width, int height,
                                                  double frames_per_second);
 
+/// The same by a shared object, which shows this function.
+inline constexpr const char* video_entry_name = "rhexis_create_video";
+using VideoEntry = void(const std::string& path, int width, int height, double frames_per_second,
+                        Result<std::unique_ptr<Video>>& video);
+
 }  // namespace rhexis

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "flow/tube.hpp"
-#include "kernel/session/folder.hpp"
 #include "session/implant_fold.hpp"
+#include "support/folder.hpp"
 
 using namespace rhexis;
 using namespace rhexis::test;

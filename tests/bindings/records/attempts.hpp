@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "kernel/session/folder.hpp"
 #include "records/identity.hpp"
 #include "records/process_mark.hpp"
 #include "records/store.hpp"
+#include "support/folder.hpp"
 
 namespace rhexis::records::test {
 

@@ -4,10 +4,11 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "render/image_file.hpp"
-#include "support/files.hpp"
+#include "support/folder.hpp"
+#include "support/written_pictures.hpp"
 
 using namespace rhexis;
-using namespace rhexis::files;
+using namespace rhexis::test;
 
 TEST_CASE("A PNG file holds the pixels that were given") {
     const Folder folder;

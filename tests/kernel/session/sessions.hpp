@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "kernel/session/folder.hpp"
 #include "session/replay.hpp"
+#include "support/folder.hpp"
 
 namespace rhexis::test {
 

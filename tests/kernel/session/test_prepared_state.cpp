@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "kernel/session/folder.hpp"
 #include "kernel/session/operate.hpp"
 #include "session/replay.hpp"
+#include "support/folder.hpp"
 
 using namespace rhexis;
 using namespace rhexis::test;

@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "base/rng.hpp"
-#include "kernel/session/folder.hpp"
 #include "kernel/session/operate.hpp"
 #include "session/replay.hpp"
+#include "support/folder.hpp"
 
 using namespace rhexis;
 using namespace rhexis::test;

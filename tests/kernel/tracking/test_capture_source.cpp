@@ -7,7 +7,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "failure_support.hpp"
-#include "kernel/session/folder.hpp"
+#include "support/folder.hpp"
 #include "tracking/setup.hpp"
 
 namespace rhexis::tracking {

@@ -6,12 +6,13 @@
 #include <iterator>
 #include <opencv2/videoio.hpp>
 
-#include "support/files.hpp"
+#include "support/folder.hpp"
+#include "support/written_pictures.hpp"
 #include "video/mp4_boxes.hpp"
 #include "video/video_file.hpp"
 
 using namespace rhexis;
-using namespace rhexis::files;
+using namespace rhexis::test;
 
 TEST_CASE("A video holds the pictures that were added, and appears only when it is finished") {
     const Folder folder;

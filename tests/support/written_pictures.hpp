@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For tests of files: a folder, pictures, and a disk that fills up.
+// Pictures to be written, and a disk that fills up.
 #pragma once
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
-#include <iterator>
-#include <string>
 
 #include "flow/frame.hpp"
 
-namespace rhexis::files {
-
-/// A folder of its own that goes away again.
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("rhexis-files-" + std::to_string(getpid()));
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-    [[nodiscard]] std::string operator/(const char* name) const { return (path / name).string(); }
-    [[nodiscard]] int files() const {
-        return static_cast<int>(
-            std::distance(std::filesystem::directory_iterator(path), std::filesystem::directory_iterator()));
-    }
-};
+namespace rhexis::test {
 
 inline Image ramp(int width, int height, int shift = 0) {
     Image image{width, height, {}};
@@ -55,4 +39,4 @@ private:
     void (*handler_)(int) = nullptr;
 };
 
-}  // namespace rhexis::files
+}  // namespace rhexis::test

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 
@@ -21,6 +22,11 @@ public:
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
     [[nodiscard]] std::string operator/(const char* name) const { return (path_ / name).string(); }
+    /// How many there are in it.
+    [[nodiscard]] int files() const {
+        return static_cast<int>(
+            std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator()));
+    }
 
 private:
     std::filesystem::path path_;
