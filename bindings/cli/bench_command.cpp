@@ -54,7 +54,19 @@ json machine() {
             {"version", RHEXIS_VERSION}};
 }
 
-int list(const std::vector<BenchCase>& cases) {
+int list(const std::vector<BenchCase>& cases, bool as_json) {
+    if (as_json) {
+        json told = json::array();
+        for (const BenchCase& one : cases) {
+            json entry = {{"name", one.name}, {"summary", one.summary}};
+            if (one.about.is_object()) {
+                entry["about"] = one.about;
+            }
+            told.push_back(std::move(entry));
+        }
+        std::cout << told.dump(2) << '\n';
+        return done;
+    }
     for (const BenchCase& one : cases) {
         std::printf("%-28s %s\n", one.name.c_str(), one.summary.c_str());
     }
@@ -104,7 +116,7 @@ void print_row(const json& row) {
 int bench(const BenchArguments& given) {
     const std::vector<BenchCase> cases = bench::bench_cases();
     if (given.list) {
-        return list(cases);
+        return list(cases, given.json);
     }
     const Result<std::vector<BenchCase>> wanted = chosen(cases, given.names);
     if (!wanted) {

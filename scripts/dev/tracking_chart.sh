@@ -15,7 +15,7 @@ kept=build/tracking_figures
 need_gnuplot
 if [ "${1:-}" != --draw ]; then
     mkdir -p "$kept"
-    measure=("${RHEXIS:-build/release/bindings/cli/rhexis}" track measure --seeds 5 --marker-seeds 10 --identities 1000000
+    measure=("${RHEXIS:-build/release/bindings/cli/rhexis}" track measure --first-seed 301 --seeds 5 --marker-seeds 10 --identities 1000000
         --keep "$kept/parts" "$@")
     "${measure[@]}" --json >"$kept/figures.json"
     python3 scripts/dev/tracking_csv.py "$kept/figures.json" "$data"

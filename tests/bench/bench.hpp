@@ -22,6 +22,7 @@ struct BenchCase {
     std::string name;
     std::string summary;
     std::function<nlohmann::json(const BenchOptions&)> run;  ///< an array of rows
+    nlohmann::json about{};                                  ///< of a chart: its labels (bench/chart.hpp)
 };
 
 /// All benchmarks, in the order of --list.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/bench_lens_chart.hpp"
+#include "bench/chart.hpp"
 
 #include <cmath>
 #include <map>
-#include <sstream>
 
 #include "bench/calculix.hpp"
+#include "bench/chart.hpp"
 #include "bench/lens_run.hpp"
 
 namespace rhexis::bench {
@@ -39,12 +40,6 @@ const char* name_of(Formulation formulation) {
             return "nodal pressure";
     }
     return "";
-}
-
-std::string milliseconds(double step_s) {
-    std::ostringstream text;
-    text << 1e3 * step_s << " ms";
-    return text.str();
 }
 
 nlohmann::json run_chart(const BenchOptions& options) {

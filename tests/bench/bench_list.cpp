@@ -21,6 +21,7 @@
 #include "bench/bench_shell.hpp"
 #include "bench/bench_stability.hpp"
 #include "bench/bench_tear.hpp"
+#include "bench/chart.hpp"
 
 namespace rhexis::bench {
 
@@ -58,6 +59,7 @@ std::vector<BenchCase> bench_cases() {
     add(render_cases());
     add(picture_cases());
     add(memory_cases());
+    add(chart_cases());
     return cases;
 }
 

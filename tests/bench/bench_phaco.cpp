@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/clock.hpp"
+#include "bench/chart.hpp"
 #include "scenes/lens_press.hpp"
 #include "session/session.hpp"
 
@@ -87,10 +88,6 @@ Stroke run_stroke(int tetrahedra, double step_s, Advance advance) {
     }
     stroke.cpu_s_per_s = (thread_cpu_seconds() - start) / (filling + duration);
     return stroke;
-}
-
-std::string milliseconds(double step_s) {
-    return std::to_string(static_cast<int>(std::lround(1e3 * step_s))).append(" ms");
 }
 
 nlohmann::json row(const std::string& name, double step_s, const Stroke& stroke, const Stroke& finest) {
