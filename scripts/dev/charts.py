@@ -15,6 +15,7 @@ import argparse
 import csv
 import io
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -80,8 +81,23 @@ def quoted(text):
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
+def labelled(points, width, height):
+    """Points whose labels would lie on one another share one: (cost, error, label)."""
+    def near(one, other, span):
+        return one > 0 and other > 0 and abs(math.log(one / other)) < span
+
+    groups = []
+    for cost, error, row in points:
+        if groups and near(cost, groups[-1][0], 0.02 * width) and near(error, groups[-1][1], 0.03 * height):
+            groups[-1][2].append(row["setting"])
+        else:
+            groups.append((cost, error, [row["setting"]]))
+    return [(cost, error, settings[0] if len(settings) == 1 else f"{settings[0]} to {settings[-1]}")
+            for cost, error, settings in groups]
+
+
 def draw(chart):
-    least = 1e-7  # of an error, in per cent: what is less is drawn there
+    least = 1e-5  # of an error, in per cent: what is less is drawn there
     errors = [max(least, 100 * float(row["error"])) for row in chart["rows"] if row["error"]]
     top = 3 * max(errors + [1.0])
     commands = [
@@ -103,10 +119,13 @@ def draw(chart):
                   for row in chart["rows"] if row["way"] == way]
         block = f"$way{number}"
         commands.append(f"{block} << EOD")
-        commands += [f"{cost:g} {error:g} {quoted(row['setting'])}" for cost, error, row in points]
+        commands += [f"{cost:g} {error:g}" for cost, error, row in points]
+        commands += ["EOD", f"$label{number} << EOD"]
+        commands += [f"{cost:g} {error:g} {quoted(label)}" for cost, error, label in
+                     labelled(points, math.log(high / low), math.log(2 * top / min(errors)))]
         commands.append("EOD")
         plots.append(f"{block} using 1:2 with linespoints lc rgb '{colour}' pt 7 ps 0.6 lw 2 title {quoted(way)}")
-        plots.append(f"{block} using 1:2:3 with labels left offset 0.7,0.5 font ',8' tc rgb '{colour}' notitle")
+        plots.append(f"$label{number} using 1:2:3 with labels left offset 0.7,0.5 font ',8' tc rgb '{colour}' notitle")
         for cost, error, row in points:
             if row["default"]:
                 commands += ["$default << EOD", f"{cost:g} {error:g}", "EOD"]

@@ -3,6 +3,9 @@
 
 namespace rhexis::bench {
 
-std::vector<Chart> charts() { return {chart_chamber()}; }
+std::vector<Chart> charts() {
+    return {chart_chamber(),         chart_surge(),  chart_wounds(),       chart_burn(),
+            chart_hydrodissection(), chart_cortex(), chart_viscoelastic(), chart_vitreous()};
+}
 
 }  // namespace rhexis::bench

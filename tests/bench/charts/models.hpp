@@ -7,5 +7,12 @@
 namespace rhexis::bench {
 
 Chart chart_chamber();
+Chart chart_surge();
+Chart chart_wounds();
+Chart chart_burn();
+Chart chart_hydrodissection();
+Chart chart_cortex();
+Chart chart_viscoelastic();
+Chart chart_vitreous();
 
 }  // namespace rhexis::bench
