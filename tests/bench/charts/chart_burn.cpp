@@ -14,17 +14,18 @@ constexpr Samples burn_samples{0.02, 400};
 constexpr double burnt_from = 60.0;  ///< [degrees C]
 
 /// What is asked for until then.
-struct Heating {
+struct SleeveHeating {
     double until_s = 0.0;
     double power = 0.0;     ///< share of full
     double infusion = 0.0;  ///< [mm^3/s]
 };
 /// Half power with flow; the sleeve is pinched at full power; flow again.
-constexpr std::array<Heating, 3> heatings{{{2.0, 0.5, usual_flow}, {5.0, 1.0, 0.0}, {8.0, 0.0, usual_flow}}};
+constexpr std::array<SleeveHeating, 3> sleeve_heatings{
+    {{2.0, 0.5, usual_flow}, {5.0, 1.0, 0.0}, {8.0, 0.0, usual_flow}}};
 
-const Heating& heating_at(double time_s) {
-    return *std::find_if(heatings.begin(), heatings.end() - 1,
-                         [&](const Heating& heating) { return time_s < heating.until_s; });
+const SleeveHeating& sleeve_heating_at(double time_s) {
+    return *std::find_if(sleeve_heatings.begin(), sleeve_heatings.end() - 1,
+                         [&](const SleeveHeating& heating) { return time_s < heating.until_s; });
 }
 
 /// Above the coldest that it can be, and the burn.
@@ -35,19 +36,19 @@ Curves burn_by_kernel(double dt) {
     return by_steps(
         burn_samples, dt,
         [&](double time_s, double step) {
-            const Heating& heating = heating_at(time_s);
+            const SleeveHeating& heating = sleeve_heating_at(time_s);
             heat_wound(heating.power, heating.infusion, step, wound);
         },
         [&] { return burn_looked_at(wound); });
 }
 
 /// docs/chamber.md: dT/dt = rate (settles - T).
-struct Settling {
+struct HeatSettling {
     double rate = 0.0;
     double settles = 0.0;
 };
-Settling settling_at(double time_s) {
-    const Heating& heating = heating_at(time_s);
+HeatSettling settling_at(double time_s) {
+    const SleeveHeating& heating = sleeve_heating_at(time_s);
     const double fluid = 4.0 * heating.infusion / usual_flow;
     const double rate = 0.1 + fluid;
     return {rate, (20.0 * heating.power + 0.1 * 34.0 + fluid * 24.0) / rate};
@@ -55,7 +56,7 @@ Settling settling_at(double time_s) {
 
 /// The exponential, and for how much of the step it lies at or above burnt_from.
 void burn_exactly(double time_s, double dt, WoundState& wound) {
-    const Settling own = settling_at(time_s);
+    const HeatSettling own = settling_at(time_s);
     const double before = wound.temperature;
     wound.temperature = own.settles + (before - own.settles) * std::exp(-own.rate * dt);
     const bool hot = before >= burnt_from;
@@ -79,7 +80,7 @@ Curves burn_by_euler(double dt) {
     return by_steps(
         burn_samples, dt,
         [&](double time_s, double step) {
-            const Settling own = settling_at(time_s);
+            const HeatSettling own = settling_at(time_s);
             wound.temperature += step * own.rate * (own.settles - wound.temperature);
             wound.hot_s += wound.temperature >= burnt_from ? step : 0.0;
         },

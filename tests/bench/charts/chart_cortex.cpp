@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bench/charts/equations.hpp"
@@ -10,23 +11,23 @@
 namespace rhexis::bench {
 namespace {
 
-constexpr double pull_begins_s = 0.3;  ///< the mouth lies still in the fornix until then
-constexpr double first_gap = 0.3;      ///< of the mouth from the cortex [mm]
-constexpr double farthest = 1.9;       ///< [mm]
-constexpr double scene_s = 1.5;        ///< of each strip; the last is clean sooner
+constexpr double mouth_leaves_s = 0.3;   ///< the mouth lies still in the fornix until then
+constexpr double first_mouth_gap = 0.3;  ///< of the mouth from the cortex [mm]
+constexpr double farthest_mouth = 1.9;   ///< [mm]
+constexpr double strip_scene_s = 1.5;    ///< of each strip; the last is clean sooner
 
 /// How one sector is stripped.
-struct Strip {
+struct CortexStrip {
     double vacuum_mmhg = 0.0;
     double speed = 0.0;  ///< of the hand, away from the fornix [mm/s]
 };
-constexpr std::array<Strip, 6> strips{{{200, 1}, {200, 2}, {300, 1}, {300, 2}, {400, 1}, {400, 2}}};
+constexpr std::array<CortexStrip, 6> cortex_strips{{{200, 1}, {200, 2}, {300, 1}, {300, 2}, {400, 1}, {400, 2}}};
 
-double gap_at(const Strip& strip, double time_s) {
-    return std::min(farthest, first_gap + strip.speed * std::max(0.0, time_s - pull_begins_s));
+double mouth_gap_at(const CortexStrip& strip, double time_s) {
+    return std::min(farthest_mouth, first_mouth_gap + strip.speed * std::max(0.0, time_s - mouth_leaves_s));
 }
 
-ChamberControl asked_of_machine(const Strip& strip) {
+ChamberControl asked_of_machine(const CortexStrip& strip) {
     ChamberControl control;
     control.irrigation = true;
     control.bottle_height = 650.0;
@@ -43,7 +44,7 @@ double irrigated_pressure(const ChamberModel& model, const ChamberControl& contr
 /// The kernel's, with a mouth that looks at the middle of the outermost cell of sector 0.
 class CortexScene {
 public:
-    explicit CortexScene(const Strip& strip) : strip_(strip) {
+    explicit CortexScene(const CortexStrip& strip) : strip_(strip) {
         model_.bags.emplace_back();
         model_.chamber.emplace();
         model_.cortex.emplace();
@@ -66,7 +67,7 @@ public:
     /// A step that ends then.
     void advance(double end_s, double dt) {
         ToolState& tool = tools_[0];
-        const Vec3 mouth = cell_ - gap_at(strip_, end_s) * outwards_;
+        const Vec3 mouth = cell_ - mouth_gap_at(strip_, end_s) * outwards_;
         tool.pose.position = mouth - tool.pose.orientation * probes_[0].mouth.centre;
         step_fluid(model_, tools_, probes_, dt, state_);
     }
@@ -78,7 +79,7 @@ public:
     }
 
 private:
-    Strip strip_;
+    CortexStrip strip_;
     WorldModel model_;
     WorldState state_;
     std::vector<ToolState> tools_;
@@ -90,11 +91,11 @@ private:
 /// When the sector is clean, of every strip.
 Curves cortex_by_kernel(double dt) {
     Curves times(1);
-    for (const Strip& strip : strips) {
+    for (const CortexStrip& strip : cortex_strips) {
         CortexScene scene(strip);
-        double clean_s = scene_s;
-        for (int step = static_cast<int>(std::lround(scene_s / dt)); step > 0; --step) {
-            const double end_s = scene_s - (step - 1) * dt;
+        double clean_s = strip_scene_s;
+        for (int step = static_cast<int>(std::lround(strip_scene_s / dt)); step > 0; --step) {
+            const double end_s = strip_scene_s - (step - 1) * dt;
             scene.advance(end_s, dt);
             clean_s = scene.clean() ? std::min(clean_s, end_s) : clean_s;
         }
@@ -107,7 +108,7 @@ Curves cortex_by_kernel(double dt) {
 enum CortexPlace : std::size_t { cortex_eye, cortex_tube, cortex_adheres, cortex_taken, cortex_time, cortex_places };
 
 /// docs/bag_contents.md and docs/chamber.md.
-Equations cortex_equations(const Strip& strip) {
+Equations cortex_equations(const CortexStrip& strip) {
     const ChamberModel chamber;
     const CortexModel own;
     const double area = mouth_probe(ia_tip()).area;
@@ -117,7 +118,7 @@ Equations cortex_equations(const Strip& strip) {
         control.tip_open = adheres ? 0.05 : 0.6;
         const TankRates tanks = tank_rates(chamber, control, state[cortex_eye], state[cortex_tube]);
         const double suction = state[cortex_eye] - state[cortex_tube] - chamber.tube_resistance * tanks.tip;
-        const double drawn = own.stiffness * std::max(0.0, gap_at(strip, state[cortex_time]) - own.slack);
+        const double drawn = own.stiffness * std::max(0.0, mouth_gap_at(strip, state[cortex_time]) - own.slack);
         const double pull = suction > own.holding ? std::min(suction * area, drawn) : 0.0;
         change[cortex_eye] = tanks.eye;
         change[cortex_tube] = tanks.tube;
@@ -139,13 +140,13 @@ double time_when_clean(const std::vector<double>& taken, double apart) {
             return apart * (static_cast<double>(i) + (whole - taken[i - 1]) / (taken[i] - taken[i - 1]));
         }
     }
-    return scene_s;
+    return strip_scene_s;
 }
 
 Curves cortex_times(double apart, const std::function<Curves(const Equations&, const Samples&)>& run) {
     Curves times(1);
-    for (const Strip& strip : strips) {
-        const Samples samples{apart, static_cast<int>(std::lround(scene_s / apart))};
+    for (const CortexStrip& strip : cortex_strips) {
+        const Samples samples{apart, static_cast<int>(std::lround(strip_scene_s / apart))};
         times[0].push_back(time_when_clean(run(cortex_equations(strip), samples)[0], apart));
     }
     return times;
@@ -163,7 +164,7 @@ std::vector<ChartPoint> measure_cortex(const ChartOptions& options) {
     return points_of({{"kernel (whole step of the fluid)", steps, cortex_by_kernel, 0.01},
                       {"explicit Euler (equations alone)", steps, all_at(by_explicit_euler)},
                       {"Runge-Kutta 4 (equations alone)", steps, all_at(by_runge_kutta)}},
-                     answer, scene_s * static_cast<double>(strips.size()), options);
+                     answer, strip_scene_s * static_cast<double>(cortex_strips.size()), options);
 }
 
 }  // namespace

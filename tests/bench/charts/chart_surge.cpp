@@ -14,33 +14,33 @@ namespace {
 constexpr double surge_scene_s = 0.3;  ///< from the break; the eye is at its lowest within 0.1 s
 
 /// What spring eyes lost to two machines with peristaltic pumps when an occlusion broke, at 20 ml/min [Miller2020].
-struct Bench {
+struct SurgeBench {
     double pressure_mmhg = 0.0;  ///< that the machine is set to keep in the eye
     double vacuum_mmhg = 0.0;
     double lost = 0.0;  ///< mean of both [mm^3]
 };
-constexpr std::array<Bench, 4> benches{{{40.0, 500.0, 0.5 * (50.9 + 77.3)},
-                                        {40.0, 600.0, 0.5 * (63.6 + 112.5)},
-                                        {50.0, 500.0, 0.5 * (48.6 + 70.3)},
-                                        {50.0, 600.0, 0.5 * (61.8 + 102.6)}}};
+constexpr std::array<SurgeBench, 4> surge_benches{{{40.0, 500.0, 0.5 * (50.9 + 77.3)},
+                                                   {40.0, 600.0, 0.5 * (63.6 + 112.5)},
+                                                   {50.0, 500.0, 0.5 * (48.6 + 70.3)},
+                                                   {50.0, 600.0, 0.5 * (61.8 + 102.6)}}};
 
 /// A rig does not leak; what its machine keeps in the eye, the bottle does here.
-ChamberControl broken_occlusion(const Bench& bench) {
+ChamberControl broken_occlusion(const SurgeBench& bench) {
     ChamberControl control = scenes::aspirating({0.0, 20.0, bench.vacuum_mmhg}, 1.0);
     control.bottle_height = bench.pressure_mmhg * pascal_per_mmhg / bottle_pressure({}, 1.0);
     control.wound_open = 0.0;
     return control;
 }
 
-ChamberState occluded(const ChamberModel& model, const Bench& bench) {
+ChamberState occluded_eye(const ChamberModel& model, const SurgeBench& bench) {
     return chamber_state(model, bench.pressure_mmhg * pascal_per_mmhg, -bench.vacuum_mmhg * pascal_per_mmhg);
 }
 
 /// Volume that the eye gives in each, as far as its lowest pressure.
 Curves surge_by_kernel(const ChamberModel& model, double dt) {
     Curves lost(1);
-    for (const Bench& bench : benches) {
-        ChamberState state = occluded(model, bench);
+    for (const SurgeBench& bench : surge_benches) {
+        ChamberState state = occluded_eye(model, bench);
         const double held = state.eye_volume;
         double lowest = eye_pressure(model, held);
         for (int i = 0; i < std::lround(surge_scene_s / dt); ++i) {
@@ -55,7 +55,7 @@ Curves surge_by_kernel(const ChamberModel& model, double dt) {
 Curves surge_by(double apart, const std::function<Curves(const Equations&, const Samples&)>& run) {
     const ChamberModel model;
     Curves lost(1);
-    for (const Bench& bench : benches) {
+    for (const SurgeBench& bench : surge_benches) {
         const auto rate = [&](double, const std::vector<double>& state, std::vector<double>& change) {
             const TankRates rates = tank_rates(model, broken_occlusion(bench), state[0], state[1]);
             change = {rates.eye, rates.tube};
@@ -72,14 +72,14 @@ Curves surge_by(double apart, const std::function<Curves(const Equations&, const
 
 Curves measured_on_benches() {
     Curves lost(1);
-    for (const Bench& bench : benches) {
+    for (const SurgeBench& bench : surge_benches) {
         lost[0].push_back(bench.lost);
     }
     return lost;
 }
 
 std::vector<ChartPoint> measure_surge(const ChartOptions& options) {
-    const double seconds = surge_scene_s * static_cast<double>(benches.size());
+    const double seconds = surge_scene_s * static_cast<double>(surge_benches.size());
     const std::vector<double> steps{0.02, 0.01, 0.005, 0.002, 0.001};
     ChamberModel linear;
     linear.eye_stiffening = 0.0;

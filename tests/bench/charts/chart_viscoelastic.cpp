@@ -13,10 +13,10 @@ namespace rhexis::bench {
 namespace {
 
 constexpr Samples ovd_samples{0.02, 100};
-constexpr double behind_s = 0.4;     ///< for which the mouth lies behind the implant, then in front of it
-constexpr double injecting_s = 0.8;  ///< for which a syringe fills the chamber, then it leaks
-constexpr double press = 0.7;        ///< of the syringe, share of full
-constexpr double start_fill = 0.5;   ///< share of the chamber
+constexpr double mouth_behind_s = 0.4;   ///< for which the mouth lies behind the implant, then in front of it
+constexpr double ovd_injecting_s = 0.8;  ///< for which a syringe fills the chamber, then it leaks
+constexpr double ovd_press = 0.7;        ///< of the syringe, share of full
+constexpr double ovd_start_fill = 0.5;   ///< share of the chamber
 constexpr double ovd_flow = 25.0 * mm3_s_per_ml_min;      ///< into the mouth
 constexpr double ovd_infusion = 28.0 * mm3_s_per_ml_min;  ///< a part leaks
 
@@ -30,7 +30,7 @@ RetainedViscoelasticModel left_model() {
 
 ViscoelasticModel chamber_of_viscoelastic() {
     ViscoelasticModel model;
-    model.start_fill = start_fill;
+    model.start_fill = ovd_start_fill;
     return model;
 }
 
@@ -56,10 +56,10 @@ public:
     }
 
     void advance(double time_s, double dt) {
-        const double height = time_s < behind_s ? -1.5 : 0.5;  // of the mouth, on the axis of the bag
+        const double height = time_s < mouth_behind_s ? -1.5 : 0.5;  // of the mouth, on the axis of the bag
         tip_[0].pose.position = Vec3(0.0, 0.0, height) - probes_[0].mouth.centre;
         remove_viscoelastic(after_, tip_, probes_, dt, left_);
-        hands_[0].jaw = time_s < injecting_s ? press : 0.0;
+        hands_[0].jaw = time_s < ovd_injecting_s ? ovd_press : 0.0;
         fill_chamber(before_, hands_, dt, filled_);
     }
 
@@ -90,7 +90,7 @@ std::vector<double> ovd_looked_at(const std::vector<double>& state) {
     return {state[ovd_front] + state[ovd_behind] + state[ovd_angle], state[ovd_fill]};
 }
 
-std::vector<double> ovd_start() { return {180.0, 40.0, 20.0, start_fill}; }
+std::vector<double> ovd_start() { return {180.0, 40.0, 20.0, ovd_start_fill}; }
 
 /// docs/bag_contents.md and, of the fill, flow/viscoelastic.hpp.
 Equations ovd_equations() {
@@ -98,12 +98,12 @@ Equations ovd_equations() {
     const ViscoelasticModel chamber = chamber_of_viscoelastic();
     const auto rate = [=](double time_s, const std::vector<double>& state, std::vector<double>& change) {
         const auto drawn = [&](double volume) { return own.draw * ovd_flow * volume / (volume + own.whole); };
-        const bool behind = time_s < behind_s;
+        const bool behind = time_s < mouth_behind_s;
         change[ovd_front] = -own.wash * ovd_infusion / usual_flow * state[ovd_front];
         change[ovd_front] -= behind ? 0.0 : drawn(state[ovd_front]);
         change[ovd_behind] = behind ? -drawn(state[ovd_behind]) : 0.0;
         change[ovd_angle] = behind ? 0.0 : -own.angle_draw * drawn(state[ovd_angle]);
-        const double injected = time_s < injecting_s ? press * chamber.injection / chamber.volume : 0.0;
+        const double injected = time_s < ovd_injecting_s ? ovd_press * chamber.injection / chamber.volume : 0.0;
         change[ovd_fill] = injected - 2.0 * chamber.leak * state[ovd_fill];
     };
     return {rate, ovd_start(), ovd_looked_at};
@@ -136,7 +136,7 @@ void ovd_exactly(double time_s, double dt, std::vector<double>& state) {
     const ViscoelasticModel chamber = chamber_of_viscoelastic();
     const double most = own.draw * ovd_flow;
     const double wash = own.wash * ovd_infusion / usual_flow;
-    if (time_s < behind_s) {
+    if (time_s < mouth_behind_s) {
         state[ovd_front] *= std::exp(-wash * dt);
         state[ovd_behind] = drawn_to(state[ovd_behind], most, own.whole, dt);
     } else {
@@ -144,7 +144,7 @@ void ovd_exactly(double time_s, double dt, std::vector<double>& state) {
         state[ovd_angle] = drawn_to(state[ovd_angle], own.angle_draw * most, own.whole, dt);
     }
     const double leak = 2.0 * chamber.leak;
-    const double settles = time_s < injecting_s ? press * chamber.injection / chamber.volume / leak : 0.0;
+    const double settles = time_s < ovd_injecting_s ? ovd_press * chamber.injection / chamber.volume / leak : 0.0;
     state[ovd_fill] = settles + (state[ovd_fill] - settles) * std::exp(-leak * dt);
 }
 

@@ -12,14 +12,14 @@ namespace rhexis::bench {
 namespace {
 
 constexpr Samples vitreous_samples{0.02, 60};
-constexpr double leaves_s = 0.1;  ///< when the tip leaves the eye, and with it the bottle
-constexpr double bottle_mm = 650.0;
-constexpr double hole_mm = 0.7;      ///< radius of the hole in the posterior capsule
-constexpr double backed_mm_s = 0.4;  ///< of a tear's edge that vitreous lies against, as in exercises
+constexpr double tip_leaves_s = 0.1;  ///< when the tip leaves the eye, and with it the bottle
+constexpr double vitreous_bottle_mm = 650.0;
+constexpr double vitreous_hole_mm = 0.7;  ///< radius of the hole in the posterior capsule
+constexpr double backed_mm_s = 0.4;       ///< of a tear's edge that vitreous lies against, as in exercises
 
 CapsuleModel holed_capsule() {
     CapsuleModel capsule;
-    capsule.start_hole = hole_mm;
+    capsule.start_hole = vitreous_hole_mm;
     capsule.start_hole_place = Vec3(0.0, 0.0, -BagShape{}.posterior);
     capsule.tear_speed = backed_mm_s;
     return capsule;
@@ -32,7 +32,7 @@ VitreousModel broken_hyaloid() {
 }
 
 double pressure_before(const ChamberModel& model) {
-    return bottle_pressure(model, bottle_mm) / (1.0 + model.infusion_resistance * model.leak_conductance);
+    return bottle_pressure(model, vitreous_bottle_mm) / (1.0 + model.infusion_resistance * model.leak_conductance);
 }
 
 /// The kernel's.
@@ -49,13 +49,13 @@ public:
         state_.vitreous->behind = pressure_before(*model_.chamber);
         tools_.resize(1);
         tools_[0].irrigation = true;
-        tools_[0].bottle_height = bottle_mm;
+        tools_[0].bottle_height = vitreous_bottle_mm;
         tools_[0].pose.position = Vec3(0.0, 0.0, 2.5);
         probes_.push_back(mouth_probe(model_.tools[0]));
     }
 
     void advance(double time_s, double dt) {
-        tools_[0].present = time_s < leaves_s;
+        tools_[0].present = time_s < tip_leaves_s;
         step_fluid(model_, tools_, probes_, dt, state_);
         strain_capsule(model_, tools_, probes_, dt, state_);
     }
@@ -89,13 +89,13 @@ Equations vitreous_equations() {
     const VitreousModel own = broken_hyaloid();
     const BagShape bag;
     const auto rate = [=](double time_s, const std::vector<double>& state, std::vector<double>& change) {
-        const bool gapes = time_s > leaves_s && time_s < leaves_s + own.gape_s;
+        const bool gapes = time_s > tip_leaves_s && time_s < tip_leaves_s + own.gape_s;
         ChamberControl control;
-        control.irrigation = time_s < leaves_s;
+        control.irrigation = time_s < tip_leaves_s;
         control.vent = true;
-        control.bottle_height = bottle_mm;
+        control.bottle_height = vitreous_bottle_mm;
         control.tip_open = 0.0;
-        control.wound_open = gapes ? own.gape : (time_s < leaves_s ? 1.0 : 0.0);
+        control.wound_open = gapes ? own.gape : (time_s < tip_leaves_s ? 1.0 : 0.0);
         const TankRates tanks = tank_rates(chamber, control, state[vit_eye], state[vit_tube]);
         const double drive = std::max(0.0, state[vit_behind] - state[vit_eye]);
         const double area = std::numbers::pi * state[vit_hole] * state[vit_hole];
@@ -112,7 +112,7 @@ Equations vitreous_equations() {
         change[vit_hole] = capsule.tear_speed * std::clamp(energy / capsule.tear_energy - 1.0, 0.0, 3.0);
     };
     const double before = pressure_before(chamber);
-    return {rate, {before, 0.0, before, 0.0, 0.0, hole_mm}, [](const std::vector<double>& state) {
+    return {rate, {before, 0.0, before, 0.0, 0.0, vitreous_hole_mm}, [](const std::vector<double>& state) {
                 return std::vector<double>{state[vit_front] + state[vit_wound], state[vit_hole] * state[vit_hole]};
             }};
 }

@@ -12,21 +12,21 @@ namespace rhexis::bench {
 namespace {
 
 constexpr Samples wound_samples{0.02, 220};
-constexpr double tunnel_mm = 1.4;
-constexpr double wide_mm = 2.4;
+constexpr double wound_tunnel_mm = 1.4;
+constexpr double wound_width_mm = 2.4;
 constexpr double sponge_deep = 0.9;  ///< of its ball in the cornea [mm]: 0.27 N
 
-enum class Closing { watched, pressed, filled, hydrated };
+enum class WoundClosing { watched, pressed, filled, hydrated };
 
 /// What is done: pressed, left alone, filled through a cannula in the chamber, hydrated, pressed again.
-Closing closing_at(double time_s) {
+WoundClosing closing_at(double time_s) {
     if (time_s < 0.6 || (time_s > 3.4 && time_s < 4.0)) {
-        return Closing::pressed;
+        return WoundClosing::pressed;
     }
     if (time_s > 1.0 && time_s < 2.0) {
-        return Closing::filled;
+        return WoundClosing::filled;
     }
-    return time_s > 2.2 && time_s < 3.2 ? Closing::hydrated : Closing::watched;
+    return time_s > 2.2 && time_s < 3.2 ? WoundClosing::hydrated : WoundClosing::watched;
 }
 
 WoundsModel leaking_wound() {
@@ -35,7 +35,7 @@ WoundsModel leaking_wound() {
     WoundsModel wounds;
     wounds.front_centre.z() = apex_z - wounds.front_radius;
     wounds.back_centre.z() = apex_z - thickness - wounds.back_radius;
-    wounds.start[main_wound] = made_wound(wounds, Vec2(0.0, -1.0), tunnel_mm, wide_mm, 1.2);
+    wounds.start[main_wound] = made_wound(wounds, Vec2(0.0, -1.0), wound_tunnel_mm, wound_width_mm, 1.2);
     return wounds;
 }
 
@@ -59,13 +59,13 @@ public:
     }
 
     void advance(double time_s, double dt) {
-        const Closing now = closing_at(time_s);
+        const WoundClosing now = closing_at(time_s);
         const Wound& wound = model_.wounds->start[main_wound];
-        tools_[0].present = now == Closing::pressed;
-        tools_[1].present = now == Closing::filled || now == Closing::hydrated;
+        tools_[0].present = now == WoundClosing::pressed;
+        tools_[1].present = now == WoundClosing::filled || now == WoundClosing::hydrated;
         tools_[1].pose.position =
-            now == Closing::filled ? Vec3(0.5 * wound.inner) : Vec3(0.5 * (wound.outer + wound.inner));
-        tools_[1].jaw = now == Closing::hydrated ? 1.0 : 0.7;
+            now == WoundClosing::filled ? Vec3(0.5 * wound.inner) : Vec3(0.5 * (wound.outer + wound.inner));
+        tools_[1].jaw = now == WoundClosing::hydrated ? 1.0 : 0.7;
         step_fluid(model_, tools_, probes_, dt, state_);
     }
 
@@ -104,12 +104,13 @@ enum WoundsPlace : std::size_t { wet_eye, wet_tube, wet_fluid, wet_swelling, wet
 class WoundEquations {
 public:
     void operator()(double time_s, const std::vector<double>& state, std::vector<double>& rate) const {
-        const Closing now = closing_at(time_s);
+        const WoundClosing now = closing_at(time_s);
         const double eye = state[wet_eye];
-        const double slit = conductance(eye, state[wet_swelling], now == Closing::pressed ? 0.3e6 * sponge_deep : 0.0);
-        const double beside = now == Closing::filled ? chamber_.leak_conductance : 0.0;
+        const double slit =
+            conductance(eye, state[wet_swelling], now == WoundClosing::pressed ? 0.3e6 * sponge_deep : 0.0);
+        const double beside = now == WoundClosing::filled ? chamber_.leak_conductance : 0.0;
         const double eased = std::clamp(1.0 - eye / own_.most_pressure, 0.0, 1.0);
-        const double injected = now == Closing::filled ? 0.7 * own_.injection * eased : 0.0;
+        const double injected = now == WoundClosing::filled ? 0.7 * own_.injection * eased : 0.0;
         ChamberControl control;
         control.vent = true;
         control.tip_open = 0.0;
@@ -118,9 +119,9 @@ public:
         const TankRates tanks = tank_rates(chamber_, control, eye, state[wet_tube], injected + aqueous);
         rate[wet_eye] = tanks.eye;
         rate[wet_tube] = tanks.tube;
-        rate[wet_fluid] = tanks.leak - (now == Closing::pressed ? 6.0 : 1.0) * state[wet_fluid];
-        rate[wet_swelling] =
-            (now == Closing::hydrated ? own_.hydration * own_.tight / wide_mm : 0.0) - state[wet_swelling] / 1800.0;
+        rate[wet_fluid] = tanks.leak - (now == WoundClosing::pressed ? 6.0 : 1.0) * state[wet_fluid];
+        rate[wet_swelling] = (now == WoundClosing::hydrated ? own_.hydration * own_.tight / wound_width_mm : 0.0) -
+                             state[wet_swelling] / 1800.0;
     }
 
     [[nodiscard]] Equations all() const {
@@ -131,11 +132,12 @@ public:
 
 private:
     [[nodiscard]] double conductance(double eye, double swelling, double press) const {
-        const double ratio = tunnel_mm / wide_mm / 0.7;
+        const double ratio = wound_tunnel_mm / wound_width_mm / 0.7;
         const double valve = 0.15 * std::max(0.0, eye) / (20.0 * pascal_per_mmhg) * std::max(0.0, ratio - 0.5);
         const double gape = 1.0 - ratio - valve - 0.6 * swelling + 0.35 * press / 0.28e6;
         const double height = 0.06 * std::clamp(gape, 0.0, 1.0);
-        return duct_share(height, wide_mm) * wide_mm * height * height * height / (12.0 * own_.viscosity * tunnel_mm);
+        return duct_share(height, wound_width_mm) * wound_width_mm * height * height * height /
+               (12.0 * own_.viscosity * wound_tunnel_mm);
     }
 
     ChamberModel chamber_;

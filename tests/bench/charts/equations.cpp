@@ -11,11 +11,11 @@
 namespace rhexis::bench {
 namespace {
 
-using Numbers = std::vector<double>;
+using StateNumbers = std::vector<double>;
 
-constexpr double tight = 1e-10;
+constexpr double odeint_tolerance = 1e-10;
 
-void append(const Numbers& values, Curves& curves) {
+void append_sample(const StateNumbers& values, Curves& curves) {
     curves.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         curves[i].push_back(values[i]);
@@ -23,15 +23,15 @@ void append(const Numbers& values, Curves& curves) {
 }
 
 /// state += share * rate.
-void add_share(double share, const Numbers& rate, Numbers& state) {
+void add_rate(double share, const StateNumbers& rate, StateNumbers& state) {
     for (std::size_t i = 0; i < state.size(); ++i) {
         state[i] += share * rate[i];
     }
 }
 
-Curves in_steps(const Equations& equations, const Samples& samples, double dt,
-                const std::function<void(double, Numbers&)>& step) {
-    Numbers state = equations.start;
+Curves equations_in_steps(const Equations& equations, const Samples& samples, double dt,
+                          const std::function<void(double, StateNumbers&)>& step) {
+    StateNumbers state = equations.start;
     return by_steps(
         samples, dt, [&](double time, double) { step(time, state); }, [&] { return equations.looked_at(state); });
 }
@@ -40,38 +40,41 @@ Curves in_steps(const Equations& equations, const Samples& samples, double dt,
 
 Curves integrated(const Equations& equations, const Samples& samples) {
     namespace odeint = boost::numeric::odeint;
-    const auto stepper = odeint::make_controlled(tight, tight, odeint::runge_kutta_dopri5<Numbers>());
-    Numbers state = equations.start;
+    const auto stepper =
+        odeint::make_controlled(odeint_tolerance, odeint_tolerance, odeint::runge_kutta_dopri5<StateNumbers>());
+    StateNumbers state = equations.start;
     Curves curves;
     for (int i = 0; i < samples.count; ++i) {
         const double middle = (i + 0.5) * samples.apart;
-        const auto rate = [&](const Numbers& at, Numbers& change, double) { equations.rate(middle, at, change); };
+        const auto rate = [&](const StateNumbers& at, StateNumbers& change, double) {
+            equations.rate(middle, at, change);
+        };
         odeint::integrate_adaptive(stepper, rate, state, 0.0, samples.apart, 0.01 * samples.apart);
-        append(equations.looked_at(state), curves);
+        append_sample(equations.looked_at(state), curves);
     }
     return curves;
 }
 
 Curves by_explicit_euler(const Equations& equations, const Samples& samples, double dt) {
-    Numbers rate(equations.start.size());
-    return in_steps(equations, samples, dt, [&](double time, Numbers& state) {
+    StateNumbers rate(equations.start.size());
+    return equations_in_steps(equations, samples, dt, [&](double time, StateNumbers& state) {
         equations.rate(time, state, rate);
-        add_share(dt, rate, state);
+        add_rate(dt, rate, state);
     });
 }
 
 Curves by_runge_kutta(const Equations& equations, const Samples& samples, double dt) {
-    std::vector<Numbers> rates(4, Numbers(equations.start.size()));
-    Numbers at;
-    return in_steps(equations, samples, dt, [&](double time, Numbers& state) {
+    std::vector<StateNumbers> rates(4, StateNumbers(equations.start.size()));
+    StateNumbers at;
+    return equations_in_steps(equations, samples, dt, [&](double time, StateNumbers& state) {
         equations.rate(time, state, rates[0]);
         for (std::size_t stage = 1; stage < 4; ++stage) {
             at = state;
-            add_share(stage < 3 ? 0.5 * dt : dt, rates[stage - 1], at);
+            add_rate(stage < 3 ? 0.5 * dt : dt, rates[stage - 1], at);
             equations.rate(time, at, rates[stage]);
         }
         for (std::size_t stage = 0; stage < 4; ++stage) {
-            add_share((stage == 0 || stage == 3 ? 1.0 : 2.0) * dt / 6.0, rates[stage], state);
+            add_rate((stage == 0 || stage == 3 ? 1.0 : 2.0) * dt / 6.0, rates[stage], state);
         }
     });
 }
@@ -83,7 +86,7 @@ Curves by_steps(const Samples& samples, double dt, const std::function<void(doub
     for (int i = 0; i < samples.count * each; ++i) {
         advance((i + 0.5) * dt, dt);
         if ((i + 1) % each == 0) {
-            append(looked_at(), curves);
+            append_sample(looked_at(), curves);
         }
     }
     return curves;
