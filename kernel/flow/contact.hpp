@@ -12,7 +12,8 @@ namespace rhexis {
 /// The other side of a contact: rigid, another layer of the same shell, a membrane, or the jaws of a tool that hold it.
 enum class ContactPartner { tool, bag, plane, dome, support, tube, layer, sheet, jaws };
 
-/// A surface point of a solid or a membrane against a rigid partner. The point is a weighted mean of up to three nodes.
+/// A point of a solid or a membrane against a rigid partner, a weighted mean of up to three nodes; of one within a
+/// tetrahedron the three nodes that bear most are named.
 struct Contact {
     int solid = 0;                        ///< -1: of a membrane
     int membrane = -1;                    ///< -1: of a solid

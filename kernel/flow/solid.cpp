@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/solid.hpp"
 
+#include <algorithm>
+
 namespace rhexis {
 
 SolidState rest_state(const SolidModel& model) {
@@ -10,6 +12,53 @@ SolidState rest_state(const SolidModel& model) {
     state.fraction.assign(model.fine.tets.size(), 1.0);
     state.present.assign(model.coarse.tets.size(), 1);
     return state;
+}
+
+namespace {
+
+auto place_in(auto& spent, int fine) {
+    return std::lower_bound(spent.begin(), spent.end(), fine,
+                            [](const PartlySpent& one, int wanted) { return one.fine < wanted; });
+}
+
+}  // namespace
+
+std::array<double, 4> left_of_points(const SolidState& state, int fine) {
+    const auto found = place_in(state.spent, fine);
+    if (found != state.spent.end() && found->fine == fine) {
+        return found->left;
+    }
+    const double fraction = state.fraction[static_cast<std::size_t>(fine)];
+    return {fraction, fraction, fraction, fraction};
+}
+
+void set_fraction(SolidState& state, int fine, double fraction) {
+    double& now = state.fraction[static_cast<std::size_t>(fine)];
+    const auto found = place_in(state.spent, fine);
+    if (found != state.spent.end() && found->fine == fine) {
+        if (!(fraction > 0.0)) {
+            state.spent.erase(found);
+        } else {
+            for (double& left : found->left) {
+                left = std::min(1.0, left * (fraction / now));
+            }
+        }
+    }
+    now = fraction;
+}
+
+void set_points(SolidState& state, int fine, const std::array<double, 4>& left) {
+    const double fraction = 0.25 * (left[0] + left[1] + left[2] + left[3]);
+    const auto found = place_in(state.spent, fine);
+    const bool there = found != state.spent.end() && found->fine == fine;
+    if (!(fraction > 0.0)) {
+        state.spent.erase(found, there ? found + 1 : found);
+    } else if (there) {
+        found->left = left;
+    } else {
+        state.spent.insert(found, {fine, left});
+    }
+    state.fraction[static_cast<std::size_t>(fine)] = fraction;
 }
 
 double remaining_fraction(const SolidModel& model, const SolidState& state, int t) {

@@ -2,6 +2,7 @@
 // A deformable solid: what it is (model) and what changes (state). Solvers keep their own caches of the model.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ namespace rhexis {
 
 inline constexpr double least_fraction = 0.01;  ///< less of a fine tetrahedron drifts away and counts as removed
 inline constexpr double still_there = 0.3;      ///< of a fine tetrahedron: one with less left is not drawn
+
+/// What is left of each material point of a fine tetrahedron (mesh/material_points.hpp), 1 down to 0.
+struct PartlySpent {
+    int fine = 0;
+    std::array<double, 4> left{1.0, 1.0, 1.0, 1.0};
+};
 
 /// Way to advance a solid in time.
 enum class Advance {
@@ -37,6 +44,7 @@ struct SolidModel {
     double sought_step = 0.0;         ///< explicit: nodes that are too light for it get more inertia, not weight [s]
     Advance advance = Advance::automatic;
     Formulation formulation = Formulation::linear;
+    bool by_points = false;  ///< tools meet its material points, and ultrasound takes each by itself; else its vertices
 };
 
 /// Changes from step to step.
@@ -45,6 +53,7 @@ struct SolidState {
     std::vector<Vec3> velocity;  ///< coarse nodes [mm/s]
     std::vector<double>
         fraction;  ///< remaining share of each fine tetrahedron, 1 down to 0 (gone); empty if no fine mesh
+    std::vector<PartlySpent> spent;  ///< ascending; of a fine tetrahedron that is not here each point has its fraction
     std::vector<std::uint8_t> present;  ///< per coarse tetrahedron: 1, or 0 once removed from mechanics
     std::vector<BrokenFace> broken;     ///< faces that have given way, ascending
     std::vector<NodeSplit> splits;      ///< made since the start, in order; the model has their nodes
@@ -52,6 +61,15 @@ struct SolidState {
 
 /// The state at rest, everything present.
 SolidState rest_state(const SolidModel& model);
+
+/// Of the four material points of a fine tetrahedron.
+std::array<double, 4> left_of_points(const SolidState& state, int fine);
+
+/// Takes away from a fine tetrahedron what leaves `fraction` of it, from each point its part.
+void set_fraction(SolidState& state, int fine, double fraction);
+
+/// Sets what is left of the points of a fine tetrahedron that is there, and by it its fraction.
+void set_points(SolidState& state, int fine, const std::array<double, 4>& left);
 
 /// Share of coarse tetrahedron t that is left: the mean of its 8 children, or `present` without a fine mesh.
 double remaining_fraction(const SolidModel& model, const SolidState& state, int t);

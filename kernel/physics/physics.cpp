@@ -146,15 +146,14 @@ void Physics::Solvers::step_solid(const StepTask& task, int solid, StepOutcome& 
 }
 
 void Physics::Solvers::keep(const StepTask& task, int solid, WorldState& next, ContactSet& contacts) const {
-    const ContactSurface& surface = steppers[solid].surface();
     next.solids[solid] = result.solid;
     if (solid == 0) {
         next.bags = result.bags;
-        break_adhesion(result.candidates, surface, next.bags);
+        break_adhesion(result.candidates, next.bags);
     }
-    report_contacts(result.candidates, surface, solid, task.dt, contacts);
+    report_contacts(result.candidates, solid, task.dt, contacts);
     report_grips(result.grips, task.tools, solid, task.dt, contacts);
-    remember_contacts(result.candidates, surface, solid, next.memory);
+    remember_contacts(result.candidates, solid, next.memory);
 }
 
 void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldState& next, ContactSet& contacts,

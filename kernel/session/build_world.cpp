@@ -94,8 +94,9 @@ constexpr double lens_step = 3e-4;
 
 /// The way the scene asks for, or substeps; each with elements it can step. In contact an implicit step of the lens
 /// costs more than all the substeps of its time (docs/accuracy.md).
-void set_up_lens(SolidModel& lens, Advance asked) {
+void set_up_lens(SolidModel& lens, Advance asked, bool by_points) {
     const bool implicit = asked == Advance::implicit;
+    lens.by_points = by_points;
     lens.advance = implicit ? Advance::implicit : Advance::explicit_;
     lens.sought_step = implicit ? 0.0 : lens_step;
     lens.formulation = implicit ? Formulation::linear : Formulation::nodal_pressure;
@@ -338,7 +339,7 @@ Result<BuiltWorld> build_world(const SceneDescription& scene) {
         return eye.error();
     }
     set_up_bag(eye.value().bag, all_settings(scene));
-    set_up_lens(eye.value().lens, scene.advance);
+    set_up_lens(eye.value().lens, scene.advance, scene.lens_by_points);
     eye.value().anatomy.has_iris = has_tissue(scene, "iris");
     eye.value().anatomy.has_cornea = has_tissue(scene, "cornea");
     eye.value().anatomy.trypan_blue = all_settings(scene).at("capsule.trypan_blue");

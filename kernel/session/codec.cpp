@@ -428,6 +428,12 @@ void world_fields(auto& io, auto& world) {
         inner(solid.position);
         inner(solid.velocity);
         inner(solid.fraction);
+        inner.list(solid.spent, 36, [](auto& spent_io, auto& spent) {
+            spent_io(spent.fine);
+            for (auto& left : spent.left) {
+                spent_io(left);
+            }
+        });
         inner(solid.present);
         inner.list(solid.broken, 8, [](auto& face_io, auto& face) {
             face_io(face[0]);

@@ -21,6 +21,20 @@ bool sizes_fit(const SolidModel& model, const SolidState& state) {
            state.fraction.size() == model.fine.tets.size() && state.present.size() == model.coarse.tets.size();
 }
 
+/// Fine tetrahedra that are there, ascending, and shares of their points.
+bool spent_fits(const SolidState& state) {
+    int last = -1;
+    for (const PartlySpent& spent : state.spent) {
+        const bool shares =
+            std::all_of(spent.left.begin(), spent.left.end(), [](double left) { return left >= 0.0 && left <= 1.0; });
+        if (spent.fine <= last || spent.fine >= static_cast<int>(state.fraction.size()) || !shares) {
+            return false;
+        }
+        last = spent.fine;
+    }
+    return true;
+}
+
 bool load_fits(const NodeLoad& load, const WorldModel& world) {
     if (load.solid < 0 || load.solid >= static_cast<int>(world.solids.size())) {
         return false;
@@ -77,7 +91,7 @@ Status settings_fit(const Snapshot& snapshot) {
 
 Status solids_fit(const Snapshot& snapshot, const WorldModel& world) {
     for (std::size_t i = 0; i < world.solids.size(); ++i) {
-        if (!sizes_fit(world.solids[i], snapshot.world.solids[i])) {
+        if (!sizes_fit(world.solids[i], snapshot.world.solids[i]) || !spent_fits(snapshot.world.solids[i])) {
             return misfit("the mesh of body " + std::to_string(i));
         }
         Status status = validate(world.solids[i], snapshot.world.solids[i]);

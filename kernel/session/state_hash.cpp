@@ -27,6 +27,10 @@ void add(StateHash& hash, const SolidState& solid) {
     add(hash, solid.position);
     add(hash, solid.velocity);
     hash.add(std::span<const double>(solid.fraction));
+    for (const PartlySpent& spent : solid.spent) {
+        hash.add(static_cast<std::uint64_t>(spent.fine));
+        hash.add(std::span<const double>(spent.left));
+    }
     hash.add_bytes(solid.present.data(), solid.present.size());
     for (const BrokenFace& face : solid.broken) {
         hash.add((static_cast<std::uint64_t>(face[0]) << 32) | static_cast<std::uint64_t>(face[1]));

@@ -156,7 +156,7 @@ double edit_mass(const MeshEdit& edit, const SolidModel& model, const SolidState
 
 void apply(const MeshEdit& edit, const SolidModel& model, SolidState& state) {
     for (int fine : edit.removed_fine) {
-        state.fraction[index(fine)] = 0.0;
+        set_fraction(state, fine, 0.0);
     }
     for (int t : edit.removed_coarse) {
         state.present[index(t)] = 0;

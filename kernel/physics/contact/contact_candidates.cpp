@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "math/longest.hpp"
+#include "physics/contact/near_points.hpp"
 #include "physics/contact/tool_shape.hpp"
 #include "physics/fluid/mouth.hpp"
 
@@ -26,9 +27,10 @@ constexpr double reference_step = 0.01;  ///< [s]
 constexpr double most_swinging = 0.6;
 constexpr double least_following = 4.0;  ///< stiffness of all contacts times dt^2 over the body's mass
 
-constexpr double apart = 5e-3;     ///< a candidate with a larger gap than this needs no anchor [mm]
-constexpr double sunk = 0.1;       ///< [mm]
-constexpr double resolved = 0.38;  ///< radius of the thinnest part that cannot slip between vertices, in their size
+constexpr double apart = 5e-3;         ///< a candidate with a larger gap than this needs no anchor [mm]
+constexpr double sunk = 0.1;           ///< [mm]
+constexpr double resolved = 0.38;      ///< radius of the thinnest part that cannot slip between vertices, in their size
+constexpr double point_margin = 0.05;  ///< material points are sought this far beyond what tools move in a step [mm]
 constexpr double candidate_reach = 0.2;  ///< candidates are sought this far beyond what can move in a step [mm]
 
 /// A partner with what the search needs to know of it.
@@ -114,6 +116,26 @@ void recall(const std::vector<ContactMemory>& memory, int solid, int vertex, Con
     }
 }
 
+ContactCandidate candidate_of(const ContactPoint& point, const Partner& partner, double least_radius) {
+    ContactCandidate candidate;
+    candidate.at = point;
+    candidate.partner = partner.kind;
+    candidate.index = partner.index;
+    candidate.spring.friction = partner.friction;
+    candidate.least_radius = least_radius;
+    return candidate;
+}
+
+/// How a candidate lies to its partner at the start of the step, and what it remembers.
+void begin(const WorldState& state, int solid, const Vec3& local, const SurfaceDistance& start,
+           ContactCandidate& candidate) {
+    candidate.start = local;
+    candidate.start_gap = start.distance;
+    candidate.normal = start.normal;
+    candidate.anchor = candidate.start;
+    recall(state.memory, solid, candidate.at.id, candidate);
+}
+
 /// Distance before the mouth of a tool at which a candidate lies, by its gap; infinite if it lies elsewhere.
 double before_mouth(const ContactCandidate& candidate, int tool, const Mouth& mouth, double radius) {
     if (candidate.partner != ContactPartner::tool || candidate.index != tool) {
@@ -159,18 +181,43 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
 void set_adhesion(const WorldModel& model, const WorldState& state, const ContactSurface& surface,
                   ContactCandidates& candidates) {
     for (ContactCandidate& candidate : candidates) {
-        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
-        if (candidate.partner != ContactPartner::bag || vertex.nodes[1] >= 0) {
+        if (candidate.partner != ContactPartner::bag || !is_node(candidate.at)) {
             continue;
         }
         const BagModel& bag = model.bags[candidate.index];
-        const double area = vertex.size * vertex.size;
+        const double area = candidate.at.size * candidate.at.size;
         candidate.grip = surface.in_pieces() ? 0.0 : bag.film * area;  // fluid gets between the pieces and the capsule
         const std::vector<std::uint8_t>& adherent = state.bags[candidate.index].adherent;
-        if (!adherent.empty() && adherent[vertex.nodes[0]] != 0) {
+        if (!adherent.empty() && adherent[candidate.at.nodes[0]] != 0) {
             candidate.hold = bag.adhesion * area;
             candidate.grip = candidate.hold;
         }
+    }
+}
+
+/// Candidates of material points with the tools that come near; `box` is around the solid.
+void add_points(const WorldModel& world, int solid, const WorldState& state, std::span<const ToolState> tools,
+                double dt, const std::vector<Partner>& partners, const Box& box, ContactCandidates& candidates) {
+    std::vector<ToolReach> reaches;
+    std::vector<const Partner*> of_reach;
+    for (const Partner& partner : partners) {
+        if (partner.kind == ContactPartner::tool) {
+            const ToolModel& tool = world.tools[partner.index];
+            const double held = state.tips[partner.index].hold > 0.0 ? kept_seal : 0.0;
+            reaches.push_back(
+                {&tool, partner.pose, travel_near(tool, tools[partner.index], box) + std::max(held, point_margin)});
+            of_reach.push_back(&partner);
+        }
+    }
+    std::vector<NearPoint> points;
+    find_near_points(world.solids[solid], state.solids[solid], reaches, dt, points);
+    for (const NearPoint& near : points) {
+        const Partner& partner = *of_reach[static_cast<std::size_t>(near.reach)];
+        const Vec3 point = point_of(near.at, state.solids[solid].position);
+        ContactCandidate candidate = candidate_of(near.at, partner, resolved_by_points * near.at.size);
+        const SurfaceDistance start = measure_gap(world, candidate, partner.pose, point);
+        begin(state, solid, partner.pose.to_body(point), start, candidate);
+        candidates.push_back(candidate);
     }
 }
 
@@ -213,8 +260,10 @@ void place_tools(std::span<const ToolState> tools, double s, PartnerPoses& poses
 
 SurfaceDistance measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose,
                             const Vec3& point) {
-    return distance_to(rigid_partners(model), candidate.partner, candidate.index, pose, point,
-                       {candidate.least_radius, candidate.outside});
+    SurfaceDistance gap = distance_to(rigid_partners(model), candidate.partner, candidate.index, pose, point,
+                                      {candidate.least_radius, candidate.outside});
+    gap.distance -= candidate.at.radius;
+    return gap;
 }
 
 bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec3& point) {
@@ -235,20 +284,17 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
     }
     const double moved = 2.0 * longest(state.solids[solid].velocity) * dt;
     const std::vector<Partner> partners = partners_of(model, state, tools, moved, resolved * largest, box);
+    const bool by_points = model.solids[solid].by_points && !model.solids[solid].fine.tets.empty();
     for (std::size_t v = 0; v < surface.vertices().size(); ++v) {
         const SurfaceVertex& vertex = surface.vertices()[v];
         const Vec3 point = point_of(vertex, nodes);
         for (const Partner& partner : partners) {
             const bool tool = partner.kind == ContactPartner::tool;
             // Inside a convex wall, the middle of two points is inside if they are.
-            if (tool ? !partner.box.holds(point) : vertex.between) {
+            if (tool ? by_points || !partner.box.holds(point) : vertex.between) {
                 continue;
             }
-            ContactCandidate candidate;
-            candidate.vertex = static_cast<int>(v);
-            candidate.partner = partner.kind;
-            candidate.index = partner.index;
-            candidate.least_radius = resolved * vertex.size;
+            ContactCandidate candidate = candidate_of(contact_point(vertex), partner, resolved * vertex.size);
             SurfaceDistance start = measure_gap(model, candidate, partner.pose, point);
             candidate.outside = left_bag(partner, point, start);
             if (candidate.outside) {
@@ -257,35 +303,34 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             if (!tool && start.distance > partner.margin) {
                 continue;
             }
-            candidate.spring.friction = partner.friction;
-            candidate.start = partner.pose.to_body(point);
-            if (over_hole(state, partner.kind, candidate.start)) {
+            const Vec3 local = partner.pose.to_body(point);
+            if (over_hole(state, partner.kind, local)) {
                 continue;
             }
-            candidate.start_gap = start.distance;
-            candidate.normal = start.normal;
-            candidate.anchor = candidate.start;
-            recall(state.memory, solid, vertex.vertex, candidate);
+            begin(state, solid, local, start, candidate);
             candidates.push_back(candidate);
         }
+    }
+    if (by_points) {
+        add_points(model, solid, state, tools, dt, partners, box, candidates);
     }
     share_suction(model, state, tools, candidates);
     set_adhesion(model, state, surface, candidates);
 }
 
-void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags) {
+void break_adhesion(const ContactCandidates& candidates, std::vector<BagState>& bags) {
     for (const ContactCandidate& candidate : candidates) {
         if (candidate.hold > 0.0 && candidate.partner == ContactPartner::bag && candidate.sliding) {
-            bags[candidate.index].adherent[surface.vertices()[candidate.vertex].nodes[0]] = 0;
+            bags[candidate.index].adherent[candidate.at.nodes[0]] = 0;
         }
     }
 }
 
-void set_springs(const ContactSurface& surface, double dt, double mass, ContactCandidates& candidates) {
+void set_springs(double dt, double mass, ContactCandidates& candidates) {
     double all = 0.0;
     for (ContactCandidate& candidate : candidates) {
         const double factor = stiffness_factor(candidate.partner, dt);
-        candidate.spring.stiffness = factor * surface.vertices()[candidate.vertex].stiffness;
+        candidate.spring.stiffness = factor * candidate.at.stiffness;
         candidate.carry = 1.0 - factor / stiffest;
         all += candidate.touching ? candidate.spring.stiffness : 0.0;
     }
@@ -296,17 +341,14 @@ void set_springs(const ContactSurface& surface, double dt, double mass, ContactC
     }
 }
 
-void report_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid, double dt,
-                     ContactSet& contacts) {
+void report_contacts(const ContactCandidates& candidates, int solid, double dt, ContactSet& contacts) {
     for (const ContactCandidate& candidate : candidates) {
         if (candidate.impulse.isZero(0.0)) {
             continue;
         }
-        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
         Contact contact;
         contact.solid = solid;
-        contact.nodes = {vertex.nodes[0], vertex.nodes[1], -1};
-        contact.weights = {vertex.weight, vertex.nodes[1] < 0 ? 0.0 : vertex.weight, 0.0};
+        bearing_nodes(candidate.at, contact.nodes, contact.weights);
         contact.partner = candidate.partner;
         contact.partner_index = candidate.index;
         contact.point = candidate.point;
@@ -318,12 +360,11 @@ void report_contacts(const ContactCandidates& candidates, const ContactSurface& 
     }
 }
 
-void remember_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid,
-                       std::vector<ContactMemory>& memory) {
+void remember_contacts(const ContactCandidates& candidates, int solid, std::vector<ContactMemory>& memory) {
     for (const ContactCandidate& candidate : candidates) {
         if (candidate.touching) {
-            memory.push_back({solid, surface.vertices()[candidate.vertex].vertex, candidate.partner, candidate.index,
-                              candidate.anchor, candidate.force});
+            memory.push_back(
+                {solid, candidate.at.id, candidate.partner, candidate.index, candidate.anchor, candidate.force});
         }
     }
 }

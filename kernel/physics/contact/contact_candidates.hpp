@@ -9,6 +9,7 @@
 
 #include "flow/contact.hpp"
 #include "flow/world.hpp"
+#include "physics/contact/contact_point.hpp"
 #include "physics/contact/contact_surface.hpp"
 #include "physics/contact/friction.hpp"
 #include "physics/contact/rigid_partner.hpp"
@@ -26,9 +27,9 @@ struct PartnerPoses {
 /// Poses at share s of a step. The bags are left as they are.
 void place_tools(std::span<const ToolState> tools, double s, PartnerPoses& poses);
 
-/// A vertex that can meet a partner during the step, and what has become of it so far.
+/// A point that can meet a partner during the step, and what has become of it so far.
 struct ContactCandidate {
-    int vertex = 0;  ///< index into the surface's vertices
+    ContactPoint at;
     ContactPartner partner = ContactPartner::tool;
     int index = 0;
     ContactSpring spring;       ///< its stiffness only after set_springs
@@ -65,17 +66,15 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
                      double dt, const ContactSurface& surface, ContactCandidates& candidates);
 
 /// The springs that stand for contact in an implicit step of dt [s] of a body of that mass [g].
-void set_springs(const ContactSurface& surface, double dt, double mass, ContactCandidates& candidates);
+void set_springs(double dt, double mass, ContactCandidates& candidates);
 
 /// Cortex that slid on the capsule has come off it for good.
-void break_adhesion(const ContactCandidates& candidates, const ContactSurface& surface, std::vector<BagState>& bags);
+void break_adhesion(const ContactCandidates& candidates, std::vector<BagState>& bags);
 
 /// The contacts that carried force in the step.
-void report_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid, double dt,
-                     ContactSet& contacts);
+void report_contacts(const ContactCandidates& candidates, int solid, double dt, ContactSet& contacts);
 
 /// What the next step must remember: the anchors of contacts that touch now.
-void remember_contacts(const ContactCandidates& candidates, const ContactSurface& surface, int solid,
-                       std::vector<ContactMemory>& memory);
+void remember_contacts(const ContactCandidates& candidates, int solid, std::vector<ContactMemory>& memory);
 
 }  // namespace rhexis

@@ -63,8 +63,6 @@ void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surfa
     coming_ = 0.0;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
         const ContactCandidate& candidate = candidates[c];
-        const std::array<int, 2>& nodes = surface.vertices()[candidate.vertex].nodes;
-        watches_[c].nodes = {nodes[0], nodes[1] < 0 ? nodes[0] : nodes[1]};
         if (candidate.partner == ContactPartner::tool || candidate.partner == ContactPartner::bag) {
             watches_[c].drift = (candidate.partner == ContactPartner::tool ? 1 : first_bag) + candidate.index;
         }
@@ -98,29 +96,30 @@ void ExplicitContact::note_motion(double dt) {
     coming_ = dt * std::sqrt(fastest);
 }
 
+inline Vec3 blend(const double* values, const std::array<int, 4>& nodes, const std::array<double, 4>& weights) {
+    return weights[0] * row(values, nodes[0]) + weights[1] * row(values, nodes[1]) +
+           weights[2] * row(values, nodes[2]) + weights[3] * row(values, nodes[3]);
+}
+
 /// Relative to the partner's, at the start of the arm.
 template <typename Active, typename Body>
 inline Vec3 velocity_of(const Active& active, const Body& body, const double* velocity) {
-    const Vec3 own = 0.5 * (row(velocity, active.nodes[0]) + row(velocity, active.nodes[1]));
+    const Vec3 own = blend(velocity, active.nodes, active.weights);
     return own - body.velocity - body.angular_velocity.cross(active.arm);
 }
 
 template <typename Active, typename Body>
 inline void push(const Active& active, const Vec3& impulse, Body& body, double* velocity) {
-    row(velocity, active.nodes[0]) += active.share[0] * impulse;
-    row(velocity, active.nodes[1]) += active.share[1] * impulse;
+    for (std::size_t k = 0; k < 4; ++k) {
+        row(velocity, active.nodes[k]) += active.share[k] * impulse;
+    }
     body.velocity -= body.response * impulse;
     body.angular_velocity -= body.turning_response * active.arm.cross(impulse);
 }
 
-Vec3 ExplicitContact::place(const Watch& watch) const {
-    return 0.5 * (row(rows_.position, watch.nodes[0]) + row(rows_.position, watch.nodes[1]));
-}
+Vec3 ExplicitContact::place(const ContactPoint& at) const { return blend(rows_.position, at.nodes, at.weights); }
 
-Vec3 ExplicitContact::pace(const Watch& watch) const {
-    const double* const velocity = rows_.velocity;
-    return 0.5 * (row(velocity, watch.nodes[0]) + row(velocity, watch.nodes[1]));
-}
+Vec3 ExplicitContact::pace(const ContactPoint& at) const { return blend(rows_.velocity, at.nodes, at.weights); }
 
 double ExplicitContact::left_to_sleep(const Watch& watch, const Vec3& point) const {
     const Drift& drift = drifts_[watch.drift];
@@ -161,7 +160,11 @@ void ExplicitContact::rest(const SurfaceDistance& gap, double near, const Pose& 
 
 void ExplicitContact::set_masses(Active& active) const {
     const Body& body = bodies_[active.body];
-    const double own = (active.nodes[0] == active.nodes[1] ? 1.0 : 0.5) * (active.share[0] + active.share[1]);
+    const bool node = active.nodes[0] == active.nodes[1];
+    double own = node ? active.share[0] + active.share[1] : 0.0;
+    for (std::size_t k = 0; k < 4 && !node; ++k) {
+        own += active.weights[k] * active.share[k];
+    }
     const double response = own + body.response;
     const double turning = active.arm.cross(active.normal).squaredNorm() * body.turning_response;
     const double all_turning = active.arm.squaredNorm() * body.turning_response;
@@ -172,11 +175,13 @@ void ExplicitContact::set_masses(Active& active) const {
 void ExplicitContact::activate(int index, double dt, const SurfaceDistance& gap, const Pose& old_pose, const Pose& pose,
                                const Vec3& point) {
     const ContactCandidate& candidate = (*candidates_)[index];
-    const Watch& watch = watches_[index];
     Active active;
     active.candidate = index;
-    active.nodes = watch.nodes;
-    active.share = {0.5 * rows_.inverse_mass[watch.nodes[0]], 0.5 * rows_.inverse_mass[watch.nodes[1]]};
+    active.nodes = candidate.at.nodes;
+    active.weights = candidate.at.weights;
+    for (std::size_t k = 0; k < 4; ++k) {
+        active.share[k] = active.weights[k] * rows_.inverse_mass[active.nodes[k]];
+    }
     active.friction = candidate.spring.friction;
     active.pull = dt * candidate.hold;
     active.grip = dt * candidate.grip;
@@ -215,7 +220,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
             continue;
         }
         Watch& watch = watches_[c];
-        const Vec3 point = place(watch);
+        const Vec3 point = place(candidate.at);
         if (const double left = left_to_sleep(watch, point); left > 0.0) {
             wakes_[c] = wake_after(watch, left);
             continue;
@@ -224,7 +229,7 @@ void ExplicitContact::collect(double dt, const PartnerPoses& before, const Partn
         const SurfaceDistance gap = measure(candidate, pose, point, watch);
         // Anything that could close within this substep, whatever the others do to it
         const double near =
-            std::max(2.0 * dt * (pace(watch).norm() + fastest_push), candidate.hold > 0.0 ? kept_seal : 0.0);
+            std::max(2.0 * dt * (pace(candidate.at).norm() + fastest_push), candidate.hold > 0.0 ? kept_seal : 0.0);
         if (gap.distance < near) {
             watch.free = 0.0;
             wakes_[c] = 0.0;
@@ -368,7 +373,7 @@ void ExplicitContact::finish(double dt, const PartnerPoses& after) {
     for (const Active& active : active_) {
         ContactCandidate& candidate = (*candidates_)[active.candidate];
         const Vec3 velocity = velocity_of(active, bodies_[active.body], rows_.velocity);
-        const double slack = presliding * surface_->vertices()[candidate.vertex].size;
+        const double slack = presliding * candidate.at.size;
         const double gap = dt * (active.normal.dot(velocity) - active.normal_target);
         const Vec3 impulse = active.normal_impulse * active.normal + active.tangent_impulse;
         candidate.force = impulse / dt;
@@ -376,7 +381,7 @@ void ExplicitContact::finish(double dt, const PartnerPoses& after) {
         if (!candidate.touching && gap >= slack) {
             continue;
         }
-        const Vec3 point = place(watches_[active.candidate]) + dt * velocity;
+        const Vec3 point = place(candidate.at) + dt * velocity;
         move_anchor(after.of(candidate.partner, candidate.index), point, active.normal, active.sliding, gap < slack,
                     slack, candidate);
         if (active.normal_impulse != 0.0) {

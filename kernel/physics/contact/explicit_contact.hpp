@@ -38,9 +38,8 @@ private:
         double shift = 0.0;  ///< of its centre [mm]
         double turn = 0.0;   ///< [rad]
     };
-    /// What is known of a candidate since it was last measured. A vertex that is a node has that node twice.
+    /// What is known of a candidate since it was last measured.
     struct Watch {
-        std::array<int, 2> nodes{0, 0};
         int drift = 0;  ///< index into drifts_
         Vec3 start = Vec3::Zero();
         double free = 0.0;  ///< what it and its partner may move before it matters [mm]
@@ -62,8 +61,9 @@ private:
 
     struct Active {
         int candidate = 0;
-        std::array<int, 2> nodes{0, 0};
-        std::array<double, 2> share{0, 0};  ///< velocity per impulse [1/g]
+        std::array<int, 4> nodes{0, 0, 0, 0};
+        std::array<double, 4> weights{0, 0, 0, 0};
+        std::array<double, 4> share{0, 0, 0, 0};  ///< velocity per impulse [1/g]
         double friction = 0.0;
         double pull = 0.0;  ///< impulse that it bears before it parts [uN s]
         double grip = 0.0;  ///< what that adds to the largest friction [uN s]
@@ -81,8 +81,8 @@ private:
 
     void follow_partners(const PartnerPoses& after);
     void note_motion(double dt);
-    [[nodiscard]] Vec3 place(const Watch& watch) const;
-    [[nodiscard]] Vec3 pace(const Watch& watch) const;
+    [[nodiscard]] Vec3 place(const ContactPoint& at) const;
+    [[nodiscard]] Vec3 pace(const ContactPoint& at) const;
     [[nodiscard]] double left_to_sleep(const Watch& watch, const Vec3& point) const;
     [[nodiscard]] double wake_after(const Watch& watch, double left) const;
     SurfaceDistance measure(const ContactCandidate& candidate, const Pose& pose, const Vec3& point, Watch& watch) const;

@@ -47,20 +47,20 @@ void carry_over(ContactCandidates& candidates) {
     }
 }
 
-void contact_terms(const WorldModel& model, const ContactSurface& surface, const ContactCandidates& candidates,
-                   const std::vector<Vec3>& positions, const PartnerPoses& poses, bool edge_slides,
-                   std::vector<ContactTerm>& terms) {
+void contact_terms(const WorldModel& model, const ContactCandidates& candidates, const std::vector<Vec3>& positions,
+                   const PartnerPoses& poses, bool edge_slides, std::vector<ContactTerm>& terms) {
     for (const ContactCandidate& candidate : candidates) {
-        const SurfaceVertex& vertex = surface.vertices()[candidate.vertex];
-        const Vec3 point = point_of(vertex, positions);
+        const Vec3 point = point_of(candidate.at, positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
         const Touch now = touch(model, candidate, pose, point, edge_slides);
         if (now.response.normal_force == 0.0) {
             continue;
         }
         ContactTerm term;
-        term.nodes = {vertex.nodes[0], vertex.nodes[1], -1};
-        term.weights = {vertex.weight, vertex.nodes[1] < 0 ? 0.0 : vertex.weight, 0.0};
+        bearing_nodes(candidate.at, term.nodes, term.weights);
+        if (candidate.at.weights[3] > 0.0) {
+            term.more.push_back({candidate.at.nodes[3], candidate.at.weights[3] * Mat3::Identity()});
+        }
         if (candidate.partner == ContactPartner::bag) {
             term.body = candidate.index;
             term.arm = point - pose.position;
@@ -71,10 +71,10 @@ void contact_terms(const WorldModel& model, const ContactSurface& surface, const
     }
 }
 
-void settle_contacts(const WorldModel& model, const ContactSurface& surface, const std::vector<Vec3>& positions,
-                     const PartnerPoses& poses, double dt, ContactCandidates& candidates) {
+void settle_contacts(const WorldModel& model, const std::vector<Vec3>& positions, const PartnerPoses& poses, double dt,
+                     ContactCandidates& candidates) {
     for (ContactCandidate& candidate : candidates) {
-        const Vec3 point = point_of(surface.vertices()[candidate.vertex], positions);
+        const Vec3 point = point_of(candidate.at, positions);
         const Pose pose = poses.of(candidate.partner, candidate.index);
         const Touch now = touch(model, candidate, pose, point, true);
         candidate.touching = now.response.normal_force > 0.0;

@@ -14,12 +14,11 @@ void carry_over(ContactCandidates& candidates);
 
 /// Forces and stiffness of all contacts at an iterate, appended to `terms`. positions: coarse nodes; poses: at the end
 /// of the substep.
-void contact_terms(const WorldModel& model, const ContactSurface& surface, const ContactCandidates& candidates,
-                   const std::vector<Vec3>& positions, const PartnerPoses& poses, bool edge_slides,
-                   std::vector<ContactTerm>& terms);
+void contact_terms(const WorldModel& model, const ContactCandidates& candidates, const std::vector<Vec3>& positions,
+                   const PartnerPoses& poses, bool edge_slides, std::vector<ContactTerm>& terms);
 
 /// Ends a substep of dt [s]: sums impulses and moves the anchors of what slid or is apart.
-void settle_contacts(const WorldModel& model, const ContactSurface& surface, const std::vector<Vec3>& positions,
-                     const PartnerPoses& poses, double dt, ContactCandidates& candidates);
+void settle_contacts(const WorldModel& model, const std::vector<Vec3>& positions, const PartnerPoses& poses, double dt,
+                     ContactCandidates& candidates);
 
 }  // namespace rhexis

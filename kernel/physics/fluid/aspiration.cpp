@@ -57,14 +57,14 @@ void aspirate(const WorldModel& model, int tool, const ToolState& tool_state, co
         const std::vector<Vec3>& nodes = lens.coarse.nodes;
         const double whole = tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]) / 8.0;
         const Material& material = lens.materials[lens.coarse.region[near.fine / 8]];
-        double& fraction = solid.fraction[near.fine];
+        const double fraction = solid.fraction[near.fine];
         double spent = 0.0;
         if (!(fraction > 0.0)) {
             continue;
         }
         double lost = taken(material, fraction, whole, means, spent) / whole;
         lost = fraction - lost < least_fraction && lost > 0.0 ? fraction : lost;
-        fraction = lost == fraction ? 0.0 : fraction - lost;
+        set_fraction(solid, near.fine, lost == fraction ? 0.0 : fraction - lost);
         state.removed_mass += lost * whole * material.density;
         state.ablation_energy += spent;
         if (!(means.seconds > 0.0) && !(means.energy > 0.0)) {

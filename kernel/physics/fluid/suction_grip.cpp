@@ -9,7 +9,7 @@ namespace rhexis {
 namespace {
 
 constexpr double sound = 0.3;        ///< a fine tetrahedron with less of it left shuts nothing
-constexpr double farthest = 1.0;     ///< tissue that shuts the mouth, by its middle [mm]
+constexpr double farthest_shutting = 1.0;     ///< tissue that shuts the mouth, by its middle [mm]
 constexpr double least_reach = 0.8;  ///< of the patch from the mouth [mm]
 constexpr double most_grip_reach = 2.0;
 
@@ -28,7 +28,7 @@ std::vector<int> seeds_of(const WorldModel& model, const WorldState& state, int 
                           const Pose& pose) {
     std::vector<int> found;
     for (const BeforeMouth& near : before_mouth(model, state, tool, mouth, pose)) {
-        if (near.distance < farthest && state.solids[0].fraction[near.fine] > sound) {
+        if (near.distance < farthest_shutting && state.solids[0].fraction[near.fine] > sound) {
             found.push_back(near.fine / 8);
         }
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/material_points.hpp"
 #include "physics/contact/tissue_near.hpp"
 #include "physics/contact/tool_shape.hpp"
 
@@ -62,6 +63,73 @@ std::vector<Touched> find_touched(const SolidModel& model, const SolidState& sta
         }
     }
     return touched;
+}
+
+/// A material point that the zone reaches.
+struct TouchedPoint {
+    std::size_t tissue = 0;  ///< index of its fine tetrahedron in what is near
+    std::size_t point = 0;
+    double weight = 0.0;  ///< how much it counts as inside
+    double volume = 0.0;  ///< at rest [mm^3]
+};
+
+std::vector<TouchedPoint> touched_points(const SolidModel& model, const SolidState& state, const ToolModel& tool,
+                                         const SculptZone& zone, const Pose& pose,
+                                         const std::vector<FineTissue>& near) {
+    std::vector<TouchedPoint> touched;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const FineTissue& fine = near[i];
+        const PointWeights weights = material_points(model.coarse, model.fine, fine.tet);
+        const std::array<double, 4> left = left_of_points(state, fine.tet);
+        const std::array<int, 4>& tet = model.coarse.tets[fine.tet / 8];
+        const double volume = rest_volume(model.coarse, tet) / 32.0;
+        for (std::size_t p = 0; p < 4; ++p) {
+            Vec3 place = Vec3::Zero();
+            for (std::size_t k = 0; k < 4; ++k) {
+                place += weights[p][k] * state.position[tet[k]];
+            }
+            const double weight = left[p] > 0.0 ? zone_weight(tool, zone, pose.to_body(place)) : 0.0;
+            if (weight > 0.0) {
+                touched.push_back({i, p, weight, volume});
+            }
+        }
+    }
+    return touched;
+}
+
+/// Gives every point what its place in the zone is given by the power [mW] in dt [s]: P w / V of the zone, whatever the
+/// others do, so that neither the mesh nor what is left around it matters. Returns the share of the power that found
+/// tissue.
+double spend_on_points(const SolidModel& model, const ToolModel& tool, const SculptZone& zone, const Pose& pose,
+                       double power, double dt, SolidState& solid, WorldState& state) {
+    const std::vector<FineTissue> near = tissue_near(model, solid, tool.parts.front(), pose, sculpt_reach + blur);
+    const std::vector<TouchedPoint> touched = touched_points(model, solid, tool, zone, pose, near);
+    double volume = 0.0;
+    for (const TouchedPoint& point : touched) {
+        volume += point.weight * point.volume;
+    }
+    const double density = power * dt / std::max(volume, zone.volume);  // of energy where the weight is 1 [mJ/mm^3]
+    for (std::size_t first = 0, last = 0; first < touched.size(); first = last) {
+        const int fine = near[touched[first].tissue].tet;
+        const Material& material = model.materials[model.coarse.region[fine / 8]];
+        std::array<double, 4> left = left_of_points(solid, fine);
+        double lost = 0.0;
+        for (last = first; last < touched.size() && touched[last].tissue == touched[first].tissue; ++last) {
+            const TouchedPoint& point = touched[last];
+            if (!(material.ablation_energy > 0.0)) {
+                continue;  // takes up its share and stays
+            }
+            double& now = left[point.point];
+            const double gone = std::min(now, density * point.weight / material.ablation_energy);
+            lost += now - gone < least_fraction ? now : gone;
+            now = now - gone < least_fraction ? 0.0 : now - gone;
+        }
+        set_points(solid, fine, left);
+        lost *= touched[first].volume;
+        state.removed_mass += lost * material.density;
+        state.ablation_energy += lost * material.ablation_energy;
+    }
+    return std::min(1.0, volume / zone.volume);
 }
 
 /// Spends up to `energy` [mJ] on what is touched; returns what could not be used.
@@ -139,6 +207,12 @@ double sculpt(const WorldModel& model, int tool, const ToolState& tool_state, co
     for (std::size_t s = 0; s < model.solids.size(); ++s) {
         SolidState& solid = state.solids[s];
         if (solid.fraction.empty()) {
+            continue;
+        }
+        if (model.solids[s].by_points) {
+            unused -= spend_on_points(model.solids[s], tool_model, zone, tool_state.pose,
+                                      tool_state.power * tool_model.max_power, dt, solid, state);
+            unused = std::max(0.0, unused);
             continue;
         }
         const std::vector<Touched> touched = find_touched(model.solids[s], solid, tool_model, zone, tool_state.pose);

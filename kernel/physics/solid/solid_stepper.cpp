@@ -278,7 +278,7 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
 void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& result) {
     const int count = divisions * substeps_for_tools(task, result.candidates);
     const double dt = task.dt / count;
-    set_springs(surface_, dt, remaining_mass(*solid_model_, result.solid), result.candidates);
+    set_springs(dt, remaining_mass(*solid_model_, result.solid), result.candidates);
     const std::vector<Vec3> loads = node_forces(task, solid_);
     ImplicitSettings settings;
     settings.tolerance = settings_.max_newton > 1 ? linear_tolerance : settings_.tolerance;
@@ -295,7 +295,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
             poses.bags[b] = bodies[b].pose;
             rigid[b] = bag_term(task.model.bags[b], result.bags[b], bodies[b].pose, bodies[b].velocity, dt);
         }
-        contact_terms(task.model, surface_, result.candidates, position, poses, divisions == 1, contacts);
+        contact_terms(task.model, result.candidates, position, poses, divisions == 1, contacts);
     };
     for (int i = 1; i <= count && result.failure == StepFailure::none; ++i) {
         place_tools(task.tools, static_cast<double>(i) / count, poses);
@@ -305,7 +305,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
         const ImplicitReport report =
             implicit_->step(from, task.model.gravity, loads, dt, settings, coupling, bodies, result.solid);
         take_unknowns(bodies, result.bags, poses);
-        settle_contacts(task.model, surface_, result.solid.position, poses, dt, result.candidates);
+        settle_contacts(task.model, result.solid.position, poses, dt, result.candidates);
         result.report.newton_iterations += report.newton_iterations;
         result.report.solver_iterations += report.linear_iterations;
         result.report.residual = std::max(result.report.residual, report.newton_residual);
@@ -314,6 +314,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
         }
         // a step of the equations knows places and velocities only
         result.solid.fraction = from.fraction;
+        result.solid.spent = from.spent;
         result.solid.present = from.present;
         result.solid.broken = from.broken;
         result.solid.splits = from.splits;
