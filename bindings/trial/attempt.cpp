@@ -158,7 +158,7 @@ Result<AttemptResult> write_results(const AttemptOptions& options, ExerciseHost&
     result.recording = seen.recorder.file();
     result.saved = seen.keeper.kept();
     if (options.measure_accuracy) {
-        Result<nlohmann::json> measured = measure_accuracy({result.recording, options});
+        Result<nlohmann::json> measured = measure_accuracy(result.recording, options);
         if (!measured) {
             return measured.error();
         }

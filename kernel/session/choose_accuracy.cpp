@@ -145,14 +145,14 @@ private:
                                 [](const Candidate& a, const Candidate& b) { return a.excess < b.excess; });
     }
 
-    /// Whether the scene can be advanced so: with what takes part in it, and as the exercise says. A mesh by hand is
-    /// advanced the first way of the table.
+    /// Whether the scene can be advanced so, with what takes part in it. A way by hand is taken as it is, whether or
+    /// not the scene bears it; a mesh by hand is advanced the first way of the table.
     [[nodiscard]] bool is_possible(const AccuracyRow& row, bool hand) const {
-        if (!row.not_with.empty() && has_tissue(scene_, row.not_with)) {
-            return false;
-        }
         if (scene_.advance != Advance::automatic && hand) {
             return row.way.empty() || (row.way == "implicit") == (scene_.advance == Advance::implicit);
+        }
+        if (!row.not_with.empty() && has_tissue(scene_, row.not_with)) {
+            return false;
         }
         return !(hand && by_hand()) || row.way == table_.rows[0].way;
     }

@@ -30,7 +30,10 @@ local meshes_by_name = {
 
 local e, number = markup.escape, markup.number
 
-local function percent(value) return value and number(100 * value, value < 0.1 and 1 or 0) .. " %" or "–" end
+local function percent(value)
+    if value > 0 and value < 0.0005 then return "< " .. number(0.1, 1) .. " %" end
+    return number(100 * value, value < 0.1 and 1 or 0) .. " %"
+end
 
 -- A share in per cent, a way in mm.
 local function amount(quantity, value)

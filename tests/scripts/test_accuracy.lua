@@ -39,7 +39,7 @@ case("--set changes a budget, and what stands by hand is known as such", functio
         language.set(exercise, "accuracy.force", "0.5", {})
         equal(exercise.accuracy.force, 0.5)
         equal(exercise.accuracy_where, "--set accuracy.force=0.5")
-        fails(function() language.set(exercise, "accuracy.forse", "0.5", {}) end, "did you mean accuracy.force?")
+        fails(function() language.set(exercise, "accuracy.forse", "0.5", {}) end, "did you mean accuracy.force")
         fails(function() language.set(exercise, "accuracy.force", "much", {}) end, "must be a number")
         language.set(exercise, "step_s", "0.005", {})
         equal(exercise.step_by_hand, true)

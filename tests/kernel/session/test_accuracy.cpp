@@ -37,9 +37,10 @@ struct Tables {
         write(folder / "chamber.csv", std::string(head) + chamber_rows);
     }
     [[nodiscard]] Result<SceneAccuracy> choose(const SceneDescription& scene, const AccuracyWish& wish) const {
-        const Result<std::vector<AccuracyTable>> tables = read_accuracy_(tables.folder / ""), scene);
+        const Result<std::vector<AccuracyTable>> tables = read_accuracy_tables(path(), scene);
         return tables ? choose_accuracy(scene, wish, tables.value()) : tables.error();
     }
+    [[nodiscard]] std::string path() const { return std::filesystem::path(folder / "lens.csv").parent_path().string(); }
     Folder folder;
 };
 
@@ -94,7 +95,7 @@ TEST_SUITE("error budgets") {
 
     TEST_CASE("what is coarse and near the answer by chance is not believed") {
         const Tables tables;
-        const Result<AccuracyTable> lens = read_accuracy_table((tables.folder / ""), "lens");
+        const Result<AccuracyTable> lens = read_accuracy_table(tables.path(), "lens");
         REQUIRE(lens.ok());
         CHECK(expected_error(lens.value(), lens.value().rows[0], "volume").value() == 0.3);
         CHECK(expected_error(lens.value(), lens.value().rows[0], "force").value() == 4.0);
@@ -173,7 +174,7 @@ TEST_SUITE("error budgets") {
         const std::string path = tables.folder / "lens.csv";
         const auto complaint = [&](const std::string& text) {
             write(path, text);
-            const Result<AccuracyTable> read = read_accuracy_table((tables.folder / ""), "lens");
+            const Result<AccuracyTable> read = read_accuracy_table(tables.path(), "lens");
             REQUIRE_FALSE(read.ok());
             const std::string told = read.error().text();
             CHECK(told.find('\n') == std::string::npos);
@@ -195,7 +196,7 @@ TEST_SUITE("error budgets") {
         CHECK(complaint(std::string(head) + "step_ms,cost\n10,-1\n").find("cost is '-1'") != std::string::npos);
         CHECK(complaint(std::string(head) + "step_ms,cost\n10,nan\n").find("cost is 'nan'") != std::string::npos);
         std::filesystem::remove(path);
-        const Result<AccuracyTable> missing = read_accuracy_table((tables.folder / ""), "lens");
+        const Result<AccuracyTable> missing = read_accuracy_table(tables.path(), "lens");
         REQUIRE_FALSE(missing.ok());
         CHECK(missing.error().text().find("the accuracy table of lens cannot be read") != std::string::npos);
     }
