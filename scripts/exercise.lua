@@ -6,6 +6,7 @@
 --       patient     = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
 --       tissues     = { "lens", "bag", "iris" },                -- nothing else is simulated
 --       instruments = { "phaco" },
+--       accuracy    = { volume = 0.1 },                         -- error that it can bear: mesh and step follow
 --       goals       = { length_mm = 4 },                        -- numbers that conditions may use as goal.length_mm
 --       steps  = { step "sculpt" { done = "groove.length_mm >= goal.length_mm" } },
 --       errors = { error_event "too deep" {
@@ -19,6 +20,7 @@
 -- A condition (`when`, `done`, `recovered`, `harm`, `over`) is a text as above, a function of the eye
 -- (function(eye) return eye.groove.length_mm > 4 end), or a list of either that must come true in that order.
 
+local accuracy = require "engine.accuracy"
 local fields = require "engine.fields"
 local requests = require "engine.requests"
 local settings_check = require "engine.settings_check"
@@ -75,7 +77,7 @@ local patient_rules = {
     pupil_mm = { kind = "number", from = 3, to = 9 },
     side = { kind = "text", choices = { "right", "left" } },  -- which eye
     incision_deg = { kind = "number", from = 0, to = 360 },   -- site of the main incision: see engine/orientation.lua
-    tetrahedra = { kind = "number", from = 500, to = 24000, whole = true },
+    tetrahedra = { kind = "number", from = 500, to = 24000, whole = true },  -- by hand, in place of `accuracy`
 }
 
 local exercise_rules = {
@@ -109,7 +111,8 @@ local exercise_rules = {
     input = { kind = "text", default = "hands", choices = { "hands", "mouse", "gamepad", "vrpn" } },  -- done with
     texts = { kind = "table", default = {} },      -- fr = { ["English text"] = "French text" }
     surgeon = { kind = "text", default = "surgeon" },  -- the plan that virtual surgeons follow: a file beside this one
-    step_s = { kind = "number", default = 0.01, from = 0.001, to = 0.02 },
+    accuracy = { kind = "table", default = {} },   -- error that may be made, by quantity: force = 0.25
+    step_s = { kind = "number", default = 0.01, from = 0.001, to = 0.02 },  -- by hand, in place of `accuracy`
     advance = { kind = "text", default = "automatic", choices = { "automatic", "explicit", "implicit" } },
 }
 
@@ -380,6 +383,8 @@ local function read_parts(result)
     settings_check.all(result.settings, words.line_of("settings"), "settings: ")
     result.goals, result.goal_rules = read_goals(result.goals)
     result.reference = language.read_reference(result.reference)
+    result.accuracy_where = words.where("accuracy")
+    result.accuracy = accuracy.read(result.accuracy, "accuracy")
     if result.vitals then result.vitals = words.try(vitals.read, result.vitals) end
     words.try(texts.check, result.texts)
 end
@@ -402,6 +407,7 @@ end
 function language.exercise(given)
     local result = fields.read(given, exercise_rules, "exercise")
     result.kind = "exercise"
+    result.step_by_hand = given.step_s ~= nil
     words.try(read_parts, result)
     words.try(check_names, result)
     return result
@@ -437,9 +443,15 @@ function language.changeable(exercise, settings)
     for _, name in ipairs(changeable) do names[#names + 1] = name end
     names[#names + 1], names[#names + 2] = "language", "level"
     for _, name in ipairs(words.keys(patient_rules)) do names[#names + 1] = "patient." .. name end
+    for _, quantity in ipairs(accuracy.list()) do names[#names + 1] = "accuracy." .. quantity.name end
     for _, name in ipairs(words.keys(exercise.goal_rules)) do names[#names + 1] = "goal." .. name end
     for _, name in ipairs(settings) do names[#names + 1] = name end
     return names
+end
+
+local function set_accuracy(exercise, name, text, full)
+    exercise.accuracy[name] = fields.from_text(accuracy.rule(name), text, full)
+    exercise.accuracy_where = "--set " .. full .. "=" .. text
 end
 
 local function set_patient(exercise, name, text, full)
@@ -454,6 +466,7 @@ end
 --- Applies --set name=text. settings: the names of the machine's settings; their ranges are the kernel's to check.
 function language.set(exercise, name, text, settings)
     local patient, goal = name:match("^patient%.(.+)$"), name:match("^goal%.(.+)$")
+    local quantity = name:match("^accuracy%.(.+)$")
     if name == "level" then return language.set_level(exercise, text) end
     if name == "language" then
         exercise.language = texts.known(text, "--language " .. text, exercise)
@@ -462,6 +475,7 @@ function language.set(exercise, name, text, settings)
     for _, known in ipairs(changeable) do
         if known == name then
             exercise[name] = fields.from_text(exercise_rules[name], text, name)
+            exercise.step_by_hand = exercise.step_by_hand or name == "step_s"
             return
         end
     end
@@ -473,6 +487,8 @@ function language.set(exercise, name, text, settings)
     end
     if patient and patient_rules[patient] then
         set_patient(exercise, patient, text, name)
+    elseif quantity and accuracy.rule(quantity) then
+        set_accuracy(exercise, quantity, text, name)
     elseif goal and exercise.goal_rules[goal] then
         exercise.goals[goal] = fields.from_text(exercise.goal_rules[goal], text, name)
     else

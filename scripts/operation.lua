@@ -17,6 +17,7 @@
 -- Each part is simulated as its exercise says, no more. What one part leaves for the next is named: the opening, the
 -- whole state (continues), or single facts. The score reaches over all parts.
 
+local accuracy = require "engine.accuracy"
 local expression = require "engine.expression"
 local fields = require "engine.fields"
 local language = require "exercise"
@@ -34,13 +35,14 @@ local part_rules = {
                                            -- tissues, instruments and fixed settings; the machine's are its own
     opening = { kind = "text" },           -- the part in which the opening of the bag was torn
     begins_with = { kind = "table", default = {} },    -- setting = text over the measures that earlier parts left
-    patient = { kind = "table", default = {} },        -- besides the operation's: how finely it is simulated
+    patient = { kind = "table", default = {} },        -- besides the operation's
     tissues = { kind = "texts" },          -- in place of the exercise's
     instruments = { kind = "texts" },
     settings = { kind = "table", default = {} },
     goals = { kind = "table", default = {} },
     time_limit_s = { kind = "number", from = 1, to = 7200 },
-    step_s = { kind = "number", from = 0.001, to = 0.02 },  -- the exercise's if missing
+    accuracy = { kind = "table", default = {} },       -- besides the exercise's
+    step_s = { kind = "number", from = 0.001, to = 0.02 },  -- by hand; the exercise's if missing
 }
 
 local operation_rules = {
@@ -60,6 +62,8 @@ local operation_rules = {
 operation.part = language.declaration("part", part_rules, function(part)
     part.exercise = part.exercise or part.id
     part.begins = {}
+    part.accuracy_where = words.where("accuracy", part.line)
+    part.accuracy = accuracy.read(part.accuracy, ("part '%s': accuracy"):format(part.name), part.line)
     fields.named(part.begins_with, words.where("begins_with", part.line), ("part '%s': begins_with"):format(part.name),
         "[\"viscoelastic.fill\"] = \"viscoelastic.fill\"")
     for _, setting in ipairs(words.keys(part.begins_with)) do
@@ -189,7 +193,7 @@ end
 -- The scene in which the part before it ended. live: names of the settings that may change while a scene runs.
 local function continue_scene(exercise, scene, live)
     exercise.patient, exercise.tissues, exercise.instruments = scene.patient, scene.tissues, scene.instruments
-    exercise.step_s, exercise.advance = scene.step_s, scene.advance
+    exercise.step_s, exercise.advance, exercise.chosen = scene.step_s, scene.advance, scene.chosen
     local settings = scene.settings
     for _, name in ipairs(live) do settings[name] = exercise.settings[name] end
     exercise.settings = settings
@@ -210,6 +214,9 @@ function operation.join(wanted, index, exercise, before, live)
     exercise.tissues = part.tissues or exercise.tissues
     exercise.instruments = part.instruments or exercise.instruments
     exercise.step_s = part.step_s or exercise.step_s
+    exercise.step_by_hand = exercise.step_by_hand or part.step_s ~= nil
+    if next(part.accuracy) then exercise.accuracy_where = part.accuracy_where end
+    overlay(exercise.accuracy, part.accuracy)
     if part.continues and before.scene then continue_scene(exercise, before.scene, live) end
     exercise.time_limit_s = part.time_limit_s or exercise.time_limit_s
     exercise.mode = wanted.mode

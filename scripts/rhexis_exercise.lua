@@ -9,7 +9,7 @@ local rhexis_exercise = {
     tissues = { "anterior_capsule", "viscoelastic", "iris", "cornea" },
     instruments = { "cystotome", "forceps", "cannula", "microscope" },
 
-    step_s = 0.02,  -- docs/tearing.md, "What it costs, and which mesh and step"
+    accuracy = { time = 0.02 },  -- who tears looks at the flap, not at a hundredth of a second
 
     goals = {
         radius_mm = { 2.62, from = 2, to = 3.2, meaning = "of the circle that is planned" },

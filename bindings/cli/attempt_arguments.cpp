@@ -10,6 +10,7 @@
 #include "cli/language.hpp"
 #include "cli/run_folder.hpp"
 #include "eye/patient.hpp"
+#include "trial/accuracy_notes.hpp"
 #include "trial/report_json.hpp"
 
 namespace rhexis::cli {
@@ -212,6 +213,9 @@ void print_summary(const AttemptArguments& given, const std::string& who, const 
     }
     std::printf("  recording  %s\n", result.recording.c_str());
     std::printf("  cost       %.2f s of CPU per simulated second\n", facts.performance.cpu_s_per_s);
+    if (facts.measured.is_object()) {
+        std::printf("  accuracy   %s\n", measured_line(facts.measured).c_str());
+    }
 }
 
 }  // namespace rhexis::cli

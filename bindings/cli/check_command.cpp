@@ -10,8 +10,10 @@
 #include "lua/exercise_host.hpp"
 #include "lua/operation_script.hpp"
 #include "session/trial.hpp"
+#include "trial/accuracy_notes.hpp"
 #include "trial/scenario_files.hpp"
 #include "trial/scenario_run.hpp"
+#include "trial/unused_tissues.hpp"
 
 namespace rhexis::cli {
 namespace {
@@ -31,6 +33,9 @@ constexpr const char* check_help =
     "is to learn, the levels, the texts that lack a translation, and notes: what is no mistake of form, but may not "
     "do\n"
     "what was meant.\n"
+    "Warnings tell what is simulated for nothing, or more coarsely or dearly than its accuracy wants: tissues that "
+    "nothing\n"
+    "uses, meshes by hand, and scenes that one core cannot step in real time by the tables in assets/accuracy.\n"
     "A file that is wrong does not hide what is wrong in the files beside it. Of scenario tests it checks form, "
     "exercise, settings and start; rhexis test runs them.";
 
@@ -62,6 +67,22 @@ Result<Findings> review(ExerciseHost& host) {
     return all;
 }
 
+/// What of a scene costs more than it need, or than there is.
+Status add_warnings(ExerciseHost& host, const SceneDescription& scene, Findings& found) {
+    for (const std::string& line : accuracy_warnings(scene.accuracy)) {
+        found.notes.push_back("warning: " + line);
+    }
+    const Result<std::vector<std::string>> used = host.used_measures();
+    if (!used) {
+        return used.error();
+    }
+    for (const std::string& tissue : unused_tissues(scene, used.value())) {
+        found.notes.push_back("warning: tissues: no step, event, measure, score or picture of this exercise uses " +
+                              tissue);
+    }
+    return success();
+}
+
 /// An error of a scene that says itself where it comes from, else the exercise.
 Error of_exercise(Error error, const ExerciseOptions& options) {
     const Result<CurriculumFiles> files = find_curriculum(options.curriculum, options.root);
@@ -71,7 +92,7 @@ Error of_exercise(Error error, const ExerciseOptions& options) {
     return error;
 }
 
-Result<Findings> dry_run(const ExerciseOptions& options) {
+Result<Findings> dry_run(const ExerciseOptions& options, bool warn = false) {
     Result<ExerciseHost> host = ExerciseHost::load(options);
     if (!host) {
         return host.error();
@@ -94,6 +115,10 @@ Result<Findings> dry_run(const ExerciseOptions& options) {
             found.value().measured.push_back(measure.name);
         }
         found.value().tissues = host.value().scene().tissues;
+        const Status warned = warn ? add_warnings(host.value(), session.value().scene(), found.value()) : success();
+        if (!warned) {
+            return warned.error();
+        }
         if (result.value().contains("operation")) {
             found.value().scene = result.value()["operation"]["carried"]["scene"];
         }
@@ -227,7 +252,7 @@ Result<Findings> check_levels(const std::string& path, const Context& context) {
     if (!host) {
         return host.error();
     }
-    Result<Findings> found = dry_run({path, "none", 1, {}, context.root});
+    Result<Findings> found = dry_run({path, "none", 1, {}, context.root}, true);
     for (const std::string& level : host.value().levels()) {
         if (!found) {
             break;

@@ -42,6 +42,8 @@ constexpr const char* run_help =
     "  rhexis run full_operation                  all its parts, one after the other\n"
     "  rhexis run full_operation --from capsulorhexis --to capsulorhexis\n"
     "  rhexis run full_operation --resume         without the parts that are there already\n"
+    "  rhexis run groove --accuracy measure --limit 20    how far off: again at twice the resolution, by the same "
+    "hand\n"
     "  rhexis run groove --trainee P07 --cohort 2026    the attempt is stored; see rhexis records --help\n"
     "\n"
     "Without a device to draw with the run goes on without pictures and says so; with --video it does not start.\n"
@@ -58,6 +60,7 @@ struct RunOptions : AttemptArguments {
     std::string to;
     bool resume = false;
     bool watch = false;
+    std::string accuracy;
     TrackedArguments tracked;
     std::string through;
     std::string level;
@@ -121,7 +124,8 @@ void print_whole(const RunOptions& given, const std::string& folder, const Opera
 Status check_whole(const RunOptions& given) {
     for (const auto& [option, value] :
          {std::pair("--start", given.start), std::pair("--opening", given.opening),
-          std::pair("--save-state", given.save_state), std::pair("--through", given.through)}) {
+          std::pair("--save-state", given.save_state), std::pair("--accuracy", given.accuracy),
+          std::pair("--through", given.through)}) {
         if (!value.empty()) {
             return Error{std::string(option) + " is for exercises, and " + given.curriculum + " is an operation", "",
                          "--from PART and --to PART"};
@@ -175,6 +179,7 @@ int run_whole(const RunOptions& given, const Operation& operation, AttemptOption
 AttemptOptions run_options(const RunOptions& given, std::map<std::string, std::string> set, const std::string& root) {
     AttemptOptions options = attempt_options(given, std::move(set), root);
     options.watch = given.watch;
+    options.measure_accuracy = given.accuracy == "measure";
     options.drawing = given.video ? Drawing::video : given.no_pictures ? Drawing::none : Drawing::if_possible;
     return options;
 }
@@ -372,6 +377,10 @@ void add_run(CLI::App& app, Context& context) {
     CLI::Option* video = command->add_flag("--video", given->video, "Make a video, 640x480, 25 pictures a second");
     command->add_flag("--no-pictures", given->no_pictures, "Draw nothing")->excludes(video);
     command->add_flag("--watch", given->watch, "Read the exercise again between two steps when its files have changed");
+    command
+        ->add_option("--accuracy", given->accuracy,
+                     "measure: simulate the attempt again at twice the resolution, and tell how far off it was")
+        ->check(CLI::IsMember({"measure"}));
     command->add_option("--from", given->from, "Of an operation: the part to begin with");
     command->add_option("--to", given->to, "Of an operation: the last part to do");
     command->add_flag("--resume", given->resume, "Of an operation: go on after the parts that are whole in --out");

@@ -85,7 +85,7 @@ Result<ExerciseHost> ExerciseHost::load(const ExerciseOptions& options) {
         rubric = found.value();
     }
     Result<ExerciseScript> exercise =
-        ExerciseScript::load(files.value(), options.root, options.seed, set, joined, rubric);
+        ExerciseScript::load(files.value(), options.root, options.seed, set, joined, rubric, options.accuracy);
     if (!exercise) {
         return exercise.error();
     }
@@ -121,6 +121,10 @@ const json& ExerciseHost::identity() const { return parts_->identity; }
 const std::vector<std::string>& ExerciseHost::objectives() const { return parts_->exercise.objectives(); }
 const std::vector<std::string>& ExerciseHost::levels() const { return parts_->exercise.levels(); }
 Result<json> ExerciseHost::review() { return parts_->exercise.ask("review"); }
+Result<std::vector<std::string>> ExerciseHost::used_measures() {
+    const Result<json> used = parts_->exercise.ask("used_measures");
+    return used ? Result<std::vector<std::string>>(used.value().get<std::vector<std::string>>()) : used.error();
+}
 Result<json> ExerciseHost::vocabulary() { return parts_->exercise.ask("vocabulary"); }
 
 namespace {

@@ -32,11 +32,13 @@ struct ExerciseOptions {
     std::string curriculum;        ///< folder, file, or bare name of a folder in curricula/
     std::string surgeon = "none";  ///< "none", or a group of scripts/surgeons: "expert", "novice", a..d; or "random"
     std::uint64_t seed = 1;
-    std::map<std::string, std::string> set;  ///< --set key=value: patient fields, settings of the
-                                             ///< exercise, habits of the virtual surgeon (surgeon.recovery)
-    std::string root;                        ///< folder that holds scripts/ and curricula/
-    std::optional<PartPlace> part{};         ///< none: the exercise stands alone
-    std::string rubric{};                    ///< file to judge by in place of the exercise's own; empty: none
+    std::map<std::string, std::string> set;   ///< --set key=value: patient fields, settings of the
+                                              ///< exercise, habits of the virtual surgeon (surgeon.recovery)
+    std::string root;                         ///< folder that holds scripts/ and curricula/
+    std::optional<PartPlace> part{};          ///< none: the exercise stands alone
+    std::string rubric{};                     ///< file to judge by in place of the exercise's own; empty: none
+    std::optional<SceneAccuracy> accuracy{};  ///< how finely it is simulated, as was chosen before: of a recording that
+                                              ///< is judged again; none: the tables say
 };
 
 /// The file of a rubric, which is named by its path, or by its path or bare name in root/rubrics; "" when the name is
@@ -61,6 +63,8 @@ public:
     /// What rhexis check tells of an exercise that runs: "faults", "notes", "untranslated", lists of lines. After
     /// start.
     [[nodiscard]] Result<nlohmann::json> review();
+    /// Names of the measures that its steps, events and scores use. After start.
+    [[nodiscard]] Result<std::vector<std::string>> used_measures();
     /// Every name that the exercise may use: list of {"title", "lines": [{"name", "text"}]}. After start.
     [[nodiscard]] Result<nlohmann::json> vocabulary();
 

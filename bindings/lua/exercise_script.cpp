@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lua/accuracy_words.hpp"
 #include "lua/json.hpp"
 #include "lua/samples.hpp"
 #include "lua/stack.hpp"
+#include "session/choose_accuracy.hpp"
 #include "session/settings.hpp"
 
 namespace rhexis {
@@ -152,6 +154,9 @@ Status ExerciseScript::open_engine() {
         push_function(L, "know_settings");
         lua::push_json(L, settings_known());
         lua_call(L, 1, 0);
+        push_function(L, "know_quantities");
+        lua::push_json(L, quantities_json());
+        lua_call(L, 1, 0);
     });
 }
 
@@ -222,7 +227,7 @@ Status ExerciseScript::apply(const std::map<std::string, std::string>& set) {
     return status;
 }
 
-Status ExerciseScript::read_scene() {
+Status ExerciseScript::read_scene(const std::string& root, const std::optional<SceneAccuracy>& chosen) {
     json given;
     Status status = state_.run([&](lua_State* L) {
         push_function(L, "scene");
@@ -246,7 +251,13 @@ Status ExerciseScript::read_scene() {
             return allowed;
         }
     }
-    return success();
+    if (chosen && chosen->step_s > 0.0) {
+        set_accuracy(*chosen, scene_);
+    } else if (Status kept = choose_accuracy_of(given, root, scene_); !kept) {
+        return kept;
+    }
+    const Result<json> told = ask("choose", accuracy_json(scene_.accuracy));
+    return told ? success() : Status(told.error());
 }
 
 Result<ExerciseScript> ExerciseScript::open(const CurriculumFiles& files, const std::string& root, std::uint64_t seed) {
@@ -292,7 +303,8 @@ bool ExerciseScript::is_rubric(const CurriculumFiles& files, const std::string& 
 Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
                                             const std::map<std::string, std::string>& set,
                                             const std::optional<JoinedPart>& joined,
-                                            const std::optional<CurriculumFiles>& rubric) {
+                                            const std::optional<CurriculumFiles>& rubric,
+                                            const std::optional<SceneAccuracy>& chosen) {
     Result<ExerciseScript> opened = open(files, root, seed);
     if (!opened) {
         return opened;
@@ -324,7 +336,7 @@ Result<ExerciseScript> ExerciseScript::load(const CurriculumFiles& files, const 
         status = ready ? success() : Status(ready.error());
     }
     if (status) {
-        status = script.read_scene();
+        status = script.read_scene(root, chosen);
     }
     if (!status) {
         return status.error();

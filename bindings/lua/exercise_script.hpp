@@ -27,11 +27,13 @@ struct JoinedPart {
 
 class ExerciseScript {
 public:
-    /// Runs the curriculum and applies `set`. root: folder that holds scripts/.
+    /// Runs the curriculum and applies `set`. root: folder that holds scripts/ and assets/. chosen: how finely the
+    /// scene is simulated, as ExerciseOptions have it.
     static Result<ExerciseScript> load(const CurriculumFiles& files, const std::string& root, std::uint64_t seed,
                                        const std::map<std::string, std::string>& set,
                                        const std::optional<JoinedPart>& joined,
-                                       const std::optional<CurriculumFiles>& rubric);
+                                       const std::optional<CurriculumFiles>& rubric,
+                                       const std::optional<SceneAccuracy>& chosen);
     /// What can be read of an exercise with mistakes: its scene() is as far as it goes, and only "vocabulary_of" and
     /// "mistakes_of" may be asked.
     static Result<ExerciseScript> load_in_spite(const CurriculumFiles& files, const std::string& root);
@@ -57,7 +59,7 @@ public:
     Result<std::vector<Command>> observe(const Observation& observation, std::span<const Command> given);
     [[nodiscard]] bool finished() const { return finished_; }
     /// Calls a function of scripts/engine/host.lua: "result", "events", "declared_events", "declared_requests",
-    /// "watch", "reached", "review", "vocabulary", "vocabulary_of", "mistakes_of".
+    /// "watch", "reached", "review", "vocabulary", "vocabulary_of", "mistakes_of", "choose".
     Result<nlohmann::json> ask(const char* function, const nlohmann::json& argument = nullptr);
 
 private:
@@ -70,7 +72,7 @@ private:
     Result<nlohmann::json> run_curriculum(const CurriculumFiles& files, const char* receiver);
     Status join(const JoinedPart& joined);
     Status apply(const std::map<std::string, std::string>& set);
-    Status read_scene();
+    Status read_scene(const std::string& root, const std::optional<SceneAccuracy>& chosen);
     void push_function(lua_State* L, const char* name) const;
 
     LuaState state_;

@@ -8,6 +8,7 @@
 #include "flow/microscope.hpp"
 #include "session/prepared_state.hpp"
 #include "session/replay.hpp"
+#include "trial/accuracy_measure.hpp"
 #include "trial/hot_reload.hpp"
 #include "trial/html.hpp"
 #include "trial/pictures.hpp"
@@ -109,6 +110,7 @@ AttemptFacts facts_of(const AttemptOptions& options, const ExerciseHost& host, c
     facts.opening = session.scene().opening;
     facts.opening_note = options.start.opening_note;
     facts.patient = session.scene().patient;
+    facts.accuracy = session.scene().accuracy;
     facts.duration_s = session.time_s();
     facts.state_hash = session.state_hash();
     if (seen.book != nullptr) {
@@ -155,6 +157,13 @@ Result<AttemptResult> write_results(const AttemptOptions& options, ExerciseHost&
     result.comparison = options.comparison;
     result.recording = seen.recorder.file();
     result.saved = seen.keeper.kept();
+    if (options.measure_accuracy) {
+        Result<nlohmann::json> measured = measure_accuracy(result.recording, options);
+        if (!measured) {
+            return measured.error();
+        }
+        result.facts.measured = std::move(measured).value();
+    }
     // the report last: where it stands, all that it speaks of is there
     Status status = write_file(options.folder + "/series.json", seen.series.json().dump() + "\n");
     if (status) {

@@ -53,7 +53,8 @@ struct AttemptOptions {
     const GoingOn* going_on = nullptr;                     ///< outlives the attempt; null: it begins
     Guest* guest = nullptr;                                ///< null: the virtual surgeon of the exercise, or nobody
     SampleLink* link = nullptr;                            ///< that hands go through; null: none
-    bool watch = false;  ///< the exercise is read again between two steps when its files have changed
+    bool measure_accuracy = false;  ///< afterwards it is simulated again at twice the resolution: accuracy_measure.hpp
+    bool watch = false;             ///< the exercise is read again between two steps when its files have changed
 };
 
 struct AttemptResult {

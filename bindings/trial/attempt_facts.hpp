@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/log.hpp"
+#include "flow/accuracy.hpp"
 #include "flow/eye_model.hpp"
 #include "trial/pictures.hpp"
 #include "trial/sample_link.hpp"
@@ -69,6 +70,8 @@ struct AttemptFacts {
     std::vector<double> opening;  ///< of the bag, as SceneDescription has it
     std::string opening_note;     ///< why it is not the one that was torn before; empty: nothing to say
     Patient patient;
+    SceneAccuracy accuracy;   ///< how finely it was simulated
+    nlohmann::json measured;  ///< of --accuracy measure: see accuracy_measure.hpp; null: nobody asked
     double duration_s = 0.0;
     std::uint64_t state_hash = 0;  ///< after the last step
     bool completed = false;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/hash.hpp"
+#include "lua/accuracy_words.hpp"
 
 namespace rhexis {
 namespace {
@@ -131,6 +132,8 @@ json make_report(const AttemptFacts& facts) {
     report["opening_mm"] = facts.opening.empty() ? json(nullptr) : json(facts.opening);
     report["opening_note"] = facts.opening_note.empty() ? json(nullptr) : json(facts.opening_note);
     report["patient"] = patient_json(facts.patient);
+    report["accuracy"] = accuracy_json(facts.accuracy);
+    report["accuracy"]["measured"] = facts.measured;
     report["duration_s"] = facts.duration_s;
     report["state_hash"] = hex(facts.state_hash);
     report["pictures"] = pictures_json(facts.pictures);

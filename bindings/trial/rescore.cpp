@@ -144,7 +144,9 @@ ExerciseOptions judge_of(const Recording& recording, const std::string& score_wi
     return options;
 }
 
-Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& options) {
+Result<Rescore> rescore(const Recording& recording, const ExerciseOptions& given) {
+    ExerciseOptions options = given;
+    options.accuracy = recording.header.scene.accuracy;  // what new tables would choose is none of its business
     Result<ExerciseHost> host = ExerciseHost::load(options);
     if (!host) {
         return host.error();

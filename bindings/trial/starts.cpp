@@ -7,9 +7,11 @@
 
 #include "base/hash.hpp"
 #include "base/near_names.hpp"
+#include "base/text_file.hpp"
 #include "lua/curriculum_files.hpp"
 #include "lua/exercise_host.hpp"
 #include "lua/scenario_script.hpp"
+#include "session/accuracy_quantities.hpp"
 #include "session/build_world.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
@@ -48,8 +50,8 @@ bool is_name(const std::string& start) { return start.find_first_of("./") == std
 /// A value that decides what is built, which the state and the run that starts from it must share.
 bool builds_the_scene(const std::string& name) {
     const SettingInfo* setting = find_setting(name);
-    return name.starts_with("patient.") || name == "level" || name == "step_s" || name == "advance" ||
-           (setting != nullptr && !setting->live);
+    return name.starts_with("patient.") || name.starts_with("accuracy.") || name == "level" || name == "step_s" ||
+           name == "advance" || (setting != nullptr && !setting->live);
 }
 
 std::map<std::string, std::string> of_the_scene(std::map<std::string, std::string> set) {
@@ -65,7 +67,19 @@ std::vector<std::string> names_of(const json& starts) {
     return names;
 }
 
-/// Everything that may change what a run comes to: scripts, program, recipe.
+/// Of the tables that say how finely a scene is simulated.
+json hashes_of_tables(const std::string& root) {
+    constexpr std::size_t most_bytes = std::size_t{1} << 20;
+    json hashes = json::array();
+    for (const AccuracyModel& model : accuracy_models()) {
+        const Result<std::string> text =
+            read_text_file(root + "/assets/accuracy/" + std::string(model.tissue) + ".csv", most_bytes);
+        hashes.push_back(text ? sha256_hex(text.value()) : "");
+    }
+    return hashes;
+}
+
+/// Everything that may change what a run comes to: scripts, program, tables, recipe.
 Result<std::string> fingerprint_of(const Recipe& recipe, const std::string& root) {
     const Result<std::string> scripts = hash_of_scripts(root + "/scripts");
     if (!scripts) {
@@ -76,7 +90,7 @@ Result<std::string> fingerprint_of(const Recipe& recipe, const std::string& root
         return program.error();
     }
     const json parts = {recipe.files.sha256, scripts.value(), program.value(), build_note(),
-                        recipe.text,         recipe.set,      recipe.opening};
+                        recipe.text,         recipe.set,      recipe.opening,  hashes_of_tables(root)};
     return sha256_hex(parts.dump());
 }
 

@@ -21,7 +21,7 @@ return exercise {
     instruments = rhexis_exercise.instruments,
     settings = { ["viscoelastic.fill"] = 0.2 },
 
-    step_s = rhexis_exercise.step_s,
+    accuracy = rhexis_exercise.accuracy,
 
     goals = rhexis_exercise.goals,
     levels = {

@@ -25,7 +25,7 @@ return exercise {
         ["capsule.toughness"] = 0.6,
     },
 
-    step_s = rhexis_exercise.step_s,
+    accuracy = rhexis_exercise.accuracy,
 
     goals = rhexis_exercise.goals,
     reference = { time_s = 60, path_mm = 155, movements = 28, entries = 2, jerk_mm_s3 = 425 },

@@ -11,7 +11,7 @@ return exercise {
         .. "cornea. Come out with closed jaws.",
     objectives = { "Open and close the jaws where it is safe", "Take hold at the first try", "Carry without a jerk" },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 500 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
     tissues = { "iris", "cornea", "beads" },
     instruments = { "forceps" },
 

@@ -20,7 +20,7 @@ return operation {
         part "capsulorhexis" {},
         part "hydrodissection" { begins_with = { ["capsulorhexis.diameter_mm"] = "rhexis.diameter_mm" } },
         part "phaco_quadrants" {
-            step_s = 0.02,  -- as accurate as 0.01 and a quarter cheaper: docs/accuracy.md, "Strokes with ultrasound"
+            accuracy = { time = 0.02 },
             begins_with = {
                 ["capsulorhexis.diameter_mm"] = "rhexis.diameter_mm",
                 ["hydrodissection.freed"] = "hydro.freed_share",

@@ -48,7 +48,7 @@ return exercise {
         .. "round a circle, and leave, without touching iris or cornea.",
     objectives = { "Steady the hand", "Know where the tip is in all three directions" },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 500 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
     tissues = { "iris", "cornea" },
     instruments = { "probe" },
 

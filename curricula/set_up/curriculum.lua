@@ -16,7 +16,7 @@ return exercise {
         "Confirm the side and the settings aloud",
     },
 
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, incision_deg = 90, tetrahedra = 500 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, incision_deg = 90 },
     tissues = { "iris", "cornea", "lids" },
     instruments = { "drape", "speculum", "phaco", "microscope" },
     settings = { ["microscope.field_mm"] = 30 },

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "flow/accuracy.hpp"
 #include "flow/eye_model.hpp"
 
 namespace rhexis {
@@ -22,6 +23,7 @@ struct SceneDescription {
     int threads = 1;                         ///< 1 to 64
     std::string instruction_set;             ///< "": the best; "baseline", "avx2", "avx512": same bits; not recorded
     std::map<std::string, double> settings;  ///< "phaco.power_limit" = 0.6, ...; names and ranges: session/settings.hpp
+    SceneAccuracy accuracy;  ///< how patient.tetrahedra, step_s, advance and meshes in settings were chosen
 };
 
 }  // namespace rhexis

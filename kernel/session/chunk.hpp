@@ -19,8 +19,8 @@ struct ChunkFile {
     std::string_view written;  ///< "a file written by ..."
 };
 
-inline constexpr ChunkFile recording_file{"rhexis recording ", 13, "recording", "a file written by rhexis run (.rhx)"};
-inline constexpr ChunkFile state_file{"rhexis state ", 13, "state", "a file written by rhexis run --save-state"};
+inline constexpr ChunkFile recording_file{"rhexis recording ", 14, "recording", "a file written by rhexis run (.rhx)"};
+inline constexpr ChunkFile state_file{"rhexis state ", 14, "state", "a file written by rhexis run --save-state"};
 
 std::string first_line(const ChunkFile& kind);
 

@@ -59,6 +59,23 @@ public:
     bool sound = true;
 };
 
+void accuracy_fields(auto& io, auto& accuracy) {
+    io(accuracy.step_s);
+    io(accuracy.step_by_hand);
+    io(accuracy.time_s);
+    io.list(accuracy.models, 65, [](auto& inner, auto& model) {
+        inner(model.model);
+        inner(model.way);
+        inner(model.mesh);
+        inner(model.budget);
+        inner(model.expected);
+        inner(model.cost);
+        inner(model.by_hand);
+        inner(model.instead);
+        inner(model.machine);
+    });
+}
+
 void scene_fields(auto& io, auto& scene) {
     io(scene.patient.age);
     io(scene.patient.nuclear_grade);
@@ -74,6 +91,7 @@ void scene_fields(auto& io, auto& scene) {
     io.limit(scene.advance >= Advance::automatic && scene.advance <= Advance::implicit);
     io(scene.threads);
     io(scene.settings);
+    accuracy_fields(io, scene.accuracy);
 }
 
 void text_map(Writing& io, const std::map<std::string, std::string>& map) {

@@ -29,6 +29,8 @@ function events.watch(declared, eye, task)
         if not eye.info[name] then
             words.mistake(declared.where, ("evidence: unknown measure '%s'%s"):format(name,
                 words.hint(name, eye.names)))
+        else
+            eye.used[name] = true
         end
     end
     return self

@@ -12,7 +12,8 @@ Eye.__index = Eye
 --- schema: list of { name, unit, meaning }; goals: named numbers of the exercise; declared: its requests, or nil.
 function Eye.new(schema, goals, declared)
     local self = setmetatable({ row = {}, time_s = 0, step_time_s = 0, goals = goals, names = {}, groups = {},
-        info = {}, requests = declared or {}, requested = {} }, Eye)  -- `read`: names read since it was set, if it is
+        info = {}, requests = declared or {}, requested = {}, used = {} }, Eye)  -- `read`: names read since it was
+        -- set, if it is; `used`: set of those that texts name, and that functions have read
     for i, entry in ipairs(schema) do
         local group, field = entry.name:match("^([^.]+)%.(.+)$")
         self.names[i] = entry.name
@@ -76,6 +77,7 @@ function Eye:resolve(name)
     end
     local info = self.info[name]
     if not info then return nil, self.names end
+    self.used[name] = true
     local index = info.index
     if info.bool then
         return function()
@@ -98,6 +100,7 @@ local function group_view(self, group, content)
                 error(("unknown measure '%s.%s'%s"):format(group, tostring(field),
                     words.hint(tostring(field), content.names)), 2)
             end
+            self.used[name] = true
             if self.read then table.insert(self.read, name) end
             return self:value(name)
         end,

@@ -3,6 +3,7 @@
 
 local Eye = require "engine.eye"
 local Run = require "engine.run"
+local accuracy = require "engine.accuracy"
 local condition = require "engine.condition"
 local globals = require "engine.globals"
 local injections = require "engine.injections"
@@ -46,6 +47,9 @@ function host.read(receiver, file) return words.read(file, host[receiver]) end
 --- Before any curriculum: the settings of the kernel, list of { name, from, to, standard, live, tissue, unit,
 --- meaning }.
 host.know_settings = settings_check.know
+
+--- Likewise what an error budget may be about, list of { name, unit, from, to, meaning }.
+host.know_quantities = accuracy.know
 
 --- A file of texts beside the curriculum, "curriculum.fr.lua": what it returned.
 function host.accept_texts(value)
@@ -144,8 +148,13 @@ function host.scene()
         version = exercise.version, surgeon = exercise.surgeon,
         patient = words.as_object(exercise.patient), tissues = exercise.tissues, instruments = exercise.instruments,
         settings = words.as_object(exercise.settings), step_s = exercise.step_s, advance = exercise.advance,
+        accuracy = words.as_object(exercise.accuracy), accuracy_where = exercise.accuracy_where,
+        step_by_hand = exercise.step_by_hand == true, chosen = exercise.chosen,
         time_limit_s = exercise.time_limit_s, goals = words.as_object(exercise.goals) }
 end
+
+--- How finely that scene is simulated, as the kernel chose it: { step_s, models }.
+function host.choose(chosen) host.exercise.chosen, host.exercise.step_s = chosen, chosen.step_s end
 
 --- The error events that the exercise declares: id, title, whether they can be put right, and by what text.
 function host.declared_events()
@@ -245,6 +254,9 @@ function host.review()
     table.move(remarks.of(host.exercise, host.run), 1, 64, #found.notes + 1, found.notes)
     return found
 end
+
+--- Measures that steps, events and scores of the exercise use, as far as it has come: a list.
+function host.used_measures() return words.keys(host.run.eye.used) end
 
 --- The scene of an exercise with mistakes, without what is none: the names of a scene can be told all the same.
 function host.scene_in_spite()

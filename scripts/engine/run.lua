@@ -68,12 +68,13 @@ function Run.new(exercise, schema)
     self.eye = Eye.new(schema, exercise.goals, exercise.requests)
     self.act = actions(self)
     self.log = event_log(self)
+    self.warned, self.warnings = { came = {} }, {}
+    for _, rule in ipairs(standard_warnings) do table.insert(self.warnings, warnings.watch(rule, self.eye)) end
+    self.eye.used = {}  -- those that are watched in every scene are no exercise's
     self.steps = steps.prepare(exercise.steps, self.eye, self.act)
     self.watches = {}
     local task = not (exercise.whole and exercise.whole.before.parts)
     for i, declared in ipairs(exercise.errors) do self.watches[i] = events.watch(declared, self.eye, task) end
-    self.warned, self.warnings = { came = {} }, {}
-    for _, rule in ipairs(standard_warnings) do table.insert(self.warnings, warnings.watch(rule, self.eye)) end
     self.over = exercise.over and words.try(condition.bind, exercise.over, self.eye, "in 'over'")
     if exercise.scoring then
         self.sheet = words.try(scoring.sheet, exercise.scoring, self.eye, exercise.reference, exercise.step_s)

@@ -2,6 +2,7 @@
 -- What rhexis words says: every name that an exercise may use, with its unit and meaning. Measures are those of the
 -- exercise's own tissues and instruments.
 
+local accuracy = require "engine.accuracy"
 local osacss = require "osacss"
 local settings_check = require "engine.settings_check"
 local words = require "engine.words"
@@ -42,6 +43,16 @@ local function settings()
     return lines
 end
 
+local function quantities()
+    local lines = {}
+    for i, quantity in ipairs(accuracy.list()) do
+        local unit = quantity.unit == "1" and "share" or quantity.unit
+        lines[i] = line(quantity.name, unit, ("%s [%g to %g%s]"):format(quantity.meaning, quantity.from, quantity.to,
+            quantity.kept ~= "" and "; if nothing is said: " .. quantity.kept or ""))
+    end
+    return lines
+end
+
 local function items(exercise, sheet)
     local untold, lines = {}, {}
     for _, one in ipairs(sheet and sheet:untold() or {}) do untold[one.item.id] = one.none end
@@ -61,6 +72,7 @@ function vocabulary.of(exercise, run)
     return {
         { title = "Measures, for conditions and rubrics", lines = measures(exercise, run.eye) },
         { title = "Settings of patient, machine and simulation", lines = settings() },
+        { title = "Errors that may be made, for accuracy = { }", lines = quantities() },
         { title = "Items of the rubric", lines = items(exercise, run.sheet) },
     }
 end

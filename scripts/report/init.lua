@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- report.html of an attempt: everything in one file, for the screen and for paper.
 
+local accuracy = require "report.accuracy"
 local charts = require "report.charts"
 local events = require "report.events"
 local history = require "report.history"
@@ -139,6 +140,7 @@ local function background(w, report)
         end
         w("</table></div>")
     end
+    accuracy.section(w, report)
     w("</section>")
     if c.sha256 then w("<footer>", e(t("Curriculum %s", c.id)), ": <code>", e(c.sha256), "</code></footer>") end
 end

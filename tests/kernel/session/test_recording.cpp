@@ -135,7 +135,7 @@ TEST_SUITE("recording") {
         write_bytes(path, "\x89PNG\r\n\x1a\n and so on, long enough to be something");
         CHECK(read_recording(path).error().text().find("this is not a recording") != std::string::npos);
         write_bytes(path, "rhexis recording 99\nwhatever");
-        CHECK(read_recording(path).error().text().find("format version 99 (this program reads version 13)") !=
+        CHECK(read_recording(path).error().text().find("format version 99 (this program reads version 14)") !=
               std::string::npos);
         write_bytes(path, "");
         CHECK(read_recording(path).error().text().find("the file is empty") != std::string::npos);
