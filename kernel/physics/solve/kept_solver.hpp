@@ -44,6 +44,8 @@ private:
     int iterations_ = 0;  ///< in all of them
     int last_ = 0;        ///< in the last one
     int first_ = 0;       ///< in the first one
+    int wait_ = 0;        ///< solves without trying an earlier factor, after the last that did not serve
+    int waiting_ = 0;     ///< of these still to come
 };
 
 }  // namespace rhexis
