@@ -25,6 +25,12 @@ public:
     Outcome solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
                   std::span<double> x, bool single_only = false);
 
+    /// As a new solver of another pattern, in the memory that is there.
+    void follow(const BlockPattern& pattern) {
+        factor_.follow(pattern);
+        drop();
+        solves_ = iterations_ = last_ = first_ = 0;
+    }
     /// Forgets the factor and what was learned of its use: the next solve is as that of a new solver.
     void drop();
     /// The next solve makes a new factor.
