@@ -52,6 +52,29 @@ void find_mirrors(BlockPattern& pattern) {
 
 }  // namespace
 
+BlockPattern permuted(const BlockPattern& pattern, std::span<const int> order, std::span<const int> place) {
+    BlockPattern result;
+    result.first.reserve(pattern.first.size());
+    result.column.resize(pattern.column.size());
+    result.first.push_back(0);
+    int* const columns = result.column.data();
+    int end = 0;
+    for (const int row : order) {
+        const int begin = end;
+        for (int slot = pattern.first[at(row)]; slot < pattern.first[at(row) + 1]; ++slot) {
+            const int column = place[at(pattern.column[at(slot)])];
+            int i = end++;
+            for (; i > begin && columns[i - 1] > column; --i) {  // rows are short
+                columns[i] = columns[i - 1];
+            }
+            columns[i] = column;
+        }
+        result.first.push_back(end);
+    }
+    find_mirrors(result);
+    return result;
+}
+
 int BlockPattern::slot(int row, int wanted) const {
     const auto begin = column.begin() + first[at(row)];
     const auto end = column.begin() + first[at(row) + 1];
@@ -62,6 +85,8 @@ int BlockPattern::slot(int row, int wanted) const {
 BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const int> node) {
     const RowGroups groups = groups_of_rows(rows, first, node);
     BlockPattern pattern;
+    pattern.first.reserve(at(rows) + 1);
+    pattern.column.reserve(8 * at(rows));
     pattern.first.push_back(0);
     std::vector<int> seen(at(rows), -1);
     for (int row = 0; row < rows; ++row) {
@@ -85,7 +110,9 @@ BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const
     return pattern;
 }
 
-BlockValues zero_values(const BlockPattern& pattern) { return BlockValues(9 * at(pattern.blocks() + 1) + 1, 0.0); }
+std::size_t values_of(const BlockPattern& pattern) { return 9 * at(pattern.blocks() + 1) + 1; }
+
+BlockValues zero_values(const BlockPattern& pattern) { return BlockValues(values_of(pattern), 0.0); }
 
 Mat3 block_of(const BlockValues& values, int slot) { return Eigen::Map<const Mat3>(values.data() + 9 * at(slot)); }
 

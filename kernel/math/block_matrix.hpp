@@ -27,10 +27,15 @@ struct BlockPattern {
 /// The diagonal and, for every group of nodes, all pairs in it. groups: compressed rows as in `first`, `node`.
 BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const int> node);
 
+/// The same pattern with other numbers: row order[k] becomes k, and place is the inverse of order.
+BlockPattern permuted(const BlockPattern& pattern, std::span<const int> order, std::span<const int> place);
+
 /// Values of a pattern: 9 per slot, each block by columns; then a block that belongs to no slot, for what is to be
 /// dropped, and one number of padding, so that kernels may read four at a time.
 using BlockValues = std::vector<double>;
 BlockValues zero_values(const BlockPattern& pattern);
+/// How many numbers that is.
+std::size_t values_of(const BlockPattern& pattern);
 
 /// The block of a slot.
 Mat3 block_of(const BlockValues& values, int slot);

@@ -64,15 +64,13 @@ std::size_t scalar_entries(const BlockPattern& pattern) {
     return 9 * off_diagonal + 6 * at(pattern.rows());
 }
 
-/// given: an order to start from, for CHOLMOD_GIVEN; else empty.
-std::vector<int> order_by(const Sparse& graph, int method, std::vector<int> given, double& entries) {
+std::vector<int> order_by(const Sparse& graph, int method, double& entries) {
     Common common;
     common.nmethods = 1;
     common.method[0].ordering = method;
     common.postorder = 1;
     common.supernodal = CHOLMOD_SIMPLICIAL;
-    cholmod_factor* factor =
-        cholmod_analyze_p(graph.matrix, given.empty() ? nullptr : given.data(), nullptr, 0, &common);
+    cholmod_factor* factor = cholmod_analyze(graph.matrix, &common);
     std::vector<int> order;
     entries = HUGE_VAL;
     if (factor != nullptr) {
@@ -212,21 +210,10 @@ std::vector<int> elimination_order(const BlockPattern& pattern) {
     fill_graph(pattern, graph);
     double entries = HUGE_VAL;
     double other_entries = HUGE_VAL;
-    std::vector<int> order = order_by(graph, CHOLMOD_AMD, {}, entries);
-    std::vector<int> other = order_by(graph, CHOLMOD_METIS, {}, other_entries);
+    std::vector<int> order = order_by(graph, CHOLMOD_AMD, entries);
+    std::vector<int> other = order_by(graph, CHOLMOD_METIS, other_entries);
     RHEXIS_ASSERT(!order.empty());
     return other_entries < entries ? other : order;
-}
-
-std::vector<int> postordered(const BlockPattern& pattern, std::vector<int> order) {
-    RHEXIS_ASSERT(static_cast<int>(order.size()) == pattern.rows());
-    Common common;
-    Sparse graph(at(pattern.rows()), graph_entries(pattern), CHOLMOD_PATTERN, common);
-    fill_graph(pattern, graph);
-    double entries = HUGE_VAL;
-    std::vector<int> result = order_by(graph, CHOLMOD_GIVEN, std::move(order), entries);
-    RHEXIS_ASSERT(!result.empty());
-    return result;
 }
 
 }  // namespace rhexis

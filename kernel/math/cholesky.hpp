@@ -46,8 +46,4 @@ private:
 /// factor, of minimum degree and nested dissection.
 std::vector<int> elimination_order(const BlockPattern& pattern);
 
-/// An order with the fill of the one given, in which what is eliminated together stands together (a postorder of its
-/// elimination tree).
-std::vector<int> postordered(const BlockPattern& pattern, std::vector<int> order);
-
 }  // namespace rhexis

@@ -11,19 +11,40 @@
 
 namespace rhexis::linear_kernel {
 
-inline constexpr int row_block = 64;   ///< rows of a panel that are stored together
-inline constexpr int row_unit = 8;     ///< rows are padded to a multiple of this
+inline constexpr int row_block = 64;   ///< rows of a panel that a solve takes together
+inline constexpr int row_unit = 8;     ///< rows of a solve are padded to a multiple of this
 inline constexpr int front_unit = 16;  ///< column length of fronts is padded to a multiple of this
 
-/// A panel of a packed factor L: the inverse of its triangle, then the rows below, each as blocks of at most 64 rows by
-/// columns, rows padded with zeros to a multiple of 8. Vectors hold 4 numbers per node, the fourth 0.
+/// A panel of a packed factor L: the inverse of its triangle, by columns of its width rounded up to row_unit, then the
+/// rows below, by columns of `leading`; padded with zeros. Vectors hold 4 numbers per node, the fourth 0.
 struct Panel {
     int first_node = 0;
-    int width = 0;        ///< columns, 3 per node
+    int width = 0;        ///< columns, 3 per node, at most row_block
     int below_nodes = 0;  ///< block rows below
     int row = 0;          ///< into the list of their nodes
+    int leading = 0;      ///< their rows rounded up to front_unit
     std::size_t triangle = 0;
     std::size_t below = 0;
+};
+
+/// The part of a matrix that is dense while some columns are eliminated. All by columns whose length is padded to a
+/// multiple of front_unit, and front_unit numbers behind the last; only the lower triangle counts.
+struct Front {
+    float* pivot = nullptr;  ///< columns to eliminate, their own rows
+    float* below = nullptr;  ///< the same columns, the rows below
+    float* rest = nullptr;   ///< columns of the rows below
+    int pivots = 0;          ///< multiples of 3
+    int pivot_leading = 0;
+    int below_rows = 0;
+    int below_leading = 0;
+    bool fresh = true;  ///< nothing is in rest yet, not even zeros
+};
+
+/// Block rows that follow one another both in what a panel left and in the front that takes it over.
+struct Run {
+    int from = 0;
+    int place = 0;  ///< in the front; a run does not go from its pivots to the rows below
+    int nodes = 0;
 };
 
 /// A symmetric block matrix with both triangles.
@@ -36,13 +57,16 @@ struct Blocks {
 
 struct Kernel {
     const char* name;
-    /// Partial Cholesky of a front by columns: the first `pivots` (a multiple of 3) of `size` columns are eliminated,
-    /// the rest holds what is left. Only the lower triangle counts. False if a pivot is not positive.
-    bool (*eliminate)(float* front, int leading, int pivots, int size);
-    /// The inverse of `columns` columns of a lower triangle, by rows of length `columns` rounded up to front_unit.
-    void (*invert)(const float* triangle, int leading, int columns, float* inverse);
-    /// Adds the lower triangle of `nodes` block rows by columns to a front; place: block rows in the front, ascending.
-    void (*extend)(const float* source, const int* place, int nodes, float* front, int leading);
+    /// Starts a front with its entries of a matrix, whose columns they are from block column `first` on. diagonal:
+    /// slots; place: block rows in the front, by slots.
+    void (*gather)(const Blocks& matrix, const int* diagonal, const int* place, int first, const Front& front);
+    /// Adds what an earlier panel left.
+    void (*extend)(const float* source, int leading, const Run* runs, int count, const Front& front);
+    /// Partial Cholesky: `rest` holds what is left. False if a pivot is not positive.
+    bool (*eliminate)(const Front& front);
+    /// The inverse of `columns` columns of a lower triangle, by columns of length `columns` rounded up to row_unit.
+    /// work: columns times columns rounded up to front_unit.
+    void (*invert)(const float* triangle, int leading, int columns, float* work, float* inverse);
     /// x = L'^-1 L^-1 x; work: 9 numbers for each of the widest panel's columns and longest panel's rows.
     void (*solve)(const Panel* panels, int count, const float* values, const int* nodes, float* x, float* work);
     /// y = A x, 3 numbers per row; both arrays with one number of padding at the end.

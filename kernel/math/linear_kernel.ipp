@@ -7,6 +7,7 @@ constexpr int tile_rows = RHEXIS_TILE;  // registers of rows in a tile
 typedef float Lanes __attribute__((vector_size(4 * width)));
 typedef float Eight __attribute__((vector_size(32)));
 typedef float Four __attribute__((vector_size(16)));
+typedef float Two __attribute__((vector_size(8)));
 typedef double Node __attribute__((vector_size(32)));
 
 // Through memcpy: no alignment is assumed.
@@ -21,70 +22,74 @@ inline void store(Number* to, Register value) {
     __builtin_memcpy(to, &value, sizeof value);
 }
 
+inline int rounded(int rows) { return (rows + row_unit - 1) / row_unit * row_unit; }
+inline int smaller(int a, int b) { return a < b ? a : b; }
+
 // --- elimination -----------------------------------------------------------------------------------------------------
 
-/// Rows i .. of `columns` columns from j on, less the products of the first `depth` columns.
+/// R registers of rows by C columns.
 template <int R, int C>
-inline void update_tile(float* front, int leading, int depth, int i, int j) {
+struct Tile {
     Lanes sum[C][R];
-    for (int c = 0; c < C; ++c) {
-        for (int r = 0; r < R; ++r) {
-            sum[c][r] = load<Lanes>(front + std::ptrdiff_t{leading} * (j + c) + i + r * width);
-        }
-    }
-    const float* column = front;
-    for (int k = 0; k < depth; ++k, column += leading) {
-        Lanes rows[R];
-        for (int r = 0; r < R; ++r) {
-            rows[r] = load<Lanes>(column + i + r * width);
-        }
+
+    void clear() {
         for (int c = 0; c < C; ++c) {
-            const float factor = column[j + c];
             for (int r = 0; r < R; ++r) {
-                sum[c][r] -= rows[r] * factor;
+                sum[c][r] = Lanes{};
             }
         }
     }
-    for (int c = 0; c < C; ++c) {
-        for (int r = 0; r < R; ++r) {
-            store(front + std::ptrdiff_t{leading} * (j + c) + i + r * width, sum[c][r]);
+    void take(const float* from, int leading) {
+        for (int c = 0; c < C; ++c) {
+            for (int r = 0; r < R; ++r) {
+                sum[c][r] = load<Lanes>(from + std::ptrdiff_t{leading} * c + r * width);
+            }
         }
     }
-}
+    void put(float* to, int leading) const {
+        for (int c = 0; c < C; ++c) {
+            for (int r = 0; r < R; ++r) {
+                store(to + std::ptrdiff_t{leading} * c + r * width, sum[c][r]);
+            }
+        }
+    }
+    /// Less the products of `depth` columns of rows with those of factors.
+    void subtract(const float* rows, int rows_leading, const float* factors, int factors_leading, int depth) {
+        for (int k = 0; k < depth; ++k, rows += rows_leading, factors += factors_leading) {
+            Lanes own[R];
+            for (int r = 0; r < R; ++r) {
+                own[r] = load<Lanes>(rows + r * width);
+            }
+            for (int c = 0; c < C; ++c) {
+                const float factor = factors[c];
+                for (int r = 0; r < R; ++r) {
+                    sum[c][r] -= own[r] * factor;
+                }
+            }
+        }
+    }
+    /// Solves with the triangle of C columns.
+    void finish(const float (&factor)[C][C], const float (&inverse)[C]) {
+        for (int c = 0; c < C; ++c) {
+            for (int r = 0; r < R; ++r) {
+                for (int k = 0; k < c; ++k) {
+                    sum[c][r] -= sum[k][r] * factor[c][k];
+                }
+                sum[c][r] *= inverse[c];
+            }
+        }
+    }
+};
 
+/// Cholesky of C columns of a triangle from column j on; false if a pivot is not positive.
 template <int C>
-inline void update_columns(float* front, int leading, int depth, int j) {
-    int i = j / front_unit * front_unit;
-    for (; i + tile_rows * width <= leading; i += tile_rows * width) {
-        update_tile<tile_rows, C>(front, leading, depth, i, j);
-    }
-    for (; i < leading; i += width) {
-        update_tile<1, C>(front, leading, depth, i, j);
-    }
-}
-
-inline void update(float* front, int leading, int depth, int begin, int end) {
-    int j = begin;
-    for (; j + 6 <= end; j += 6) {
-        update_columns<6>(front, leading, depth, j);
-    }
-    if (j < end) {
-        update_columns<3>(front, leading, depth, j);
-    }
-}
-
-/// Cholesky of C columns from j on, which need no more products of earlier ones.
-template <int C>
-inline bool eliminate_columns(float* front, int leading, int j) {
-    float* column[C];
+inline bool factor_triangle(const float* corner, int leading, float (&factor)[C][C], float (&inverse)[C]) {
+#pragma GCC unroll 6
     for (int c = 0; c < C; ++c) {
-        column[c] = front + std::ptrdiff_t{leading} * (j + c);
-    }
-    float inverse[C];
-    float factor[C][C];
-    for (int c = 0; c < C; ++c) {
+#pragma GCC unroll 6
         for (int r = c; r < C; ++r) {
-            float sum = column[c][j + r];
+            float sum = corner[std::ptrdiff_t{leading} * c + r];
+#pragma GCC unroll 6
             for (int k = 0; k < c; ++k) {
                 sum -= factor[r][k] * factor[c][k];
             }
@@ -96,52 +101,139 @@ inline bool eliminate_columns(float* front, int leading, int j) {
         const float pivot = __builtin_sqrtf(factor[c][c]);
         inverse[c] = 1.0F / pivot;
         factor[c][c] = pivot;
+#pragma GCC unroll 6
         for (int r = c + 1; r < C; ++r) {
             factor[r][c] *= inverse[c];
         }
     }
-    for (int i = j / front_unit * front_unit; i < leading; i += width) {
-        Lanes own[C];
-        for (int c = 0; c < C; ++c) {
-            own[c] = load<Lanes>(column[c] + i);
-            for (int k = 0; k < c; ++k) {
-                own[c] -= own[k] * factor[c][k];
-            }
-            own[c] *= inverse[c];
-            store(column[c] + i, own[c]);
+    return true;
+}
+
+template <int R, int C>
+inline void eliminate_tile(const Front& front, int j, int i, const float (&factor)[C][C], const float (&inverse)[C]) {
+    Tile<R, C> tile;
+    float* const own = front.below + std::ptrdiff_t{front.below_leading} * j + i;
+    tile.take(own, front.below_leading);
+    tile.subtract(front.below + i, front.below_leading, front.pivot + j, front.pivot_leading, j);
+    tile.finish(factor, inverse);
+    tile.put(own, front.below_leading);
+}
+
+/// C columns from j on, the columns before being done.
+template <int C>
+inline bool eliminate_columns(const Front& front, int j) {
+    float* const corner = front.pivot + std::ptrdiff_t{front.pivot_leading} * j;
+    const int start = j / width * width;
+    if (j > 0) {
+        for (int i = start; i < front.pivot_leading; i += width) {
+            Tile<1, C> tile;
+            tile.take(corner + i, front.pivot_leading);
+            tile.subtract(front.pivot + i, front.pivot_leading, front.pivot + j, front.pivot_leading, j);
+            tile.put(corner + i, front.pivot_leading);
         }
+    }
+    float factor[C][C];
+    float inverse[C];
+    if (!factor_triangle<C>(corner + j, front.pivot_leading, factor, inverse)) {
+        return false;
+    }
+    for (int i = start; i < front.pivots; i += width) {
+        Tile<1, C> tile;
+        tile.take(corner + i, front.pivot_leading);
+        tile.finish(factor, inverse);
+        tile.put(corner + i, front.pivot_leading);
     }
     for (int c = 0; c < C; ++c) {
         for (int r = 0; r < C; ++r) {
-            column[c][j + r] = r < c ? 0.0F : factor[r][c];
+            corner[std::ptrdiff_t{front.pivot_leading} * c + j + r] = r < c ? 0.0F : factor[r][c];
         }
+    }
+    int i = 0;
+    for (; i + 2 * width <= front.below_leading; i += 2 * width) {
+        eliminate_tile<2, C>(front, j, i, factor, inverse);
+    }
+    for (; i < front.below_rows; i += width) {
+        eliminate_tile<1, C>(front, j, i, factor, inverse);
     }
     return true;
 }
 
-bool eliminate(float* front, int leading, int pivots, int size) {
-    for (int j = 0; j < pivots; j += 6) {
-        const bool whole = j + 6 <= pivots;
-        update(front, leading, j, j, whole ? j + 6 : pivots);
-        if (!(whole ? eliminate_columns<6>(front, leading, j) : eliminate_columns<3>(front, leading, j))) {
+template <int R, int C>
+inline void rest_tile(const Front& front, int j, int i) {
+    Tile<R, C> tile;
+    float* const own = front.rest + std::ptrdiff_t{front.below_leading} * j + i;
+    if (front.fresh) {
+        tile.clear();
+    } else {
+        tile.take(own, front.below_leading);
+    }
+    tile.subtract(front.below + i, front.below_leading, front.below + j, front.below_leading, front.pivots);
+    tile.put(own, front.below_leading);
+}
+
+/// What the eliminated columns leave of C columns from j on.
+template <int C>
+inline void rest_columns(const Front& front, int j) {
+    int i = j / width * width;
+    for (; i + tile_rows * width <= front.below_leading; i += tile_rows * width) {
+        rest_tile<tile_rows, C>(front, j, i);
+    }
+    if constexpr (tile_rows > 2) {
+        if (i + 2 * width <= front.below_leading) {
+            rest_tile<2, C>(front, j, i);
+            i += 2 * width;
+        }
+    }
+    for (; i < front.below_rows; i += width) {
+        rest_tile<1, C>(front, j, i);
+    }
+}
+
+bool eliminate(const Front& front) {
+    int j = 0;
+    for (; j + 6 <= front.pivots; j += 6) {
+        if (!eliminate_columns<6>(front, j)) {
             return false;
         }
     }
-    update(front, leading, pivots, pivots, size);
+    if (j < front.pivots && !eliminate_columns<3>(front, j)) {
+        return false;
+    }
+    for (j = 0; j + 6 <= front.below_rows; j += 6) {
+        rest_columns<6>(front, j);
+    }
+    if (j < front.below_rows) {
+        rest_columns<3>(front, j);
+    }
     return true;
 }
 
+/// From rows in `work` to columns.
+inline void put_transposed(const float* work, int length, int columns, float* to) {
+    const int height = rounded(columns);
+    for (int c = 0; c < columns; ++c, to += height) {
+        for (int r = 0; r < c; ++r) {
+            to[r] = 0.0F;
+        }
+        for (int r = c; r < columns; ++r) {
+            to[r] = work[std::ptrdiff_t{length} * r + c];
+        }
+        for (int r = columns; r < height; ++r) {
+            to[r] = 0.0F;
+        }
+    }
+}
+
 /// Row i of the inverse: (e_i - sum over k < i of L_ik times row k) / L_ii.
-void invert(const float* triangle, int leading, int columns, float* inverse) {
+inline void invert_any(const float* triangle, int leading, int columns, float* work) {
     const int length = (columns + front_unit - 1) / front_unit * front_unit;
     for (int i = 0; i < columns; ++i) {
-        float* const own = inverse + std::ptrdiff_t{length} * i;
+        float* const own = work + std::ptrdiff_t{length} * i;
         const float scale = 1.0F / triangle[std::ptrdiff_t{leading} * i + i];
-        for (int c = 0; c < length; c += width) {
+        for (int c = 0; c <= i; c += width) {
             Lanes sum = {};
             for (int k = c; k < i; ++k) {
-                sum -=
-                    load<Lanes>(inverse + std::ptrdiff_t{length} * k + c) * triangle[std::ptrdiff_t{leading} * k + i];
+                sum -= load<Lanes>(work + std::ptrdiff_t{length} * k + c) * triangle[std::ptrdiff_t{leading} * k + i];
             }
             store(own + c, sum * scale);
         }
@@ -149,69 +241,199 @@ void invert(const float* triangle, int leading, int columns, float* inverse) {
     }
 }
 
-template <typename Register>
-inline void add_register(float* target, const float* source) {
-    store(target, load<Register>(target) + load<Register>(source));
+/// The same, with what is between the rows kept in registers.
+template <int columns>
+inline void invert_few(const float* triangle, int leading, float* work) {
+    for (int c = 0; c < columns; c += width) {
+        Lanes row[columns];
+#pragma GCC unroll 12
+        for (int i = 0; i < columns; ++i) {
+            const float scale = 1.0F / triangle[std::ptrdiff_t{leading} * i + i];
+            Lanes sum = {};
+#pragma GCC unroll 12
+            for (int k = 0; k < i; ++k) {
+                sum -= row[k] * triangle[std::ptrdiff_t{leading} * k + i];
+            }
+            sum *= scale;
+            if (i >= c && i < c + width) {
+                sum[i - c] = scale;
+            }
+            row[i] = sum;
+            store(work + front_unit * i + c, sum);
+        }
+    }
 }
 
-/// count: a multiple of 3. Mostly short, so what is left of whole registers goes by halves.
-inline void add_to(float* target, const float* source, int count) {
-    int r = 0;
-    for (; r + width <= count; r += width) {
-        add_register<Lanes>(target + r, source + r);
-    }
-    if (r + 8 <= count) {
-        add_register<Eight>(target + r, source + r);
-        r += 8;
-    }
-    if (r + 4 <= count) {
-        add_register<Four>(target + r, source + r);
-        r += 4;
-    }
-    switch (count - r) {
+template <int columns>
+inline void invert_few(const float* triangle, int leading, float* work, float* inverse) {
+    invert_few<columns>(triangle, leading, work);
+    put_transposed(work, front_unit, columns, inverse);
+}
+
+void invert(const float* triangle, int leading, int columns, float* work, float* inverse) {
+    switch (columns) {
         case 3:
-            target[r + 2] += source[r + 2];
-            [[fallthrough]];
-        case 2:
-            target[r + 1] += source[r + 1];
-            [[fallthrough]];
-        case 1:
-            target[r] += source[r];
-            break;
+            return invert_few<3>(triangle, leading, work, inverse);
+        case 6:
+            return invert_few<6>(triangle, leading, work, inverse);
+        case 9:
+            return invert_few<9>(triangle, leading, work, inverse);
+        case 12:
+            return invert_few<12>(triangle, leading, work, inverse);
         default:
-            break;
+            invert_any(triangle, leading, columns, work);
+            put_transposed(work, (columns + front_unit - 1) / front_unit * front_unit, columns, inverse);
     }
 }
 
-void extend(const float* source, const int* place, int nodes, float* front, int leading) {
-    const int height = 3 * nodes;
-    for (int b = 0; b < nodes; ++b) {
-        float* const column = front + std::ptrdiff_t{leading} * (3 * place[b]);
-        const float* const own = source + std::ptrdiff_t{height} * (3 * b);
-        for (int a = b; a < nodes;) {
-            int end = a + 1;
-            while (end < nodes && place[end] == place[end - 1] + 1) {
-                ++end;
-            }
-            for (int c = 0; c < 3; ++c) {
-                add_to(column + std::ptrdiff_t{leading} * c + 3 * place[a], own + std::ptrdiff_t{height} * c + 3 * a,
-                       3 * (end - a));
-            }
-            a = end;
+inline void clear(float* from, std::ptrdiff_t count) {
+    for (std::ptrdiff_t i = 0; i < count; i += front_unit) {
+        for (int r = 0; r < front_unit; r += width) {
+            store(from + i + r, Lanes{});
+        }
+    }
+}
+
+/// One block of a matrix, transposed.
+inline void gather_block(const double* block, float* target, std::ptrdiff_t leading) {
+    typedef double EightDoubles __attribute__((vector_size(64)));
+    typedef int EightPlaces __attribute__((vector_size(32)));
+    const Eight all = __builtin_convertvector(load<EightDoubles>(block), Eight);
+    const Eight first = __builtin_shuffle(all, EightPlaces{0, 3, 6, 1, 4, 7, 2, 5});
+    store(target, Two{first[0], first[1]});
+    target[2] = first[2];
+    store(target + leading, Two{first[3], first[4]});
+    target[leading + 2] = first[5];
+    store(target + 2 * leading, Two{first[6], first[7]});
+    target[2 * leading + 2] = static_cast<float>(block[8]);
+}
+
+void gather(const Blocks& matrix, const int* diagonal, const int* place, int first, const Front& front) {
+    clear(front.pivot, std::ptrdiff_t{front.pivot_leading} * front.pivots);
+    clear(front.below, std::ptrdiff_t{front.below_leading} * front.pivots);
+    if (!front.fresh) {
+        for (int j = 0; j < front.below_rows; ++j) {
+            const int i = j / front_unit * front_unit;
+            clear(front.rest + std::ptrdiff_t{front.below_leading} * j + i, front.below_leading - i);
+        }
+    }
+    const int nodes = front.pivots / 3;
+    for (int k = 0; k < nodes; ++k) {
+        int slot = diagonal[first + k];
+        const int end = matrix.first[first + k + 1];
+        float* const inside = front.pivot + std::ptrdiff_t{front.pivot_leading} * (3 * k);
+        for (; slot < end && place[slot] < nodes; ++slot) {
+            gather_block(matrix.value + std::ptrdiff_t{9} * slot, inside + 3 * place[slot], front.pivot_leading);
+        }
+        float* const below = front.below + std::ptrdiff_t{front.below_leading} * (3 * k) - 3 * nodes;
+        for (; slot < end; ++slot) {
+            gather_block(matrix.value + std::ptrdiff_t{9} * slot, below + 3 * place[slot], front.below_leading);
+        }
+    }
+}
+
+typedef int Bits __attribute__((vector_size(4 * width)));
+/// A register that starts n before the middle keeps the first n numbers.
+struct Masks {
+    int value[2 * width] = {};
+    constexpr Masks() {
+        for (int i = 0; i < width; ++i) {
+            value[i] = -1;
+        }
+    }
+};
+constexpr Masks masks;
+
+/// Adds a block of rows by columns; what is behind the rows in their last register gets zero added.
+inline void add_long(float* target, std::ptrdiff_t step, const float* source, std::ptrdiff_t leading, int rows,
+                     int columns) {
+    const int whole = rows / width * width;
+    const Bits kept = load<Bits>(masks.value + width - (rows - whole));
+    for (int c = 0; c < columns; ++c, target += step, source += leading) {
+        for (int r = 0; r < whole; r += width) {
+            store(target + r, load<Lanes>(target + r) + load<Lanes>(source + r));
+        }
+        if (whole < rows) {
+            const Lanes last = reinterpret_cast<Lanes>(kept & load<Bits>(source + whole));
+            store(target + whole, load<Lanes>(target + whole) + last);
+        }
+    }
+}
+
+/// The same of so few rows that their number is known to the compiler.
+template <int rows>
+inline void add_short(float* target, std::ptrdiff_t step, const float* source, std::ptrdiff_t leading, int columns) {
+    for (int c = 0; c < columns; ++c, target += step, source += leading) {
+        int r = 0;
+        if constexpr (rows >= 8) {
+            store(target, load<Eight>(target) + load<Eight>(source));
+            r = 8;
+        }
+        if constexpr (rows % 8 >= 4) {
+            store(target + r, load<Four>(target + r) + load<Four>(source + r));
+            r += 4;
+        }
+        if constexpr (rows % 4 >= 2) {
+            store(target + r, load<Two>(target + r) + load<Two>(source + r));
+            r += 2;
+        }
+        if constexpr (rows % 2 == 1) {
+            target[r] += source[r];
+        }
+    }
+}
+
+inline void add_run(float* target, std::ptrdiff_t step, const float* source, std::ptrdiff_t leading, int nodes,
+                    int columns) {
+    switch (nodes) {
+        case 1:
+            return add_short<3>(target, step, source, leading, columns);
+        case 2:
+            return add_short<6>(target, step, source, leading, columns);
+        case 3:
+            return add_short<9>(target, step, source, leading, columns);
+        case 4:
+            return add_short<12>(target, step, source, leading, columns);
+        default:
+            return add_long(target, step, source, leading, 3 * nodes, columns);
+    }
+}
+
+void extend(const float* source, int leading, const Run* runs, int count, const Front& front) {
+    const int nodes = front.pivots / 3;
+    for (int across = 0; across < count; ++across) {
+        const Run& own = runs[across];
+        const bool inside = own.place < nodes;
+        const float* const from = source + std::ptrdiff_t{leading} * (3 * own.from);
+        const std::ptrdiff_t step = inside ? front.pivot_leading : front.below_leading;
+        // its triangle
+        float* const corner =
+            inside ? front.pivot + (step + 1) * (3 * own.place) : front.rest + (step + 1) * (3 * (own.place - nodes));
+        for (int b = 0; b < own.nodes; ++b) {
+            add_run(corner + (step + 1) * (3 * b), step, from + std::ptrdiff_t{leading} * (3 * b) + 3 * (own.from + b),
+                    leading, own.nodes - b, 3);
+        }
+        // the rows below it
+        float* const below = inside ? front.below + std::ptrdiff_t{front.below_leading} * (3 * own.place)
+                                    : front.rest + step * (3 * (own.place - nodes));
+        for (int down = across + 1; down < count; ++down) {
+            const Run& rows = runs[down];
+            const bool among_pivots = rows.place < nodes;
+            float* const target =
+                among_pivots ? front.pivot + step * (3 * own.place) + 3 * rows.place : below + 3 * (rows.place - nodes);
+            add_run(target, among_pivots ? step : front.below_leading, from + 3 * rows.from, leading, rows.nodes,
+                    3 * own.nodes);
         }
     }
 }
 
 // --- solves ----------------------------------------------------------------------------------------------------------
 
-inline int rounded(int rows) { return (rows + row_unit - 1) / row_unit * row_unit; }
-inline int smaller(int a, int b) { return a < b ? a : b; }
-
-/// y = B x for a block of 8 U rows by columns.
+/// y = B x for 8 U rows.
 template <int U>
-inline void block_times(const float* block, int columns, const float* x, float* y) {
+inline void block_times(const float* block, int leading, int columns, const float* x, float* y) {
     Eight sum[U] = {};
-    for (int j = 0; j < columns; ++j, block += 8 * U) {
+    for (int j = 0; j < columns; ++j, block += leading) {
         for (int u = 0; u < U; ++u) {
             sum[u] += load<Eight>(block + 8 * u) * x[j];
         }
@@ -223,12 +445,12 @@ inline void block_times(const float* block, int columns, const float* x, float* 
 
 /// Eight running sums of B' y per column, added to `sums`.
 template <int U>
-inline void transposed_times(const float* block, int columns, const float* y, float* sums) {
+inline void transposed_times(const float* block, int leading, int columns, const float* y, float* sums) {
     Eight rows[U];
     for (int u = 0; u < U; ++u) {
         rows[u] = load<Eight>(y + 8 * u);
     }
-    for (int j = 0; j < columns; ++j, block += 8 * U) {
+    for (int j = 0; j < columns; ++j, block += leading) {
         Eight sum = load<Eight>(sums + 8 * j);
         for (int u = 0; u < U; ++u) {
             sum += load<Eight>(block + 8 * u) * rows[u];
@@ -237,72 +459,51 @@ inline void transposed_times(const float* block, int columns, const float* y, fl
     }
 }
 
-inline void times(int rows, const float* block, int columns, const float* x, float* y) {
+inline void times(int rows, const float* block, int leading, int columns, const float* x, float* y) {
     switch (rows) {
         case 8:
-            return block_times<1>(block, columns, x, y);
+            return block_times<1>(block, leading, columns, x, y);
         case 16:
-            return block_times<2>(block, columns, x, y);
+            return block_times<2>(block, leading, columns, x, y);
         case 24:
-            return block_times<3>(block, columns, x, y);
+            return block_times<3>(block, leading, columns, x, y);
         case 32:
-            return block_times<4>(block, columns, x, y);
+            return block_times<4>(block, leading, columns, x, y);
         case 40:
-            return block_times<5>(block, columns, x, y);
+            return block_times<5>(block, leading, columns, x, y);
         case 48:
-            return block_times<6>(block, columns, x, y);
+            return block_times<6>(block, leading, columns, x, y);
         case 56:
-            return block_times<7>(block, columns, x, y);
+            return block_times<7>(block, leading, columns, x, y);
         default:
-            return block_times<8>(block, columns, x, y);
+            return block_times<8>(block, leading, columns, x, y);
     }
 }
 
-inline void times_transposed(int rows, const float* block, int columns, const float* y, float* sums) {
+inline void times_transposed(int rows, const float* block, int leading, int columns, const float* y, float* sums) {
     switch (rows) {
         case 8:
-            return transposed_times<1>(block, columns, y, sums);
+            return transposed_times<1>(block, leading, columns, y, sums);
         case 16:
-            return transposed_times<2>(block, columns, y, sums);
+            return transposed_times<2>(block, leading, columns, y, sums);
         case 24:
-            return transposed_times<3>(block, columns, y, sums);
+            return transposed_times<3>(block, leading, columns, y, sums);
         case 32:
-            return transposed_times<4>(block, columns, y, sums);
+            return transposed_times<4>(block, leading, columns, y, sums);
         case 40:
-            return transposed_times<5>(block, columns, y, sums);
+            return transposed_times<5>(block, leading, columns, y, sums);
         case 48:
-            return transposed_times<6>(block, columns, y, sums);
+            return transposed_times<6>(block, leading, columns, y, sums);
         case 56:
-            return transposed_times<7>(block, columns, y, sums);
+            return transposed_times<7>(block, leading, columns, y, sums);
         default:
-            return transposed_times<8>(block, columns, y, sums);
+            return transposed_times<8>(block, leading, columns, y, sums);
     }
 }
 
 inline float total(const float* sums) {
     const Four halves = load<Four>(sums) + load<Four>(sums + 4);
     return (halves[0] + halves[2]) + (halves[1] + halves[3]);
-}
-
-/// y = T x with the triangle T of a panel; y padded.
-inline void triangle_times(const Panel& panel, const float* values, const float* x, float* y) {
-    const float* block = values + panel.triangle;
-    for (int i = 0; i < panel.width; i += row_block) {
-        const int rows = smaller(row_block, rounded(panel.width - i));
-        const int columns = smaller(panel.width, i + row_block);
-        times(rows, block, columns, x, y + i);
-        block += rows * columns;
-    }
-}
-
-inline void triangle_transposed(const Panel& panel, const float* values, const float* y, float* sums) {
-    const float* block = values + panel.triangle;
-    for (int i = 0; i < panel.width; i += row_block) {
-        const int rows = smaller(row_block, rounded(panel.width - i));
-        const int columns = smaller(panel.width, i + row_block);
-        times_transposed(rows, block, columns, y + i, sums);
-        block += rows * columns;
-    }
 }
 
 inline void take(const float* x, int nodes, float* packed) {
@@ -324,15 +525,13 @@ inline void forward(const Panel& panel, const float* values, const int* nodes, f
     const int own_nodes = panel.width / 3;
     float* const result = work + rounded(panel.width) + row_unit;
     take(own, own_nodes, work);
-    triangle_times(panel, values, work, result);
+    times(rounded(panel.width), values + panel.triangle, rounded(panel.width), panel.width, work, result);
     put(result, own_nodes, own);
     const int below = 3 * panel.below_nodes;
     float* const change = result + rounded(panel.width) + row_unit;
-    const float* block = values + panel.below;
     for (int i = 0; i < below; i += row_block) {
-        const int rows = smaller(row_block, rounded(below - i));
-        times(rows, block, panel.width, result, change + i);
-        block += rows * panel.width;
+        times(smaller(row_block, rounded(below - i)), values + panel.below + i, panel.leading, panel.width, result,
+              change + i);
     }
     const int* const rows = nodes + panel.row;
     for (int k = 0; k < panel.below_nodes; ++k) {
@@ -358,11 +557,9 @@ inline void backward(const Panel& panel, const float* values, const int* nodes, 
         store(rest + 3 * k, load<Four>(x + 4 * rows[k]));
     }
     store(rest + below, Eight{});
-    const float* block = values + panel.below;
     for (int i = 0; i < below; i += row_block) {
-        const int count = smaller(row_block, rounded(below - i));
-        times_transposed(count, block, panel.width, rest + i, sums);
-        block += count * panel.width;
+        times_transposed(smaller(row_block, rounded(below - i)), values + panel.below + i, panel.leading, panel.width,
+                         rest + i, sums);
     }
     take(own, own_nodes, packed);
     store(packed + panel.width, Eight{});
@@ -370,7 +567,7 @@ inline void backward(const Panel& panel, const float* values, const int* nodes, 
         packed[j] -= total(sums + 8 * j);
         store(sums + 8 * j, Eight{});
     }
-    triangle_transposed(panel, values, packed, sums);
+    times_transposed(rounded(panel.width), values + panel.triangle, rounded(panel.width), panel.width, packed, sums);
     for (int k = 0; k < own_nodes; ++k) {
         for (int c = 0; c < 3; ++c) {
             own[4 * k + c] = total(sums + 8 * (3 * k + c));

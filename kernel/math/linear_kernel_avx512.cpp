@@ -8,7 +8,7 @@
 namespace rhexis::linear_kernel {
 namespace {
 #include "math/linear_kernel.ipp"
-constexpr Kernel kernel{"avx512", eliminate, invert, extend, solve, multiply, dot};
+constexpr Kernel kernel{"avx512", gather, extend, eliminate, invert, solve, multiply, dot};
 }  // namespace
 const Kernel* avx512() { return &kernel; }
 }  // namespace rhexis::linear_kernel

@@ -8,7 +8,7 @@
 namespace rhexis::linear_kernel {
 namespace {
 #include "math/linear_kernel.ipp"
-constexpr Kernel kernel{"baseline", eliminate, invert, extend, solve, multiply, dot};
+constexpr Kernel kernel{"baseline", gather, extend, eliminate, invert, solve, multiply, dot};
 }  // namespace
 const Kernel* baseline() { return &kernel; }
 }  // namespace rhexis::linear_kernel

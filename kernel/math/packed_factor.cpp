@@ -2,6 +2,7 @@
 #include "math/packed_factor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/assert.hpp"
 #include "base/index.hpp"
@@ -9,36 +10,33 @@
 namespace rhexis {
 namespace {
 
-using linear_kernel::row_block;
+using linear_kernel::Front;
+using linear_kernel::front_unit;
+using linear_kernel::Panel;
 using linear_kernel::row_unit;
 
 int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
 
 constexpr int cut_nodes = 16;  ///< panels wider than this are cut, so that inverting their triangles stays cheap
 
-/// Numbers that blocks of up to 64 rows take.
-std::size_t stored(int rows, int columns) { return at(round_up(rows, row_unit)) * at(columns); }
+/// Numbers that a triangle of so many columns takes, up to the next line of the cache.
+std::size_t triangle_size(int columns) { return at(round_up(round_up(columns, row_unit) * columns, front_unit)); }
 
-/// Copies a matrix into blocks; from[i * row_step + j * column_step] is its entry (i, j).
-void pack(const float* from, std::size_t row_step, std::size_t column_step, int rows, int columns, float* to) {
-    for (int i = 0; i < rows; i += row_block) {
-        const int height = std::min(row_block, round_up(rows - i, row_unit));
-        const int filled = std::min(height, rows - i);
-        for (int j = 0; j < columns; ++j, to += height) {
-            const float* const column = from + at(i) * row_step + at(j) * column_step;
-            for (int r = 0; r < filled; ++r) {
-                to[r] = column[at(r) * row_step];
-            }
-            std::fill(to + filled, to + height, 0.0F);
-        }
-    }
-}
+void copy_rows(const float* from, int rows, float*& to) { to = std::copy(from, from + rows, to); }
 
 }  // namespace
 
 PackedFactor::PackedFactor(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
-    : pattern_(&pattern), kernel_(&kernel), tree_(find_supernodes(pattern)) {
+    : pattern_(&pattern), kernel_(&kernel) {
+    follow(pattern);
+}
+
+void PackedFactor::follow(const BlockPattern& pattern) {
+    factored_ = false;
+    pattern_ = &pattern;
+    tree_ = find_supernodes(pattern);
     lay_out();
+    find_children();
     find_places();
 }
 
@@ -49,10 +47,11 @@ std::size_t PackedFactor::lay_out_panels(int s, std::size_t size) {
     for (int first = tree_.first[at(s)]; first < end; first += cut_nodes) {
         const int own = std::min(cut_nodes, end - first);
         const int below = end - first - own + tree_.below(s);
-        linear_kernel::Panel panel{first, 3 * own, below, static_cast<int>(nodes_.size()), size, 0};
-        panel.below = size + stored(3 * own, 3 * own);
-        size = panel.below + stored(3 * below, 3 * own);
+        Panel panel{first, 3 * own, below, static_cast<int>(nodes_.size()), round_up(3 * below, front_unit), size, 0};
+        panel.below = size + triangle_size(3 * own);
+        size = panel.below + at(panel.leading) * at(panel.width);
         panels_.push_back(panel);
+        solve_work_ += 2.0 * panel.width * (round_up(panel.width, row_unit) + round_up(3 * below, row_unit));
         for (int node = first + own; node < end; ++node) {
             nodes_.push_back(node);
         }
@@ -63,122 +62,169 @@ std::size_t PackedFactor::lay_out_panels(int s, std::size_t size) {
 }
 
 void PackedFactor::lay_out() {
+    panels_.clear();
+    first_panel_.clear();
+    nodes_.clear();
+    factor_work_ = solve_work_ = 0.0;
     std::size_t size = 0;
     int longest = 0;
+    std::size_t pivots = 0;
+    std::size_t cut = 0;
     for (int s = 0; s < tree_.count(); ++s) {
         size = lay_out_panels(s, size);
-        const int all = 3 * front_nodes(s);
-        longest = std::max(longest, all);
-        for (double w = 3 * tree_.width(s); w > 0.0; w -= 1.0) {
-            const double height = w + 3 * tree_.below(s);
-            factor_work_ += 0.5 * height * height;
+        const int width = 3 * tree_.width(s);
+        const int below = 3 * tree_.below(s);
+        longest = std::max(longest, width + below);
+        pivots = std::max(pivots, at(round_up(width, front_unit)) * at(width));
+        if (tree_.width(s) > cut_nodes) {
+            cut = std::max(cut, at(round_up(below, front_unit)) * at(width));
+        }
+        for (double w = width; w > 0.0; w -= 1.0) {
+            factor_work_ += 0.5 * (w + below) * (w + below);
         }
     }
     first_panel_.push_back(static_cast<int>(panels_.size()));
-    solve_work_ = 2.0 * static_cast<double>(size);
-    values_.resize(size + at(row_unit));
-    const std::size_t side = at(round_up(longest, linear_kernel::front_unit));
-    front_.resize(side * side);
-    work_.resize(9 * 3 * at(cut_nodes) + at(longest) + 8 * at(row_unit));
-    triangle_.resize(9 * at(cut_nodes) * at(cut_nodes));
-    rest_of_.resize(at(tree_.count()));
+    values_.make_room(size);
+    pivots_.make_room(pivots);
+    below_.make_room(cut);
+    work_.make_room(9 * 3 * at(cut_nodes) + at(longest) + 8 * at(row_unit));
+    inverse_.make_room(9 * at(cut_nodes) * at(cut_nodes));
+}
+
+/// Who hands on to whom, and how much room what is handed on takes: children end before their parent starts, so that
+/// each level's stack grows and shrinks at its end.
+void PackedFactor::find_children() {
+    const int count = tree_.count();
+    first_child_.assign(at(count) + 1, 0);
+    for (const int parent : tree_.parent) {
+        first_child_[at(parent >= 0 ? parent : count)] += parent >= 0 ? 1 : 0;
+    }
+    int sum = 0;
+    for (int& first : first_child_) {
+        sum += std::exchange(first, sum);
+    }
+    children_.resize(at(sum));
+    std::vector<int> next(first_child_);
+    level_.assign(at(count), 0);
+    for (int s = 0; s < count; ++s) {
+        if (tree_.parent[at(s)] >= 0) {
+            children_[at(next[at(tree_.parent[at(s)])]++)] = {s, 0, 0};
+        }
+    }
+    for (int s = count - 1; s >= 0; --s) {
+        level_[at(s)] = tree_.parent[at(s)] >= 0 ? 1 - level_[at(tree_.parent[at(s)])] : 0;
+    }
+    std::array<std::size_t, 2> top{};
+    std::array<std::size_t, 2> most{};
+    rest_of_.resize(at(count));
+    for (int s = 0; s < count; ++s) {
+        const std::size_t own = level_[at(s)];
+        rest_of_[at(s)] = top[own];
+        top[own] += at(round_up(3 * tree_.below(s), front_unit)) * at(3 * tree_.below(s));
+        most[own] = std::max(most[own], top[own]);
+        if (first_child_[at(s)] < first_child_[at(s) + 1]) {
+            top[1 - own] = rest_of_[at(children_[at(first_child_[at(s)])].panel)];
+        }
+    }
+    rest_[0].make_room(most[0]);
+    rest_[1].make_room(most[1]);
+}
+
+/// Rows of the child that follow one another in the parent's front too.
+void PackedFactor::find_runs(const std::vector<int>& local, Child& child, int pivots) {
+    child.first_run = static_cast<int>(runs_.size());
+    const int* const row = tree_.row.data() + tree_.row_first[at(child.panel)];
+    for (int k = 0; k < tree_.below(child.panel); ++k) {
+        const int place = local[at(row[k])];
+        const bool goes_on = k > 0 && place == local[at(row[k - 1])] + 1 && place != pivots;
+        if (goes_on) {
+            ++runs_.back().nodes;
+        } else {
+            runs_.push_back({k, place, 1});
+        }
+    }
+    child.end_run = static_cast<int>(runs_.size());
 }
 
 void PackedFactor::find_places() {
     std::vector<int> local(at(pattern_->rows()), -1);
-    children_.resize(at(tree_.count()));
-    place_.assign(at(pattern_->blocks()), -1);
-    std::vector<std::vector<int>> below(at(tree_.count()));
+    place_.resize(at(pattern_->blocks()));
+    runs_.clear();
     for (int s = 0; s < tree_.count(); ++s) {
-        if (tree_.parent[at(s)] >= 0) {
-            children_[at(tree_.parent[at(s)])].push_back({s, {}});
-        }
-    }
-    for (int s = 0; s < tree_.count(); ++s) {
-        for (int k = 0; k < tree_.width(s); ++k) {
+        const int width = tree_.width(s);
+        for (int k = 0; k < width; ++k) {
             local[at(tree_.first[at(s)] + k)] = k;
         }
+        const int* const row = tree_.row.data() + tree_.row_first[at(s)];
         for (int k = 0; k < tree_.below(s); ++k) {
-            local[at(tree_.row[at(tree_.row_first[at(s)] + k)])] = tree_.width(s) + k;
+            local[at(row[k])] = width + k;
         }
         for (int j = tree_.first[at(s)]; j < tree_.first[at(s) + 1]; ++j) {
             for (int slot = pattern_->diagonal[at(j)]; slot < pattern_->first[at(j) + 1]; ++slot) {
                 place_[at(slot)] = local[at(pattern_->column[at(slot)])];
             }
         }
-        for (Child& child : children_[at(s)]) {
-            for (int k = 0; k < tree_.below(child.panel); ++k) {
-                child.place.push_back(local[at(tree_.row[at(tree_.row_first[at(child.panel)] + k)])]);
-            }
+        for (int c = first_child_[at(s)]; c < first_child_[at(s) + 1]; ++c) {
+            find_runs(local, children_[at(c)], width);
         }
     }
 }
 
-/// Starts the front of panel s with its entries of A.
-void PackedFactor::gather(int s, const BlockValues& values) {
-    const int size = 3 * front_nodes(s);
-    leading_ = round_up(size, linear_kernel::front_unit);
-    std::fill_n(front_.begin(), at(leading_) * at(size), 0.0F);
-    for (int j = tree_.first[at(s)]; j < tree_.first[at(s) + 1]; ++j) {
-        const int column = 3 * (j - tree_.first[at(s)]);
-        for (int slot = pattern_->diagonal[at(j)]; slot < pattern_->first[at(j) + 1]; ++slot) {
-            const double* const block = values.data() + 9 * at(slot);  // (j, i): the transpose of what is wanted
-            float* const target = front_.data() + at(leading_) * at(column) + 3 * at(place_[at(slot)]);
-            for (std::size_t c = 0; c < 3; ++c) {
-                for (std::size_t r = 0; r < 3; ++r) {
-                    target[at(leading_) * c + r] = static_cast<float>(block[3 * r + c]);
-                }
-            }
-        }
+Front PackedFactor::front_of(int s) {
+    Front front;
+    front.pivots = 3 * tree_.width(s);
+    front.pivot_leading = round_up(front.pivots, front_unit);
+    front.below_rows = 3 * tree_.below(s);
+    front.below_leading = round_up(front.below_rows, front_unit);
+    front.pivot = pivots_.data();
+    front.below = tree_.width(s) > cut_nodes ? below_.data() : values_.data() + panels_[at(first_panel_[at(s)])].below;
+    front.rest = rest_[level_[at(s)]].data() + rest_of_[at(s)];
+    front.fresh = first_child_[at(s)] == first_child_[at(s) + 1];
+    return front;
+}
+
+void PackedFactor::extend(int s, const Front& front) {
+    for (int c = first_child_[at(s) + 1]; c-- > first_child_[at(s)];) {
+        const Child& child = children_[at(c)];
+        kernel_->extend(rest_[level_[at(child.panel)]].data() + rest_of_[at(child.panel)],
+                        round_up(3 * tree_.below(child.panel), front_unit), runs_.data() + child.first_run,
+                        child.end_run - child.first_run, front);
     }
 }
 
-void PackedFactor::keep_panel(int s) {
+/// Inverts the triangles, and of a panel that is cut copies the rows below each part.
+void PackedFactor::keep_panels(int s, const Front& front) {
     for (int p = first_panel_[at(s)]; p < first_panel_[at(s) + 1]; ++p) {
-        const linear_kernel::Panel& panel = panels_[at(p)];
-        const std::size_t column = 3 * at(panel.first_node - tree_.first[at(s)]);
-        const float* const corner = front_.data() + column * (at(leading_) + 1);
-        const int length = round_up(panel.width, linear_kernel::front_unit);
-        kernel_->invert(corner, leading_, panel.width, triangle_.data());
-        pack(triangle_.data(), at(length), 1, panel.width, panel.width, values_.data() + panel.triangle);
-        pack(corner + panel.width, 1, at(leading_), 3 * panel.below_nodes, panel.width, values_.data() + panel.below);
-    }
-}
-
-/// Moves what is left of the front onto the stack.
-void PackedFactor::keep_rest(int s) {
-    const std::size_t width = 3 * at(tree_.width(s));
-    const std::size_t height = 3 * at(tree_.below(s));
-    rest_of_[at(s)] = rest_top_;
-    rest_top_ += height * height;
-    if (rest_.size() < rest_top_) {
-        rest_.resize(rest_top_);
-    }
-    for (std::size_t j = 0; j < height; ++j) {
-        const float* const column = front_.data() + at(leading_) * (width + j) + width;
-        std::copy(column + j, column + height, rest_.data() + rest_of_[at(s)] + height * j + j);
+        const Panel& panel = panels_[at(p)];
+        const int first = 3 * (panel.first_node - tree_.first[at(s)]);
+        const float* const corner = front.pivot + at(front.pivot_leading) * at(first);
+        kernel_->invert(corner + first, front.pivot_leading, panel.width, inverse_.data(),
+                        values_.data() + panel.triangle);
+        if (tree_.width(s) <= cut_nodes) {
+            return;
+        }
+        const int pivot_rows = front.pivots - first - panel.width;
+        float* to = values_.data() + panel.below;
+        for (int j = 0; j < panel.width; ++j) {
+            copy_rows(corner + at(front.pivot_leading) * at(j) + first + panel.width, pivot_rows, to);
+            copy_rows(front.below + at(front.below_leading) * at(first + j), front.below_rows, to);
+            to = std::fill_n(to, panel.leading - pivot_rows - front.below_rows, 0.0F);
+        }
     }
 }
 
 bool PackedFactor::factor(const BlockValues& values) {
     factored_ = false;
-    rest_top_ = 0;
+    const linear_kernel::Blocks matrix{pattern_->rows(), pattern_->first.data(), pattern_->column.data(),
+                                       values.data()};
     for (int s = 0; s < tree_.count(); ++s) {
-        gather(s, values);
-        const std::vector<Child>& children = children_[at(s)];
-        for (std::size_t c = children.size(); c > 0; --c) {
-            const Child& child = children[c - 1];
-            kernel_->extend(rest_.data() + rest_of_[at(child.panel)], child.place.data(),
-                            static_cast<int>(child.place.size()), front_.data(), leading_);
-        }
-        if (!children.empty()) {
-            rest_top_ = rest_of_[at(children.front().panel)];
-        }
-        if (!kernel_->eliminate(front_.data(), leading_, 3 * tree_.width(s), 3 * front_nodes(s))) {
+        const Front front = front_of(s);
+        kernel_->gather(matrix, pattern_->diagonal.data(), place_.data(), tree_.first[at(s)], front);
+        extend(s, front);
+        if (!kernel_->eliminate(front)) {
             return false;
         }
-        keep_panel(s);
-        keep_rest(s);
+        keep_panels(s, front);
     }
     factored_ = true;
     return true;

@@ -5,12 +5,15 @@
 //
 // Multifrontal: each panel gathers its part of the matrix and what its children left into a dense front, eliminates its
 // own columns there and leaves the rest to its parent [Liu1992]. Panels keep the inverse of their triangle, so that
-// solving is products alone.
+// solving is products alone. A front's rows below its pivots are eliminated where the factor is kept, and what is left
+// is made where the parent looks for it, so that nothing is copied.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "math/aligned_numbers.hpp"
 #include "math/block_matrix.hpp"
 #include "math/linear_kernel.hpp"
 #include "math/supernodes.hpp"
@@ -21,6 +24,9 @@ class PackedFactor {
 public:
     /// pattern: rows in a postordered order of elimination. It must outlive this.
     PackedFactor(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
+
+    /// Takes over another pattern, in the memory that is there; there is no factor then.
+    void follow(const BlockPattern& pattern);
 
     /// False if the matrix is not positive definite to single precision, or not finite. Entries must be within single
     /// precision's range (1e-30 to 1e30).
@@ -37,15 +43,17 @@ public:
 private:
     struct Child {
         int panel;
-        std::vector<int> place;  ///< of its rows in the parent's front, by nodes
+        int first_run;  ///< of runs_: its rows in the parent's front
+        int end_run;
     };
     void lay_out();
     std::size_t lay_out_panels(int s, std::size_t size);
+    void find_children();
     void find_places();
-    [[nodiscard]] int front_nodes(int s) const { return tree_.width(s) + tree_.below(s); }
-    void gather(int s, const BlockValues& values);
-    void keep_panel(int s);
-    void keep_rest(int s);
+    void find_runs(const std::vector<int>& local, Child& child, int pivots);
+    [[nodiscard]] linear_kernel::Front front_of(int s);
+    void extend(int s, const linear_kernel::Front& front);
+    void keep_panels(int s, const linear_kernel::Front& front);
 
     const BlockPattern* pattern_;
     const linear_kernel::Kernel* kernel_;
@@ -53,16 +61,18 @@ private:
     std::vector<linear_kernel::Panel> panels_;  ///< wide panels of the tree are cut into several
     std::vector<int> first_panel_;              ///< of each panel of the tree
     std::vector<int> nodes_;                    ///< block rows below each of panels_
-    std::vector<std::vector<Child>> children_;
+    std::vector<Child> children_;               ///< of each panel of the tree, one after the other
+    std::vector<int> first_child_;
+    std::vector<linear_kernel::Run> runs_;
     std::vector<int> place_;  ///< of the entries of A right of the diagonal in the front of their column, by slots
-    std::vector<float> values_;
-    std::vector<float> front_;
-    int leading_ = 0;
-    std::vector<float> rest_;  ///< stack of what panels leave
-    std::vector<std::size_t> rest_of_;
-    std::size_t rest_top_ = 0;
-    std::vector<float> work_;
-    std::vector<float> triangle_;
+    AlignedNumbers values_;
+    AlignedNumbers pivots_;               ///< of the front
+    AlignedNumbers below_;                ///< of the front of a panel that is cut
+    std::array<AlignedNumbers, 2> rest_;  ///< what panels leave: stacks of every other level of the tree
+    std::vector<std::size_t> rest_of_;    ///< per panel: in the stack of its level
+    std::vector<std::uint8_t> level_;     ///< per panel: even or odd
+    AlignedNumbers work_;
+    AlignedNumbers inverse_;
     double factor_work_ = 0.0;
     double solve_work_ = 0.0;
     bool factored_ = false;

@@ -7,6 +7,7 @@
 
 #include "base/index.hpp"
 #include "math/cholesky.hpp"
+#include "math/elimination_tree.hpp"
 
 namespace rhexis {
 namespace {
@@ -18,16 +19,16 @@ TrianglePoints points_of(const std::vector<Vec3>& nodes, const TriMesh& mesh, in
     return {nodes[at(n[0])], nodes[at(n[1])], nodes[at(n[2])]};
 }
 
-BlockPattern pattern_by(const TriMesh& mesh, const std::vector<int>& row_of) {
-    std::vector<int> first{0};
-    std::vector<int> rows;
-    for (const std::array<int, 3>& triangle : mesh.triangles) {
-        for (const int node : triangle) {
-            rows.push_back(row_of[at(node)]);
-        }
-        first.push_back(static_cast<int>(rows.size()));
+/// By nodes.
+BlockPattern pattern_of(const TriMesh& mesh) {
+    std::vector<int> first(mesh.triangles.size() + 1);
+    std::vector<int> nodes(3 * mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        first[t + 1] = static_cast<int>(3 * t + 3);
+        std::copy(mesh.triangles[t].begin(), mesh.triangles[t].end(),
+                  nodes.begin() + static_cast<std::ptrdiff_t>(3 * t));
     }
-    return block_pattern(static_cast<int>(mesh.nodes.size()), first, rows);
+    return block_pattern(static_cast<int>(mesh.nodes.size()), first, nodes);
 }
 
 std::vector<int> inverse(const std::vector<int>& order) {
@@ -68,6 +69,16 @@ std::vector<int> with_new_nodes(const std::vector<int>& old_order, const std::ve
         }
     }
     return order;
+}
+
+/// Whether a triangle is made of the same in both sheets.
+bool same_triangle(const MembraneSheet& a, const MembraneSheet& b, std::size_t t) {
+    if (a.mesh.triangles[t] != b.mesh.triangles[t] || a.fibre[t] != b.fibre[t] || a.thickness[t] != b.thickness[t] ||
+        a.stiffness[t] != b.stiffness[t]) {
+        return false;
+    }
+    return std::all_of(a.mesh.triangles[t].begin(), a.mesh.triangles[t].end(),
+                       [&](int node) { return a.mesh.nodes[at(node)] == b.mesh.nodes[at(node)]; });
 }
 
 struct SpringPull {
@@ -152,24 +163,22 @@ MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const Mem
       kernel_(&kernel) {
     number_rows(before);
     hang();
+    make_triangles(before);
     pack();
     weigh();
 }
 
 void MembraneBody::number_rows(const MembraneBody* before) {
     const TriMesh& mesh = sheet_->mesh;
-    std::vector<int> same(mesh.nodes.size());
-    for (int i = 0; i < static_cast<int>(same.size()); ++i) {
-        same[at(i)] = i;
-    }
+    const BlockPattern by_nodes = pattern_of(mesh);
     // with fewer nodes an earlier state has been gone back to, and there is no order to keep
     if (before == nullptr || before->node_of_.size() > mesh.nodes.size()) {
-        node_of_ = elimination_order(pattern_by(mesh, same));
+        node_of_ = elimination_order(by_nodes);
     } else {
-        node_of_ = postordered(pattern_by(mesh, same), with_new_nodes(before->node_of_, before->row_of_, mesh));
+        node_of_ = postordered(by_nodes, with_new_nodes(before->node_of_, before->row_of_, mesh));
     }
     row_of_ = inverse(node_of_);
-    pattern_ = pattern_by(mesh, row_of_);
+    pattern_ = permuted(by_nodes, node_of_, row_of_);
     moves_.resize(mesh.nodes.size());
     for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
         moves_[at(row_of_[at(node)])] = is_fixed(*model_, *sheet_, node) ? 0 : 1;
@@ -179,14 +188,46 @@ void MembraneBody::number_rows(const MembraneBody* before) {
 /// Copies of a node share its spring.
 void MembraneBody::hang() {
     const std::vector<int>& origin = sheet_->origin;
+    const int known = static_cast<int>(model_->sheet->mesh.nodes.size());
+    std::vector<int> first(at(known) + 1, 0);  // of the copies of each node of the model's sheet
+    for (const int own : origin) {
+        if (own >= 0) {
+            ++first[at(own) + 1];
+        }
+    }
+    for (int node = 0; node < known; ++node) {
+        first[at(node) + 1] += first[at(node)];
+    }
+    std::vector<int> copies(at(first.back()));
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (int node = 0; node < static_cast<int>(origin.size()); ++node) {
+        if (origin[at(node)] >= 0) {
+            copies[at(next[at(origin[at(node)])]++)] = node;
+        }
+    }
     for (const NodeSpring& spring : model_->springs) {
-        const std::ptrdiff_t copies = std::count(origin.begin(), origin.end(), spring.node);
-        for (int node = 0; node < static_cast<int>(origin.size()); ++node) {
-            if (origin[at(node)] == spring.node) {
-                springs_.push_back(spring);
-                springs_.back().node = row_of_[at(node)];
-                springs_.back().stiffness /= static_cast<double>(copies);
-            }
+        const int begin = first[at(spring.node)];
+        const int end = first[at(spring.node) + 1];
+        for (int i = begin; i < end; ++i) {
+            springs_.push_back(spring);
+            springs_.back().node = row_of_[at(copies[at(i)])];
+            springs_.back().stiffness /= static_cast<double>(end - begin);
+        }
+    }
+}
+
+/// Those that a tear left alone are taken over.
+void MembraneBody::make_triangles(const MembraneBody* before) {
+    const MembraneSheet& now = *sheet_;
+    const std::size_t count = now.mesh.triangles.size();
+    const std::size_t known = before != nullptr && before->model_ == model_ ? before->triangles_.size() : 0;
+    triangles_.reserve(count);
+    for (std::size_t t = 0; t < count; ++t) {
+        if (t < known && same_triangle(*before->sheet_, now, t)) {
+            triangles_.push_back(before->triangles_[t]);
+        } else {
+            const int triangle = static_cast<int>(t);
+            triangles_.push_back(membrane_triangle(*model_, now, triangle, frame_of(now.mesh, triangle)));
         }
     }
 }
@@ -203,11 +244,12 @@ std::array<std::size_t, 3> MembraneBody::by_rows(std::size_t triangle) const {
 /// Lays the triangles out for the kernel.
 void MembraneBody::pack() {
     const TriMesh& mesh = sheet_->mesh;
-    const std::vector<MembraneTriangle> triangles = membrane_triangles(*model_, *sheet_);
+    const std::vector<MembraneTriangle>& triangles = triangles_;
     groups_ = static_cast<int>((triangles.size() + membrane_kernel::lanes - 1) / membrane_kernel::lanes);
     data_.assign(at(groups_ * membrane_kernel::numbers * membrane_kernel::lanes), 0.0);
     index_.assign(at(groups_ * membrane_kernel::places * membrane_kernel::lanes), 0);
     volume_.clear();
+    volume_.reserve(triangles.size());
     for (std::size_t t = 0; t < at(groups_ * membrane_kernel::lanes); ++t) {
         const std::size_t group = t / membrane_kernel::lanes;
         const std::size_t lane = t % membrane_kernel::lanes;
@@ -248,6 +290,15 @@ void MembraneBody::pack_numbers(const MembraneTriangle& triangle, const std::arr
     put(triangle.rest);
 }
 
+/// Rows are short, so from one column to the next.
+int MembraneBody::slot_right_of_diagonal(int row, int column) const {
+    int slot = pattern_.diagonal[at(row)];
+    while (pattern_.column[at(slot)] != column) {
+        ++slot;
+    }
+    return slot;
+}
+
 void MembraneBody::pack_places(const std::array<int, 3>& rows, int* to) const {
     const auto put = [&to](int value) {
         *to = value;
@@ -259,7 +310,7 @@ void MembraneBody::pack_places(const std::array<int, 3>& rows, int* to) const {
     for (std::size_t b = 0; b < 3; ++b) {
         for (std::size_t a = 0; a <= b; ++a) {
             const bool moving = moves_[at(rows[a])] != 0 && moves_[at(rows[b])] != 0;
-            put(9 * (moving ? pattern_.slot(rows[a], rows[b]) : pattern_.blocks()));
+            put(9 * (moving ? slot_right_of_diagonal(rows[a], rows[b]) : pattern_.blocks()));
         }
     }
 }

@@ -46,9 +46,11 @@ public:
 private:
     void number_rows(const MembraneBody* before);
     void hang();
+    void make_triangles(const MembraneBody* before);
     [[nodiscard]] std::array<std::size_t, 3> by_rows(std::size_t triangle) const;
     void pack();
     static void pack_numbers(const MembraneTriangle& triangle, const std::array<std::size_t, 3>& order, double* to);
+    [[nodiscard]] int slot_right_of_diagonal(int row, int column) const;
     void pack_places(const std::array<int, 3>& rows, int* to) const;
     void weigh();
     membrane_kernel::Task task(const std::vector<double>& position, std::vector<double>& force) const;
@@ -59,6 +61,7 @@ private:
     std::vector<NodeSpring> springs_;  ///< of rows
     double lift_ = 0.0;                ///< of the support [mm]
     std::vector<double> volume_;       ///< per triangle [mm^3]
+    std::vector<MembraneTriangle> triangles_;
     // as the kernel reads them; corners by ascending row
     int groups_ = 0;
     std::vector<double> data_;

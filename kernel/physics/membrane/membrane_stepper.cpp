@@ -107,7 +107,11 @@ void MembraneStepper::follow(const MembraneState& state) {
         std::make_unique<MembraneBody>(*model_, state.sheet, before, *membrane_kernel::choose(kernel_->name));
     body_ = body.get();
     solves_ = 0;
-    step_.emplace(std::move(body), *kernel_);
+    if (step_) {
+        step_->follow(std::move(body));
+    } else {
+        step_.emplace(std::move(body), *kernel_);
+    }
 }
 
 ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const Vec3> external, double dt,

@@ -19,6 +19,16 @@ Mat36 rigid_jacobian(const Vec3& arm) {
 CoupledMatrix::CoupledMatrix(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
     : pattern_(&pattern), kernel_(&kernel), nodes_(at(pattern.rows())), solid_(zero_values(pattern)) {}
 
+void CoupledMatrix::follow(const BlockPattern& pattern) {
+    pattern_ = &pattern;
+    nodes_ = at(pattern.rows());
+    solid_.resize(values_of(pattern));
+    rigid_.resize(0, 0);
+    ties_.clear();
+    tie_of_.clear();
+    links_.clear();
+}
+
 void CoupledMatrix::clear_coupling(int bodies) {
     rigid_ = MatX::Zero(6 * bodies, 6 * bodies);
     links_.clear();

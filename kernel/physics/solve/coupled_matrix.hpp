@@ -24,6 +24,9 @@ public:
     /// The pattern must outlive this.
     CoupledMatrix(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
 
+    /// Takes over another pattern, in the memory that is there; without contacts, the solid's values to be filled.
+    void follow(const BlockPattern& pattern);
+
     /// Numbers in a vector: three per row, then six per body.
     [[nodiscard]] std::size_t size() const { return 3 * nodes_ + static_cast<std::size_t>(rigid_.rows()); }
     [[nodiscard]] std::size_t solid_size() const { return 3 * nodes_; }

@@ -4,10 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace rhexis {
 
 FactorPreconditioner::FactorPreconditioner(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
     : pattern_(&pattern), packed_(pattern, kernel), single_(4 * static_cast<std::size_t>(pattern.rows()), 0.0F) {}
+
+void FactorPreconditioner::follow(const BlockPattern& pattern) {
+    pattern_ = &pattern;
+    packed_.follow(pattern);
+    exact_.reset();
+    single_.assign(4 * at(pattern.rows()), 0.0F);
+    coupling_.resize(0, 0);
+    precision_ = Precision::single;
+    kept_ = false;
+}
 
 double FactorPreconditioner::cost_in_iterations() const {
     // measured: multiply-adds of a factorisation run 2 to 3 times as fast as those of an iteration, which wait for

@@ -22,6 +22,9 @@ public:
     /// The pattern must outlive this; rows in a postordered order of elimination.
     FactorPreconditioner(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
 
+    /// Takes over another pattern, in the memory that is there; nothing is kept then.
+    void follow(const BlockPattern& pattern);
+
     enum class Precision { single, twofold };
 
     /// False if the matrix is not positive definite or not finite: then nothing is kept. Single precision turns to

@@ -41,10 +41,7 @@ double norm(const std::vector<double>& v) { return std::sqrt(dot(v, v)); }
 // Vectors hold three numbers per row (nodes in the order of elimination), then six per body.
 struct ImplicitStep::Parts {
     Parts(std::unique_ptr<ElasticBody> owned, const linear_kernel::Kernel& kernel)
-        : body(std::move(owned)),
-          elastic(*body),
-          matrix(elastic.pattern(), kernel),
-          solver(elastic.pattern(), kernel) {}
+        : body(std::move(owned)), matrix(body->pattern(), kernel), solver(body->pattern(), kernel) {}
 
     /// What a step is asked to do.
     struct Task {
@@ -85,7 +82,6 @@ struct ImplicitStep::Parts {
     void finish(NodeMotion& next) const;
 
     std::unique_ptr<ElasticBody> body;
-    ElasticBody& elastic;
     CoupledMatrix matrix;
     KeptSolver solver;
     double last_dt = 0.0;
@@ -103,20 +99,20 @@ struct ImplicitStep::Parts {
 };
 
 void ImplicitStep::Parts::begin(const Task& task) {
-    elastic.forget_prediction();
+    body->forget_prediction();
     if (last_dt != task.dt) {
         solver.expect_change();
         last_dt = task.dt;
     }
-    const std::size_t n = at(elastic.rows());
+    const std::size_t n = at(body->rows());
     bodies = task.start;
     position.assign(task.position.begin(), task.position.end());
     velocity0.assign(3 * n + 6 * bodies.size(), 0.0);
     x.assign(3 * n + 1, 0.0);
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t node = at(elastic.node_of()[i]);
+        const std::size_t node = at(body->node_of()[i]);
         Eigen::Map<Vec3>(x.data() + 3 * i) = task.position[node];
-        if (elastic.moves()[i] != 0) {
+        if (body->moves()[i] != 0) {
             Eigen::Map<Vec3>(velocity0.data() + 3 * i) = task.velocity[node];
         }
     }
@@ -131,9 +127,9 @@ void ImplicitStep::Parts::begin(const Task& task) {
 
 /// Positions and poses at the end of a step of velocities v.
 void ImplicitStep::Parts::set_velocity(const Task& task, const std::vector<double>& v) {
-    const std::size_t n = at(elastic.rows());
+    const std::size_t n = at(body->rows());
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t node = at(elastic.node_of()[i]);
+        const std::size_t node = at(body->node_of()[i]);
         position[node] = task.position[node] + task.dt * Eigen::Map<const Vec3>(v.data() + 3 * i);
         Eigen::Map<Vec3>(x.data() + 3 * i) = position[node];
     }
@@ -154,10 +150,10 @@ void ImplicitStep::Parts::evaluate_coupling(const Task& task) {
     RHEXIS_ASSERT(rigid.size() == bodies.size());
     for (ContactTerm& contact : contacts) {
         for (int& node : contact.nodes) {
-            node = node >= 0 ? elastic.row_of()[at(node)] : node;
+            node = node >= 0 ? body->row_of()[at(node)] : node;
         }
         for (ContactShare& share : contact.more) {
-            share.node = elastic.row_of()[at(share.node)];
+            share.node = body->row_of()[at(share.node)];
         }
     }
 }
@@ -182,11 +178,11 @@ void ImplicitStep::Parts::add_contact_forces(const Task& task, std::vector<doubl
 
 /// r += dt (elastic + gravity + external + contact and rigid forces).
 void ImplicitStep::Parts::add_applied_forces(const Task& task, std::vector<double>& r) const {
-    const std::size_t n = at(elastic.rows());
+    const std::size_t n = at(body->rows());
     for (std::size_t i = 0; i < n; ++i) {
-        Vec3 sum = Eigen::Map<const Vec3>(force.data() + 3 * i) + elastic.mass().weight[i] * task.gravity;
+        Vec3 sum = Eigen::Map<const Vec3>(force.data() + 3 * i) + body->mass().weight[i] * task.gravity;
         if (!task.external.empty()) {
-            sum += task.external[at(elastic.node_of()[i])];
+            sum += task.external[at(body->node_of()[i])];
         }
         Eigen::Map<Vec3>(r.data() + 3 * i) += task.dt * sum;
     }
@@ -198,10 +194,10 @@ void ImplicitStep::Parts::add_applied_forces(const Task& task, std::vector<doubl
 
 /// r += factor M v.
 void ImplicitStep::Parts::add_inertia(const std::vector<double>& v, double factor, std::vector<double>& r) const {
-    const std::size_t n = at(elastic.rows());
+    const std::size_t n = at(body->rows());
     for (std::size_t i = 0; i < n; ++i) {
         Eigen::Map<Vec3>(r.data() + 3 * i) +=
-            factor * elastic.mass().inertia[i] * Eigen::Map<const Vec3>(v.data() + 3 * i);
+            factor * body->mass().inertia[i] * Eigen::Map<const Vec3>(v.data() + 3 * i);
     }
     for (std::size_t b = 0; b < rigid.size(); ++b) {
         Eigen::Map<Vec6>(r.data() + 3 * n + 6 * b) +=
@@ -211,8 +207,8 @@ void ImplicitStep::Parts::add_inertia(const std::vector<double>& v, double facto
 
 /// Nothing pulls at nodes that do not move.
 void ImplicitStep::Parts::hold(std::vector<double>& r) const {
-    for (std::size_t i = 0; i < elastic.moves().size(); ++i) {
-        if (elastic.moves()[i] == 0) {
+    for (std::size_t i = 0; i < body->moves().size(); ++i) {
+        if (body->moves()[i] == 0) {
             Eigen::Map<Vec3>(r.data() + 3 * i).setZero();
         }
     }
@@ -220,31 +216,31 @@ void ImplicitStep::Parts::hold(std::vector<double>& r) const {
 
 /// Adds inertia, contacts and bodies to the stiffness in the upper triangle of the matrix.
 void ImplicitStep::Parts::complete_matrix(const Task& task) {
-    const double inertia = 1.0 + task.dt * elastic.damping_mass();
-    for (int i = 0; i < elastic.rows(); ++i) {
-        double mass = elastic.moves()[at(i)] != 0 ? inertia * elastic.mass().inertia[at(i)] : 1.0;
-        if (!elastic.row_drag().empty() && elastic.moves()[at(i)] != 0) {
-            mass += task.dt * elastic.row_drag()[at(i)];
+    const double inertia = 1.0 + task.dt * body->damping_mass();
+    for (int i = 0; i < body->rows(); ++i) {
+        double mass = body->moves()[at(i)] != 0 ? inertia * body->mass().inertia[at(i)] : 1.0;
+        if (!body->row_drag().empty() && body->moves()[at(i)] != 0) {
+            mass += task.dt * body->row_drag()[at(i)];
         }
-        add_block(matrix.solid(), elastic.pattern().diagonal[at(i)], mass * Mat3::Identity());
+        add_block(matrix.solid(), body->pattern().diagonal[at(i)], mass * Mat3::Identity());
     }
-    mirror_upper(elastic.pattern(), matrix.solid());
+    mirror_upper(body->pattern(), matrix.solid());
     matrix.clear_coupling(static_cast<int>(bodies.size()));
     for (std::size_t b = 0; b < rigid.size(); ++b) {
         const Eigen::Index row = static_cast<Eigen::Index>(6 * b);
         matrix.rigid().block<6, 6>(row, row) = rigid[b].mass + task.dt * task.dt * rigid[b].stiffness;
     }
     for (const ContactTerm& contact : contacts) {
-        matrix.add(contact, task.dt * task.dt, elastic.moves());
+        matrix.add(contact, task.dt * task.dt, body->moves());
     }
 }
 
 /// Positions are known to an ulp, so forces to stiffness times that.
 double ImplicitStep::Parts::rounding_of_forces(const Task& task) const {
     double sum = 0.0;
-    for (int i = 0; i < elastic.rows(); ++i) {
-        if (elastic.moves()[at(i)] != 0) {
-            const Mat3 own = block_of(matrix.solid(), elastic.pattern().diagonal[at(i)]);
+    for (int i = 0; i < body->rows(); ++i) {
+        if (body->moves()[at(i)] != 0) {
+            const Mat3 own = block_of(matrix.solid(), body->pattern().diagonal[at(i)]);
             sum += own.squaredNorm() * Eigen::Map<const Vec3>(x.data() + 3 * i).squaredNorm();
         }
     }
@@ -253,15 +249,15 @@ double ImplicitStep::Parts::rounding_of_forces(const Task& task) const {
 
 /// r of the system linearised about the start of the step, at v0: dt f + M v0 - A v0 (mass damping is in A).
 void ImplicitStep::Parts::linearised_residual(const Task& task) {
-    const double damped = task.dt * elastic.damping_stiffness();
+    const double damped = task.dt * body->damping_stiffness();
     const double weight = task.dt * task.dt + damped;
-    elastic.forces_and_stiffness(x, Mode::warped, weight, force, matrix.solid());
+    body->forces_and_stiffness(x, Mode::warped, weight, force, matrix.solid());
     if (task.settings.max_newton > 1 && damped > 0.0) {
         damping = matrix.solid();
         for (double& value : damping) {
             value *= damped / weight;
         }
-        mirror_upper(elastic.pattern(), damping);
+        mirror_upper(body->pattern(), damping);
     }
     evaluate_coupling(task);
     complete_matrix(task);
@@ -280,9 +276,9 @@ void ImplicitStep::Parts::linearised_residual(const Task& task) {
 
 /// r and A at where the velocities at the start lead, or those guessed. Reference 0: that is where the step ends.
 void ImplicitStep::Parts::predicted_residual(const Task& task) {
-    for (std::size_t i = 0; i < at(elastic.rows()) && !task.guess.empty(); ++i) {
-        if (elastic.moves()[i] != 0) {
-            Eigen::Map<Vec3>(velocity.data() + 3 * i) = task.guess[at(elastic.node_of()[i])];
+    for (std::size_t i = 0; i < at(body->rows()) && !task.guess.empty(); ++i) {
+        if (body->moves()[i] != 0) {
+            Eigen::Map<Vec3>(velocity.data() + 3 * i) = task.guess[at(body->node_of()[i])];
         }
     }
     set_velocity(task, velocity);
@@ -299,7 +295,7 @@ void ImplicitStep::Parts::predicted_residual(const Task& task) {
 
 /// r at x and the bodies' poses, which belong to `velocity`, with the coupling of there.
 void ImplicitStep::Parts::full_residual(const Task& task) {
-    elastic.forces(x, force);
+    body->forces(x, force);
     evaluate_coupling(task);
     balance(task);
 }
@@ -311,13 +307,13 @@ void ImplicitStep::Parts::balance(const Task& task) {
     add_inertia(velocity0, 1.0, residual);
     add_inertia(velocity, -1.0, residual);
     for (std::size_t i = 0; i < matrix.solid_size(); ++i) {
-        residual[i] -= task.dt * elastic.damping_mass() * elastic.mass().inertia[i / 3] * velocity[i];
+        residual[i] -= task.dt * body->damping_mass() * body->mass().inertia[i / 3] * velocity[i];
     }
-    for (std::size_t i = 0; i < 3 * elastic.row_drag().size(); ++i) {
-        residual[i] -= task.dt * elastic.row_drag()[i / 3] * velocity[i];
+    for (std::size_t i = 0; i < 3 * body->row_drag().size(); ++i) {
+        residual[i] -= task.dt * body->row_drag()[i / 3] * velocity[i];
     }
-    if (elastic.damping_stiffness() > 0.0) {
-        multiply(elastic.pattern(), damping, velocity, image);
+    if (body->damping_stiffness() > 0.0) {
+        multiply(body->pattern(), damping, velocity, image);
         for (std::size_t i = 0; i < matrix.solid_size(); ++i) {
             residual[i] -= image[i];
         }
@@ -326,8 +322,8 @@ void ImplicitStep::Parts::balance(const Task& task) {
 }
 
 void ImplicitStep::Parts::build_tangent(const Task& task, Mode mode) {
-    elastic.forces_and_stiffness(x, mode, task.dt * task.dt, force, matrix.solid());
-    if (elastic.damping_stiffness() > 0.0) {
+    body->forces_and_stiffness(x, mode, task.dt * task.dt, force, matrix.solid());
+    if (body->damping_stiffness() > 0.0) {
         for (std::size_t i = 0; i < damping.size(); ++i) {
             matrix.solid()[i] += damping[i];
         }
@@ -422,7 +418,7 @@ void ImplicitStep::Parts::search(const Task& task) {
         for (std::size_t i = 0; i < image.size(); ++i) {
             image[i] = std::min(1.0, longest) * task.dt * change[i];
         }
-        elastic.predict(x, image);
+        body->predict(x, image);
     }
     if (task.settings.search_to > 0.0 && slope > 0.0) {
         bracket(task, start, longest, slope);
@@ -472,7 +468,7 @@ void ImplicitStep::Parts::newton(const Task& task, ImplicitReport& report) {
 }
 
 void ImplicitStep::Parts::iterate(const Task& task, ImplicitReport& report) {
-    if (task.settings.predict && elastic.damping_stiffness() == 0.0) {
+    if (task.settings.predict && body->damping_stiffness() == 0.0) {
         predicted_residual(task);
     } else {
         linearised_residual(task);
@@ -502,7 +498,7 @@ void ImplicitStep::Parts::finish(NodeMotion& next) const {
     next.position = position;
     next.velocity.resize(position.size());
     for (std::size_t i = 0; i < position.size(); ++i) {
-        next.velocity[at(elastic.node_of()[i])] = Eigen::Map<const Vec3>(velocity.data() + 3 * i);
+        next.velocity[at(body->node_of()[i])] = Eigen::Map<const Vec3>(velocity.data() + 3 * i);
     }
 }
 
@@ -512,7 +508,7 @@ ImplicitStep::~ImplicitStep() = default;
 ImplicitStep::ImplicitStep(ImplicitStep&&) noexcept = default;
 ImplicitStep& ImplicitStep::operator=(ImplicitStep&&) noexcept = default;
 
-ElasticBody& ImplicitStep::body() { return parts_->elastic; }
+ElasticBody& ImplicitStep::body() { return *parts_->body; }
 
 ImplicitReport ImplicitStep::step(std::span<const Vec3> position, std::span<const Vec3> velocity, const Vec3& gravity,
                                   std::span<const Vec3> external, double dt, const ImplicitSettings& settings,
@@ -527,6 +523,13 @@ ImplicitReport ImplicitStep::step(std::span<const Vec3> position, std::span<cons
     parts_->finish(next);
     bodies = parts_->bodies;
     return report;
+}
+
+void ImplicitStep::follow(std::unique_ptr<ElasticBody> body) {
+    parts_->matrix.follow(body->pattern());
+    parts_->solver.follow(body->pattern());
+    parts_->body = std::move(body);
+    parts_->last_dt = 0.0;
 }
 
 void ImplicitStep::drop_caches() { parts_->solver.drop(); }

@@ -9,13 +9,15 @@ namespace {
 
 using Precision = FactorPreconditioner::Precision;
 
-constexpr int patience = 40;  // iterations after which a new factor in single precision is not trusted
+constexpr int patience = 40;      // iterations after which a new factor in single precision is not trusted
+constexpr int longest_wait = 32;  // solves for which no earlier factor is tried, where none served
 
 }  // namespace
 
 void KeptSolver::drop() {
     factor_.drop();
     due_ = true;
+    wait_ = waiting_ = 0;
 }
 
 /// A new factor pays once a solve costs more than the mean of all with this factor, its making included.
@@ -54,9 +56,14 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
         outcome.iterations += result.iterations;
         started = true;
     };
-    if (!due(matrix)) {
+    const bool known = !due(matrix);
+    if (known && waiting_ == 0) {
         // an old factor that does far worse than when it was new is given up on the way
         attempt(first_ + std::max(4, static_cast<int>(factor_.cost_in_iterations())));
+        wait_ = result.converged ? 0 : std::min(2 * wait_ + 1, longest_wait);
+        waiting_ = wait_;
+    } else if (known) {
+        --waiting_;
     }
     if (!started || (!result.converged && result.finite)) {
         if (renew(matrix, Precision::single, single_only, outcome)) {

@@ -25,6 +25,12 @@ public:
     Outcome solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
                   std::span<double> x, bool single_only = false);
 
+    /// As a new solver of another pattern, in the memory that is there.
+    void follow(const BlockPattern& pattern) {
+        factor_.follow(pattern);
+        drop();
+        solves_ = iterations_ = last_ = first_ = 0;
+    }
     /// Forgets the factor and what was learned of its use: the next solve is as that of a new solver.
     void drop();
     /// The next solve makes a new factor.
@@ -44,6 +50,8 @@ private:
     int iterations_ = 0;  ///< in all of them
     int last_ = 0;        ///< in the last one
     int first_ = 0;       ///< in the first one
+    int wait_ = 0;        ///< solves without trying an earlier factor, after the last that did not serve
+    int waiting_ = 0;     ///< of these still to come
 };
 
 }  // namespace rhexis

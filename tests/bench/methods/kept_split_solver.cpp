@@ -6,7 +6,7 @@
 #include "base/clock.hpp"
 #include "base/index.hpp"
 #include "bench/methods/kernel_factor.hpp"
-#include "math/cholesky.hpp"
+#include "math/elimination_tree.hpp"
 
 namespace rhexis::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/clock.hpp"
-#include "math/cholesky.hpp"
+#include "math/elimination_tree.hpp"
 #include "math/supernodes.hpp"
 
 namespace rhexis::bench {

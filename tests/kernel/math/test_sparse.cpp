@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "base/index.hpp"
 #include "base/rng.hpp"
 #include "math/cholesky.hpp"
+#include "math/elimination_tree.hpp"
 #include "math/packed_factor.hpp"
 #include "math/pcg.hpp"
 
@@ -189,6 +191,106 @@ TEST_SUITE("math") {
                 CHECK(x == first);
             }
         }
+    }
+
+    TEST_CASE("a packed factor that goes from pattern to pattern has the bits of a new one") {
+        const linear_kernel::Kernel& kernel = *linear_kernel::choose();
+        const BlockPattern first = grid_pattern(7);
+        PackedFactor followed(first, kernel);
+        REQUIRE(followed.factor(random_matrix(first, 20.0, 5)));
+        for (const int side : {3, 9, 2, 7}) {  // of the widest of these some panels are cut
+            const BlockPattern pattern = grid_pattern(side);
+            const BlockValues values = random_matrix(pattern, 20.0, 11);
+            PackedFactor fresh(pattern, kernel);
+            followed.follow(pattern);
+            CHECK_FALSE(followed.factored());
+            CHECK(followed.factor_work() == fresh.factor_work());
+            CHECK(followed.solve_work() == fresh.solve_work());
+            REQUIRE(fresh.factor(values));
+            REQUIRE(followed.factor(values));
+            std::vector<float> x = spread(random_vector(3 * pattern.rows(), 6));
+            std::vector<float> same = x;
+            fresh.solve(x);
+            followed.solve(same);
+            CHECK(x == same);
+        }
+    }
+
+    TEST_CASE("rows of the factor are where a dense one has entries, and a postorder keeps their number") {
+        const BlockPattern pattern = grid_pattern(4);
+        const int n = pattern.rows();
+        MatX has = MatX::Zero(n, n);  // elimination of the graph
+        for (int i = 0; i < n; ++i) {
+            for (int slot = pattern.first[at(i)]; slot < pattern.first[at(i) + 1]; ++slot) {
+                has(i, pattern.column[at(slot)]) = 1.0;
+            }
+        }
+        for (int k = 0; k < n; ++k) {
+            for (int i = k + 1; i < n; ++i) {
+                for (int j = k + 1; j < n && has(i, k) > 0.0; ++j) {
+                    has(i, j) = has(j, k) > 0.0 ? 1.0 : has(i, j);
+                }
+            }
+        }
+        const std::vector<int> tree = elimination_tree(pattern);
+        const FactorRows rows = factor_rows(pattern, tree);
+        for (int j = 0; j < n; ++j) {
+            std::vector<int> expected;
+            for (int i = j + 1; i < n; ++i) {
+                if (has(i, j) > 0.0) {
+                    expected.push_back(i);
+                }
+            }
+            CHECK(std::vector<int>(rows.row.begin() + rows.first[at(j)], rows.row.begin() + rows.first[at(j) + 1]) ==
+                  expected);
+            CHECK(tree[at(j)] == (expected.empty() ? -1 : expected.front()));
+        }
+
+        std::vector<int> order(at(n));  // not a postorder: every other row, then the rest
+        for (int k = 0; k < n; ++k) {
+            order[at(k)] = 2 * k < n + n % 2 ? 2 * k : 2 * (k - (n + n % 2) / 2) + 1;
+        }
+        const auto numbered = [&](const std::vector<int>& by) {
+            std::vector<int> place(at(n), -1);
+            for (int k = 0; k < n; ++k) {
+                place[at(by[at(k)])] = k;
+            }
+            CHECK(std::count(place.begin(), place.end(), -1) == 0);
+            return permuted(pattern, by, place);
+        };
+        const BlockPattern plain = numbered(order);
+        const std::vector<int> arranged = postordered(pattern, order);
+        const BlockPattern post = numbered(arranged);
+        const std::vector<int> post_tree = elimination_tree(post);
+        CHECK(factor_rows(post, post_tree).row.size() == factor_rows(plain, elimination_tree(plain)).row.size());
+        // what leads to a column stands right before it
+        std::vector<int> below(at(n), 1);
+        for (int j = 0; j < n; ++j) {
+            if (post_tree[at(j)] >= 0) {
+                below[at(post_tree[at(j)])] += below[at(j)];
+            }
+            for (int i = j - below[at(j)] + 1; i < j; ++i) {
+                CHECK(post_tree[at(i)] <= j);
+            }
+        }
+        CHECK(postordered(pattern, arranged) == arranged);
+    }
+
+    TEST_CASE("a pattern with other numbers is that of groups with other numbers") {
+        const std::vector<int> first{0, 3, 6, 8};
+        const std::vector<int> node{0, 1, 2, 2, 3, 1, 4, 0};
+        const std::vector<int> order{3, 0, 4, 2, 1};
+        const std::vector<int> place{1, 4, 3, 0, 2};
+        std::vector<int> other;
+        for (const int n : node) {
+            other.push_back(place[at(n)]);
+        }
+        const BlockPattern expected = block_pattern(5, first, other);
+        const BlockPattern result = permuted(block_pattern(5, first, node), order, place);
+        CHECK(result.first == expected.first);
+        CHECK(result.column == expected.column);
+        CHECK(result.diagonal == expected.diagonal);
+        CHECK(result.mirror == expected.mirror);
     }
 
     TEST_CASE("the packed factor refuses what is indefinite or not finite, and recovers") {

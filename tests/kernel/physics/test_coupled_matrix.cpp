@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <vector>
 
+#include "base/rng.hpp"
 #include "math/block_matrix.hpp"
 #include "physics/solve/coupled_matrix.hpp"
+#include "physics/solve/kept_solver.hpp"
 #include "scenes/eigenvalues.hpp"
 
 using namespace rhexis;
@@ -37,6 +40,23 @@ std::vector<ContactTerm> contacts() {
     turning.stiffness = 3.0 * normal * normal.transpose();
     turning.more = {{0, share_of(0.9)}, {1, share_of(-1.7)}, {3, -2.0 * share_of(0.1)}};
     return {weighted, turning};
+}
+
+/// Symmetric and positive definite, of four nodes, and like no other.
+CoupledMatrix unlike_others(const BlockPattern& pattern, Rng& random) {
+    CoupledMatrix matrix(pattern, *linear_kernel::choose());
+    matrix.clear_coupling(0);
+    MatX root(12, 12);
+    for (Eigen::Index i = 0; i < root.size(); ++i) {
+        root(i / 12, i % 12) = std::pow(10.0, 2.0 * random.uniform()) * (random.uniform() - 0.5);
+    }
+    const MatX full = root * root.transpose() + MatX::Identity(12, 12);
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            add_block(matrix.solid(), pattern.slot(i, j), full.block<3, 3>(3 * i, 3 * j));
+        }
+    }
+    return matrix;
 }
 
 CoupledMatrix matrix_of(const BlockPattern& pattern) {
@@ -93,5 +113,39 @@ TEST_SUITE("coupled matrix") {
         const VecX values = scenes::eigenvalues(more);
         CHECK(values[0] > -1e-12);
         CHECK(values[11] > 0.1);
+    }
+
+    TEST_CASE("a kept factor that does not serve is tried ever more seldom, until one does") {
+        const BlockPattern pattern = pattern_of_four(true);
+        KeptSolver solver(pattern, *linear_kernel::choose());
+        Rng random(3);
+        std::vector<double> b(12, 1.0);
+        b.resize(13);  // a number of padding
+        std::vector<double> x(13);
+        std::vector<double> image(13);
+        std::vector<int> tried;
+        for (int i = 0; i < 40; ++i) {
+            const CoupledMatrix matrix = unlike_others(pattern, random);
+            const KeptSolver::Outcome outcome = solver.solve(matrix, {b.data(), 12}, 1e-9, 100, {x.data(), 12});
+            CHECK(outcome.converged);
+            CHECK(outcome.factored);
+            matrix.multiply(x, image);
+            double square = 0.0;
+            for (std::size_t k = 0; k < 12; ++k) {
+                square += (b[k] - image[k]) * (b[k] - image[k]);
+            }
+            CHECK(std::sqrt(square) < 1e-8);
+            if (outcome.iterations > 4) {
+                tried.push_back(i);
+            }
+        }
+        CHECK(tried == std::vector<int>{1, 3, 7, 15, 31});
+        const CoupledMatrix same = unlike_others(pattern, random);
+        int factored = 0;
+        for (int i = 0; i < 80; ++i) {
+            factored += solver.solve(same, {b.data(), 12}, 1e-9, 100, {x.data(), 12}).factored ? 1 : 0;
+        }
+        CHECK(factored < 40);
+        CHECK_FALSE(solver.solve(same, {b.data(), 12}, 1e-9, 100, {x.data(), 12}).factored);
     }
 }
