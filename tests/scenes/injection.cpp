@@ -14,6 +14,16 @@ Injection::Injection(const ShellModel& model, const ToolModel& injector, ShellSt
     state.loaded = false;
 }
 
+ShellPartners Injection::partners() const {
+    ShellPartners partners;
+    partners.tools = tools_.tools();
+    partners.tool_states = tools_.states();
+    partners.tubes = tools_.tubes();
+    partners.tube_states = tools_.tube_states();
+    partners.tube_tools = tools_.tube_tools();
+    return partners;
+}
+
 ShellMotion Injection::step(double jaw, double dt) {
     hand_.previous_jaw = hand_.jaw;
     hand_.jaw = jaw;
@@ -22,12 +32,7 @@ ShellMotion Injection::step(double jaw, double dt) {
     ShellState next;
     ShellStepReport all;
     for (;;) {
-        ShellPartners partners;
-        partners.tools = tools_.tools();
-        partners.tool_states = tools_.states();
-        partners.tubes = tools_.tubes();
-        partners.tube_states = tools_.tube_states();
-        partners.tube_tools = tools_.tube_tools();
+        const ShellPartners partners = this->partners();
         int rollbacks = 0;
         const ShellMotion motion =
             move_shell(stepper_, contacts, {state, partners, weightless, dt}, next, report, rollbacks);

@@ -17,6 +17,8 @@ public:
 
     /// One step of dt [s] in which the hand pushes to a share of the stroke.
     ShellMotion step(double jaw, double dt);
+    /// What it touched in the last step: plunger and bore.
+    [[nodiscard]] ShellPartners partners() const;
 
     ShellState state;
     PlungerState plunger;
