@@ -54,9 +54,8 @@ std::vector<BenchCase> verify_cases() {
                   [](const BenchOptions& options) {
                       return scenes::verify_bag_injection(400.0, 800.0, options.quick ? 1.0 : 6.0);
                   }),
-            named("verify_tear", "the same of a capsule that is torn round", [](const BenchOptions& options) {
-                return scenes::verify_tear(1500, options.quick ? 0.4 : 2.2);
-            })};
+            named("verify_tear", "the same of a capsule that is torn round",
+                  [](const BenchOptions& options) { return scenes::verify_tear(1500, options.quick ? 0.4 : 2.2); })};
 }
 
 }  // namespace rhexis::bench

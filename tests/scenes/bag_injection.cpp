@@ -10,7 +10,7 @@
 namespace rhexis::scenes {
 namespace {
 
-constexpr double plunger_speed = 5.0;   // [mm/s]
+constexpr double plunger_speed = 5.0;    // [mm/s]
 const Vec3 mouth_place(0.0, -1.0, 1.2);  // in the near half of the opening [mm]
 
 SceneDescription bag_scene(const BagInjectionCase& own) {

@@ -5,9 +5,10 @@
 
 namespace rhexis::scenes {
 
-Injection::Injection(const ShellModel& model, const ToolModel& injector, ShellState start)
+Injection::Injection(const ShellModel& model, const ToolModel& injector, ShellState start,
+                     const ShellContactSettings& settings)
     : state(std::move(start)),
-      contacts(model),
+      contacts(model, settings),
       tools_({&injector, 1}),
       stepper_(std::move(ShellStepper::create(model)).value()) {
     hand_.present = true;

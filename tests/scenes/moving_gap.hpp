@@ -3,8 +3,8 @@
 // miss. What lies between a corner and a triangle, or between two edges, is linear in time and in each of two places
 // along them, so over any cell of the three it stays within the hull of the values at the cell's eight corners: where
 // all of these lie beyond what is allowed along some one direction, the cell is free. Cells that are not told so are
-// halved until they are as small as the resolution [Wang2021]. Thickness is part of the proof: what is allowed is linear
-// over a cell, too.
+// halved until they are as small as the resolution [Wang2021]. Thickness is part of the proof: what is allowed is
+// linear over a cell, too.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct GapCorner {
     double reach = 0.0;       ///< the distance that they must keep [mm]
 };
 
-/// Linear in each of three parameters from 0 to 1. Corner i is at (i & 1, i >> 1 & 1, i >> 2 & 1); the first is time, or
-/// the place along an edge in what does not move.
+/// Linear in each of three parameters from 0 to 1. Corner i is at (i & 1, i >> 1 & 1, i >> 2 & 1); the first is time,
+/// or the place along an edge in what does not move.
 using GapCube = std::array<GapCorner, 8>;
 
 /// depth: allowed, as a share of the thickness: the mean of both, or that of the only one that has any.

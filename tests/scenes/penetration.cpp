@@ -11,8 +11,8 @@ namespace rhexis::scenes {
 namespace {
 
 constexpr double resolution_share = 1e-3;  // of the thickness that two places have together
-constexpr double solid_resolution = 5e-2;  // likewise, against what is rigid: parts grow with its inverse cube,
-constexpr double solid_depth = 0.05;       // so that less than this depth is not told from none
+constexpr double solid_resolution = 0.15;  // likewise, against what is rigid: parts grow with its inverse cube,
+constexpr double solid_depth = 0.1;        // so that less than this depth is not told from none
 constexpr double least_resolution = 1e-6;  // [mm]
 constexpr int most_parts = 400000;         // of a triangle against what is rigid
 
@@ -90,8 +90,8 @@ void judge_edges(const MovingSkin& own, const SkinEdge& a, const MovingSkin& oth
     }
     const std::array<Mover, 2> first{mover(own, a.corners[0]), mover(own, a.corners[1])};
     const std::array<Mover, 2> second{mover(other, b.corners[0]), mover(other, b.corners[1])};
-    const bool layers = !same || !(near_triangle(own.skin, a.corners, b.triangle) ||
-                                   near_triangle(own.skin, b.corners, a.triangle));
+    const bool layers =
+        !same || !(near_triangle(own.skin, a.corners, b.triangle) || near_triangle(own.skin, b.corners, a.triangle));
     judge_pair(
         pair_of(thickest(first[0], first[1]), thickest(second[0], second[1]), layers),
         [&](double depth) { return edge_to_edge(first, second, depth); }, [&] { return end_distance(first, second); },
@@ -171,7 +171,7 @@ PrismBall ball_about(const Prism& prism) {
     return ball;
 }
 
-Mover between(const Mover& a, const Mover& b) {
+Mover half_way(const Mover& a, const Mover& b) {
     return {0.5 * (a.from + b.from), 0.5 * (a.to + b.to), 0.5 * (a.half + b.half)};
 }
 
@@ -189,7 +189,7 @@ std::array<Prism, 2> halves_in_time(const Prism& prism) {
 /// Across its longest edge.
 std::array<Prism, 2> halves_in_space(const Prism& prism, std::size_t longest) {
     const std::size_t next = (longest + 1) % 3;
-    const Mover middle = between(prism.corner[longest], prism.corner[next]);
+    const Mover middle = half_way(prism.corner[longest], prism.corner[next]);
     std::array<Prism, 2> halves{prism, prism};
     halves[0].corner[next] = middle;
     halves[1].corner[longest] = middle;

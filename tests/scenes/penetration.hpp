@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verifies committed steps: that surfaces of triangles whose corners move evenly from one state to the next went through
-// nothing, themselves included, and how deep they lie in it. A step is free to a depth when every corner against every
-// triangle and every edge against every edge is proven so (moving_gap.hpp), and every triangle against what is rigid,
-// by balls about parts of it whose distance is more than their radius. Neighbours along a surface have no thickness
-// against each other, and what has a corner in common does not meet.
+// Verifies committed steps: that surfaces of triangles whose corners move evenly from one state to the next went
+// through nothing, themselves included, and how deep they lie in it. A step is free to a depth when every corner
+// against every triangle and every edge against every edge is proven so (moving_gap.hpp), and every triangle against
+// what is rigid, by balls about parts of it whose distance is more than their radius. Neighbours along a surface have
+// no thickness against each other, and what has a corner in common does not meet.
 #pragma once
 
 #include <array>
@@ -58,23 +58,23 @@ inline const std::vector<double> depths_tried{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0
 struct StepFinding {
     /// Of depths_tried: the least to which the step is proven free; depths_tried.size(): not proven to cross nothing.
     std::size_t level = 0;
-    int crossing = 0;         ///< pairs that may have crossed
-    double since = 1.0;       ///< share of the step at which one of these may have
-    double deepest = 0.0;     ///< of pairs not proven free of any depth, at the end; of what crossed: beyond that [mm]
+    int crossing = 0;      ///< pairs that may have crossed
+    double since = 1.0;    ///< share of the step at which one of these may have
+    double deepest = 0.0;  ///< of pairs not proven free of any depth, at the end; of what crossed: beyond that [mm]
     double of_thickness = 0.0;
-    double of_edge = 0.0;     ///< over the mean edge of the surface at the end
-    long pairs = 0;           ///< that came near enough to be looked at
+    double of_edge = 0.0;  ///< over the mean edge of the surface at the end
+    long pairs = 0;        ///< that came near enough to be looked at
 
     void add(const StepFinding& other);
 };
 
 StepFinding verify_itself(const MovingSkin& skin);
 StepFinding verify_pair(const MovingSkin& a, const MovingSkin& b);
-/// Depths under a twentieth of the thickness are not told apart.
+/// Depths under a tenth of the thickness are not told apart.
 StepFinding verify_solid(const MovingSkin& skin, const MovingSolid& solid);
 
-/// Edges that go through triangles, or may, where the surface stands at the start of the step: 0 proves that it does not
-/// lie in itself. Of two surfaces: through each other.
+/// Edges that go through triangles, or may, where the surface stands at the start of the step: 0 proves that it does
+/// not lie in itself. Of two surfaces: through each other.
 int pierced_at_start(const MovingSkin& skin);
 int pierced_at_start(const MovingSkin& a, const MovingSkin& b);
 

@@ -37,8 +37,8 @@ bool shares_place(const Skin& skin, const std::array<int, 2>& own, const std::ar
 /// Whether a corner or an edge lies so near to a triangle along the surface that it is no other layer.
 bool near_triangle(const Skin& skin, const std::array<int, 2>& own, int triangle);
 
-/// Calls take(s, t) for each pair of triangles of two surfaces whose boxes over the step, with their thickness, meet; of
-/// one surface with itself (the same object) each pair once.
+/// Calls take(s, t) for each pair of triangles of two surfaces whose boxes over the step, with their thickness, meet;
+/// of one surface with itself (the same object) each pair once.
 void near_triangles(const MovingSkin& a, const MovingSkin& b, const std::function<void(int, int)>& take);
 
 }  // namespace rhexis::scenes

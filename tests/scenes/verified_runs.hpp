@@ -12,7 +12,7 @@ namespace rhexis::scenes {
 /// What came of a run, of one kind of contact.
 struct VerifiedRun {
     std::string name;
-    int triangles = 0;        ///< of the surfaces that were looked at
+    int triangles = 0;         ///< of the surfaces that were looked at
     int pierced_at_start = 0;  ///< edges that may go through triangles before the first step
     int steps = 0;
     std::vector<int> free_to;  ///< per depth tried: steps proven free to it
@@ -26,8 +26,8 @@ struct VerifiedRun {
 /// bore and the plunger. Three rows.
 struct InjectionRun {
     double triangles = 400.0;
-    bool tucked = false;   ///< folded with its haptics on its optic
-    double nozzle = 2.6;   ///< [mm]
+    bool tucked = false;     ///< folded with its haptics on its optic
+    double nozzle = 2.6;     ///< [mm]
     double unfolding = 1.0;  ///< [s]
 };
 std::vector<VerifiedRun> verify_injection(const InjectionRun& run);
