@@ -8,47 +8,12 @@
 #include "base/clock.hpp"
 #include "base/index.hpp"
 #include "bench/bench_shell.hpp"
-#include "physics/physics.hpp"
-#include "session/build_world.hpp"
-#include "session/implant_fold.hpp"
+#include "scenes/bag_injection.hpp"
 
 namespace rhexis::bench {
 namespace {
 
-constexpr double speed = 5.0;    // of the plunger [mm/s]
-const Vec3 tip(0.0, -1.0, 1.2);  // in the near half of the opening [mm]
-
-struct Case {
-    double bag = 800.0;      ///< triangles
-    double implant = 400.0;  ///< likewise
-    double dt = 0.02;        ///< [s]
-    double unfolding = 6.0;  ///< that it is looked at after the hand has come to the end of the stroke [s]
-    ShellContactSettings contact{};
-};
-
-SceneDescription scene_of(const Case& own) {
-    SceneDescription scene;
-    scene.tissues = {"implant", "bag", "viscoelastic"};
-    scene.instruments = {"injector"};
-    scene.settings = {{"bag.triangles", own.bag}, {"implant.triangles", own.implant}, {"cartridge.tucked", 0.0}};
-    return scene;
-}
-
-ShellState folded(const SceneDescription& scene) {
-    ImplantFold fold = std::move(ImplantFold::create(folding_scene(scene.settings))).value();
-    while (!fold.done() && fold.step()) {
-    }
-    return std::move(fold.result()).value().snapshot.world.shells[0];
-}
-
-/// The shaft rises by 25 degrees towards the surgeon.
-Quat held() {
-    Mat3 axes;
-    axes.col(0) = Vec3::UnitX();
-    axes.col(2) = Vec3(0.0, -0.9063, 0.4226).normalized();
-    axes.col(1) = axes.col(2).cross(axes.col(0));
-    return Quat(axes).normalized();
-}
+using Case = scenes::BagInjectionCase;
 
 double stretched(const MembraneModel& model, const MembraneState& bag) {
     const std::vector<std::vector<int>> loops = boundary_loops(model.sheet->mesh, model.sheet->neighbours);
@@ -84,39 +49,22 @@ Vec3 middle(const std::vector<Vec3>& places) {
 }
 
 Injected inject(const Case& own) {
-    const SceneDescription scene = scene_of(own);
-    const std::shared_ptr<const WorldModel> model = std::move(build_world(scene)).value().world;
-    PhysicsSettings settings;
-    settings.shell_contact = own.contact;
-    Physics physics = std::move(Physics::create(model, settings)).value();
-    WorldState state = rest_state(*model);
-    state.shells[0] = folded(scene);
-    ToolState hand;
-    hand.present = true;
-    hand.pose = {tip, held()};
-    hand.previous_pose = hand.pose;
-    const int pushing = static_cast<int>(model->tools[0].cartridge->stroke / speed / own.dt) + 1;
-    const int steps = pushing + static_cast<int>(own.unfolding / own.dt);
+    scenes::BagInjection scene(own);
+    const WorldModel& model = *scene.model;
     Injected result;
     const double start = thread_cpu_seconds();
-    for (int i = 0; i < steps; ++i) {
-        hand.previous_jaw = hand.jaw;
-        hand.jaw = std::min(1.0, hand.jaw + 1.0 / pushing);
-        WorldState next;
-        ContactSet contacts;
-        Profile profile;
-        const StepOutcome outcome = physics.advance(state, {&hand, 1}, own.dt, next, contacts, profile);
+    for (int i = 0; i < scene.steps(); ++i) {
+        const StepOutcome outcome = scene.step();
         result.iterations.push_back(outcome.shells[0].newton_iterations);
         result.deepest = std::max(result.deepest, outcome.shells[0].deepest);
         result.residual = std::max(result.residual, outcome.shells[0].residual);
         result.redone += outcome.rollbacks;
-        state = std::move(next);
-        result.rim = std::max(result.rim, stretched(model->membranes[0], state.membranes[0]));
+        result.rim = std::max(result.rim, stretched(model.membranes[0], scene.state.membranes[0]));
     }
-    result.cpu = (thread_cpu_seconds() - start) / (steps * own.dt);
+    result.cpu = (thread_cpu_seconds() - start) / (scene.steps() * own.dt);
     result.triangles =
-        static_cast<int>(model->membranes[0].sheet->mesh.triangles.size() + model->shells[0].mesh.triangles.size());
-    result.places = state.shells[0].position;
+        static_cast<int>(model.membranes[0].sheet->mesh.triangles.size() + model.shells[0].mesh.triangles.size());
+    result.places = scene.state.shells[0].position;
     std::sort(result.iterations.begin(), result.iterations.end());
     return result;
 }

@@ -53,6 +53,7 @@ std::vector<BenchCase> bench_cases() {
     add(shell_contact_solver_cases());
     add(implant_inject_cases());
     add(implant_bag_cases());
+    add(verify_cases());
     add(chamber_cases());
     add(phaco_cases());
     add(rotation_cases());

@@ -14,5 +14,6 @@ std::vector<BenchCase> shell_contact_cases();
 std::vector<BenchCase> shell_contact_solver_cases();
 std::vector<BenchCase> implant_inject_cases();
 std::vector<BenchCase> implant_bag_cases();
+std::vector<BenchCase> verify_cases();
 
 }  // namespace rhexis::bench

@@ -40,6 +40,9 @@ Vec3 CapsuleScene::front(double x, double y) const { return {x, y, anterior_z(le
 bool CapsuleScene::step() {
     const StepOutcome outcome = physics_->advance(state_, tools_, step_s_, next_, contacts_, profile_);
     std::swap(state_, next_);
+    if (watch) {
+        watch(next_.membranes[0], state_.membranes[0]);
+    }
     force_.setZero();
     for (const Contact& contact : contacts_) {
         force_ += contact.partner == ContactPartner::tool ? contact.force : Vec3(Vec3::Zero());

@@ -2,6 +2,7 @@
 // The anterior capsule of a patient under instruments that are led by hand.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,8 @@ public:
 
     [[nodiscard]] double step_s() const { return step_s_; }
     [[nodiscard]] double time_s() const { return state_.time_s; }
+    /// Called in each step with the sheet at its start and at its end, before anything tears. Or none.
+    std::function<void(const MembraneState& before, const MembraneState& after)> watch;
     /// A step, with what tears in it. False if it had to be given up.
     bool step();
     /// Steps with nothing done: lens and capsule come to rest.

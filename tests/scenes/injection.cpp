@@ -5,13 +5,24 @@
 
 namespace rhexis::scenes {
 
-Injection::Injection(const ShellModel& model, const ToolModel& injector, ShellState start)
+Injection::Injection(const ShellModel& model, const ToolModel& injector, ShellState start,
+                     const ShellContactSettings& settings)
     : state(std::move(start)),
-      contacts(model),
+      contacts(model, settings),
       tools_({&injector, 1}),
       stepper_(std::move(ShellStepper::create(model)).value()) {
     hand_.present = true;
     state.loaded = false;
+}
+
+ShellPartners Injection::partners() const {
+    ShellPartners partners;
+    partners.tools = tools_.tools();
+    partners.tool_states = tools_.states();
+    partners.tubes = tools_.tubes();
+    partners.tube_states = tools_.tube_states();
+    partners.tube_tools = tools_.tube_tools();
+    return partners;
 }
 
 ShellMotion Injection::step(double jaw, double dt) {
@@ -22,12 +33,7 @@ ShellMotion Injection::step(double jaw, double dt) {
     ShellState next;
     ShellStepReport all;
     for (;;) {
-        ShellPartners partners;
-        partners.tools = tools_.tools();
-        partners.tool_states = tools_.states();
-        partners.tubes = tools_.tubes();
-        partners.tube_states = tools_.tube_states();
-        partners.tube_tools = tools_.tube_tools();
+        const ShellPartners partners = this->partners();
         int rollbacks = 0;
         const ShellMotion motion =
             move_shell(stepper_, contacts, {state, partners, weightless, dt}, next, report, rollbacks);

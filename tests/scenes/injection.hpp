@@ -13,10 +13,13 @@ namespace rhexis::scenes {
 class Injection {
 public:
     /// The model must outlive this. The injector stands still, its tip at the origin, its bore along -z.
-    Injection(const ShellModel& model, const ToolModel& injector, ShellState start);
+    Injection(const ShellModel& model, const ToolModel& injector, ShellState start,
+              const ShellContactSettings& settings = {});
 
     /// One step of dt [s] in which the hand pushes to a share of the stroke.
     ShellMotion step(double jaw, double dt);
+    /// What it touched in the last step: plunger and bore.
+    [[nodiscard]] ShellPartners partners() const;
 
     ShellState state;
     PlungerState plunger;

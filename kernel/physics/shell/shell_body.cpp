@@ -211,9 +211,16 @@ void ShellBody::fill_groups(ShellTriangleMaker maker) {
                 const int row = 2 * rank_of[at(corner[at(local[at(a / 2)])])] + a % 2;
                 const int column = 2 * rank_of[at(corner[at(local[at(b / 2)])])] + b % 2;
                 *to = 9 * (i < count ? pattern_.slot(row, column) : pattern_.blocks());
+                if (i < count && (row % 2 == 1 || column % 2 == 1)) {
+                    turned_blocks_.push_back({*to / 9, row % 2 == 1 ? row / 2 : -1, column % 2 == 1 ? column / 2 : -1});
+                }
             }
         }
     }
+    const auto by_slot = [](const TurnedBlock& a, const TurnedBlock& b) { return a.slot < b.slot; };
+    const auto same = [](const TurnedBlock& a, const TurnedBlock& b) { return a.slot == b.slot; };
+    std::sort(turned_blocks_.begin(), turned_blocks_.end(), by_slot);
+    turned_blocks_.erase(std::unique(turned_blocks_.begin(), turned_blocks_.end(), same), turned_blocks_.end());
 }
 
 void ShellBody::set_reference(std::span<const Quat> rotation) {
@@ -340,28 +347,25 @@ void ShellBody::forces_to_turns(const std::vector<double>& position, std::vector
 /// The same of the stiffness, whose upper triangle is there. With T = spin_of_turn, s = 1 + |z|^2 / 4 and m the moment
 /// per spin, the turn z adds the symmetric part of d(T' m)/dz: -(T' m z' + z m' T) / (4 s). force: per turn.
 void ShellBody::to_turns(const std::vector<double>& position, const std::vector<double>& force, double scale,
-                         BlockValues& stiffness) const {
-    std::vector<Mat3> rate(reference_.size());
-    for (std::size_t k = 0; k < rate.size(); ++k) {
-        rate[k] = spin_of_turn(Vec3(position[6 * k + 3], position[6 * k + 4], position[6 * k + 5]));
+                         BlockValues& stiffness) {
+    rate_.resize(reference_.size());
+    for (std::size_t k = 0; k < rate_.size(); ++k) {
+        rate_[k] = spin_of_turn(Vec3(position[6 * k + 3], position[6 * k + 4], position[6 * k + 5]));
     }
-    for (int i = 0; i < pattern_.rows(); ++i) {
-        for (int slot = pattern_.diagonal[at(i)]; slot < pattern_.first[at(i) + 1]; ++slot) {
-            const int j = pattern_.column[at(slot)];
-            Eigen::Map<Mat3> block(stiffness.data() + 9 * at(slot));
-            if (i % 2 == 1) {
-                block = (rate[at(i / 2)].transpose() * block).eval();
-            }
-            if (j % 2 == 1) {
-                block = (block * rate[at(j / 2)]).eval();
-            }
-            if (i == j && i % 2 == 1) {
-                const std::size_t k = at(i / 2);
-                const Vec3 z(position[6 * k + 3], position[6 * k + 4], position[6 * k + 5]);
-                const Vec3 moment = -Eigen::Map<const Vec3>(force.data() + 6 * k + 3);
-                const double share = -0.25 * scale / (1.0 + 0.25 * z.squaredNorm());
-                block += share * (moment * z.transpose() + z * moment.transpose());
-            }
+    for (const TurnedBlock& turned : turned_blocks_) {
+        Eigen::Map<Mat3> block(stiffness.data() + 9 * at(turned.slot));
+        if (turned.row >= 0) {
+            block = (rate_[at(turned.row)].transpose() * block).eval();
+        }
+        if (turned.column >= 0) {
+            block = (block * rate_[at(turned.column)]).eval();
+        }
+        if (turned.row >= 0 && turned.row == turned.column) {
+            const std::size_t k = at(turned.row);
+            const Vec3 z(position[6 * k + 3], position[6 * k + 4], position[6 * k + 5]);
+            const Vec3 moment = -Eigen::Map<const Vec3>(force.data() + 6 * k + 3);
+            const double share = -0.25 * scale / (1.0 + 0.25 * z.squaredNorm());
+            block += share * (moment * z.transpose() + z * moment.transpose());
         }
     }
 }

@@ -61,8 +61,15 @@ private:
     void run(shell_kernel::Mode mode, const std::vector<double>& position, double scale, std::vector<double>& force,
              BlockValues* stiffness);
     void to_turns(const std::vector<double>& position, const std::vector<double>& force, double scale,
-                  BlockValues& stiffness) const;
+                  BlockValues& stiffness);
     void forces_to_turns(const std::vector<double>& position, std::vector<double>& force) const;
+
+    /// A block of the stiffness that turns have a part in: not those that links alone have.
+    struct TurnedBlock {
+        int slot = 0;
+        int row = -1;     ///< rank of the node whose turn it is by; -1: a movement
+        int column = -1;  ///< likewise
+    };
 
     const ShellModel* model_;
     const shell_kernel::Kernel* kernel_;
@@ -75,7 +82,9 @@ private:
     std::vector<Quat> reference_;            ///< by ranks
     std::vector<double> rotation_;           ///< 9 per rank, by rows
     std::vector<std::uint8_t> free_;
-    std::vector<int> held_entries_;  ///< of the stiffness, to be cleared
+    std::vector<int> held_entries_;           ///< of the stiffness, to be cleared
+    std::vector<TurnedBlock> turned_blocks_;  ///< by slots
+    std::vector<Mat3> rate_;                  ///< spin per turn, by ranks: scratch
     std::vector<double> buffer_;
     std::vector<double> predicted_;
     std::vector<double> spins_;  ///< a step, in movements and spins

@@ -72,6 +72,10 @@ const ShellSamples& ShellContacts::samples_at(int level) {
 }
 
 void ShellContacts::find_points(const ShellSamples& on) {
+    if (points_of_ == &on) {
+        return;
+    }
+    points_of_ = &on;
     points_.resize(on.samples.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         points_[i] = pose_.at(on.samples[i].place);
@@ -224,6 +228,7 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
         start_.insert(start_.end(), partners.sheet->position.begin(), partners.sheet->position.end());
     }
     set_iterate(start_);
+    points_of_ = nullptr;
     const auto meet_all = [this](ContactPartner partner, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             meet_rigid(partner, static_cast<int>(i), smooth, most_travel_, {});

@@ -162,7 +162,7 @@ private:
     }
     [[nodiscard]] SurfaceDistance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
     [[nodiscard]] Meeting meeting(const Contact& contact, double share = 1.0) const;
-    [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const;
+    [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle, double reach) const;
     [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point, double share = 1.0) const;
     [[nodiscard]] Vec3 foot_of(const Contact& contact) const;
     void set_iterate(const std::vector<Vec3>& points);
@@ -209,10 +209,12 @@ private:
     int touching_ = 0;
     // scratch
     const ShellState* state_ = nullptr;
-    const std::vector<Vec3>* now_ = nullptr;  ///< the iterate
-    std::vector<Vec3> points_;                ///< of samples at the start
+    const std::vector<Vec3>* now_ = nullptr;   ///< the iterate
+    std::vector<Vec3> points_;                 ///< of samples at the start,
+    const ShellSamples* points_of_ = nullptr;  ///< of these; null: of none
     std::vector<Vec3> start_;
     std::vector<Ball> facets_;  ///< about those of the samples of layers
+    std::vector<Ball> around_;  ///< about all facets of a triangle
     std::vector<Before> at_start_;
 };
 

@@ -10,6 +10,7 @@
 namespace rhexis {
 namespace {
 
+constexpr double beside = 1e-9;       // farther than a bound says: more than its rounding [mm]
 constexpr double edge_spacing = 0.6;  // of samples that meet a membrane, in thicknesses: it sinks in by a twentieth
 
 }  // namespace
@@ -23,6 +24,18 @@ void ShellContacts::bound_facets(const ShellSamples& on) {
         ball.radius = 0.0;
         for (const int one : n) {
             ball.radius = std::max(ball.radius, (points_[at(one)] - ball.middle).norm());
+        }
+    }
+    around_.resize(facets_.size() / at(on.facets_each));
+    for (std::size_t t = 0; t < around_.size(); ++t) {
+        const std::span<const Ball> own(facets_.data() + t * at(on.facets_each), at(on.facets_each));
+        Ball& ball = around_[t];
+        ball = {};
+        for (const Ball& facet : own) {
+            ball.middle += facet.middle / static_cast<double>(own.size());
+        }
+        for (const Ball& facet : own) {
+            ball.radius = std::max(ball.radius, (facet.middle - ball.middle).norm() + facet.radius);
         }
     }
 }
@@ -39,15 +52,23 @@ void ShellContacts::meet_layers() {
             continue;
         }
         const Vec3 forward = front(on, i);
-        std::array<Layer, 2> nearest;  // behind, before
+        const double own = 0.5 * on.samples[i].place.thickness;
+        std::array<Layer, 2> nearest;        // behind, before
+        double within = 2.0 * most_travel_;  // what is no nearer than that is of no use
         for (const ShellLayers::Candidate& candidate : near) {
             if (candidate.spare > layers_.closed()) {
                 continue;
             }
-            const Layer layer = nearest_layer(on, i, candidate.triangle);
+            const double reach = own + layers_.half(candidate.triangle) + within + beside;
+            const Ball& ball = around_[at(candidate.triangle)];
+            if ((points_[i] - ball.middle).squaredNorm() > (reach + ball.radius) * (reach + ball.radius)) {
+                continue;
+            }
+            const Layer layer = nearest_layer(on, i, candidate.triangle, reach);
             const std::size_t side = forward.dot(layer.normal) < 0.0 ? 1 : 0;
             if (layer.gap < std::min(2.0 * most_travel_, nearest[side].gap)) {
                 nearest[side] = layer;
+                within = std::min(within, std::max(nearest[0].gap, nearest[1].gap));
             }
         }
         for (const bool before : {false, true}) {
@@ -113,11 +134,12 @@ void ShellContacts::meet_sheet() {
     }
 }
 
-ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample, int triangle) const {
+/// reach: what is farther than that from the sample counts as infinitely far [mm].
+ShellContacts::Layer ShellContacts::nearest_layer(const ShellSamples& on, std::size_t sample, int triangle,
+                                                  double reach) const {
     Layer nearest;
     const Vec3& point = points_[sample];
     const double own = 0.5 * on.samples[sample].place.thickness;
-    const double reach = own + layers_.half(triangle) + 2.0 * most_travel_;
     for (int f = triangle * on.facets_each; f < (triangle + 1) * on.facets_each; ++f) {
         const Ball& ball = facets_[at(f)];
         if ((point - ball.middle).squaredNorm() > (reach + ball.radius) * (reach + ball.radius)) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double near_in_thicknesses = 1.5;  // half a turn at the tightest takes pi / 2 along the middle
 constexpr double skin = 0.2;                 // how far beyond its reach a search looks [mm]
+constexpr std::size_t word_bits = 64;
 
 using Edges = std::vector<std::vector<std::pair<int, double>>>;
 
@@ -59,9 +60,20 @@ ShellLayers::ShellLayers(const ShellModel& model) : model_(&model) { find_near(e
 
 void ShellLayers::find_near(const Edges& edges) {
     std::vector<double> distance(model_->mesh.nodes.size(), HUGE_VAL);
+    near_words_ = (model_->mesh.nodes.size() + word_bits - 1) / word_bits;
+    near_.assign(near_words_ * model_->mesh.triangles.size(), 0);
     for (std::size_t t = 0; t < model_->mesh.triangles.size(); ++t) {
-        near_.push_back(within(edges, model_->mesh.triangles[t], near_in_thicknesses * model_->thickness[t], distance));
+        for (const int node :
+             within(edges, model_->mesh.triangles[t], near_in_thicknesses * model_->thickness[t], distance)) {
+            near_[t * near_words_ + at(node) / word_bits] |= std::uint64_t{1} << at(node) % word_bits;
+        }
     }
+}
+
+bool ShellLayers::is_near(int triangle, const ShellPlace& place) const {
+    const std::uint64_t* const own = near_.data() + at(triangle) * near_words_;
+    return std::any_of(place.nodes.begin(), place.nodes.end(),
+                       [own](int n) { return n >= 0 && (own[at(n) / word_bits] >> at(n) % word_bits & 1) != 0; });
 }
 
 /// By how much two places may have come nearer to each other since the last search: what all share does not count.
@@ -113,12 +125,9 @@ void ShellLayers::find(const Vec3& point, const ShellPlace& place) {
     const double around = 0.5 * place.thickness + gap_ + skin;
     const std::size_t start = candidates_.size();
     grid_.near(point, around + thickest_, [&](int t) {
-        const std::vector<int>& near = near_[at(t)];
         const double own = around + halves_[at(t)];
         const double square = square_to(boxes_[at(t)], point);
-        if (square <= own * own && std::none_of(place.nodes.begin(), place.nodes.end(), [&](int n) {
-                return n >= 0 && std::binary_search(near.begin(), near.end(), n);
-            })) {
+        if (square <= own * own && !is_near(t, place)) {
             candidates_.push_back({t, std::sqrt(square) - own + skin});
         }
     });

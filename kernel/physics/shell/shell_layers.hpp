@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,16 +34,18 @@ public:
     }
     /// No two samples have come nearer to each other since the last search by more than that [mm].
     [[nodiscard]] double closed() const { return closed_; }
-    /// Half the thickness of a triangle where it is thickest [mm].
+    /// Half the thickness of a triangle where it is thickest, of the last search [mm].
     [[nodiscard]] double half(int triangle) const { return halves_[static_cast<std::size_t>(triangle)]; }
 
 private:
     void find_near(const std::vector<std::vector<std::pair<int, double>>>& edges);
     [[nodiscard]] double closed_since(const std::vector<Vec3>& points) const;
     void find(const Vec3& point, const ShellPlace& place);
+    [[nodiscard]] bool is_near(int triangle, const ShellPlace& place) const;
 
     const ShellModel* model_;
-    std::vector<std::vector<int>> near_;  ///< per triangle: nodes near it, ascending
+    std::vector<std::uint64_t> near_;  ///< per triangle: a bit for each node, set where it is near
+    std::size_t near_words_ = 0;       ///< of a triangle
     // of the last search
     std::vector<Box> boxes_;  ///< of triangles
     std::vector<double> halves_;
