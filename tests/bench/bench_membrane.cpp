@@ -18,7 +18,7 @@ nlohmann::json run_pulled(bool fibrous, const BenchOptions& options) {
         return {{"name", name}, {"error_text", scene.error().text()}};
     }
     scenes::HeldSheet sheet(scene.value().model);
-    const ImplicitSettings settings{.tolerance = 1e-9, .max_newton = 1};
+    const ImplicitSettings settings{.tolerance = 1e-9, .max_newton = 1, .seldom_again = true};
     const int warm_up = options.quick ? 5 : scene.value().warm_up_steps;
     const int pieces = options.quick ? 1 : 8;
     const int each = options.quick ? 10 : scene.value().measured_steps / pieces;

@@ -25,6 +25,7 @@ ImplicitSettings scene_settings(const MembraneSolve& solve, bool predict) {
             .rest_tolerance = rest_share * solve.force_tolerance,
             .predict = predict,
             .new_factors = solve.new_factors,
+            .seldom_again = true,
             .most_travel = 0.2};
 }
 

@@ -335,6 +335,7 @@ void ImplicitStep::Parts::build_tangent(const Task& task, Mode mode) {
 bool ImplicitStep::Parts::solve(const Task& task, Mode mode, ImplicitReport& report) {
     const double size = norm(residual);
     const double target = std::max(task.settings.tolerance * size, 0.1 * rounding);
+    solver.try_seldom(task.settings.seldom_again);
     if (task.settings.new_factors) {
         solver.expect_change();
     }

@@ -60,7 +60,7 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
     if (known && waiting_ == 0) {
         // an old factor that does far worse than when it was new is given up on the way
         attempt(first_ + std::max(4, static_cast<int>(factor_.cost_in_iterations())));
-        wait_ = result.converged ? 0 : std::min(2 * wait_ + 1, longest_wait);
+        wait_ = result.converged || !seldom_ ? 0 : std::min(2 * wait_ + 1, longest_wait);
         waiting_ = wait_;
     } else if (known) {
         --waiting_;

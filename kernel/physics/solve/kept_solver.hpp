@@ -31,6 +31,8 @@ public:
         drop();
         solves_ = iterations_ = last_ = first_ = 0;
     }
+    /// Whether a factor that did not serve is tried ever more seldom: pays where few of them do.
+    void try_seldom(bool seldom) { seldom_ = seldom; }
     /// Forgets the factor and what was learned of its use: the next solve is as that of a new solver.
     void drop();
     /// The next solve makes a new factor.
@@ -50,6 +52,7 @@ private:
     int iterations_ = 0;  ///< in all of them
     int last_ = 0;        ///< in the last one
     int first_ = 0;       ///< in the first one
+    bool seldom_ = false;
     int wait_ = 0;        ///< solves without trying an earlier factor, after the last that did not serve
     int waiting_ = 0;     ///< of these still to come
 };
