@@ -14,5 +14,9 @@ Chart chart_hydrodissection();
 Chart chart_cortex();
 Chart chart_viscoelastic();
 Chart chart_vitreous();
+Chart chart_cracking();
+Chart chart_zonules();
+Chart chart_globe();
+Chart chart_iris();
 
 }  // namespace rhexis::bench
