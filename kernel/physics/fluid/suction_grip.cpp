@@ -8,9 +8,9 @@ namespace rhexis {
 
 namespace {
 
-constexpr double sound = 0.3;        ///< a fine tetrahedron with less of it left shuts nothing
-constexpr double farthest_shutting = 1.0;     ///< tissue that shuts the mouth, by its middle [mm]
-constexpr double least_reach = 0.8;  ///< of the patch from the mouth [mm]
+constexpr double sound = 0.3;              ///< a fine tetrahedron with less of it left shuts nothing
+constexpr double farthest_shutting = 1.0;  ///< tissue that shuts the mouth, by its middle [mm]
+constexpr double least_reach = 0.8;        ///< of the patch from the mouth [mm]
 constexpr double most_grip_reach = 2.0;
 
 double longest_edge(const std::vector<Vec3>& x, const std::array<int, 4>& tet) {

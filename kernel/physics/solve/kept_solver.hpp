@@ -53,8 +53,8 @@ private:
     int last_ = 0;        ///< in the last one
     int first_ = 0;       ///< in the first one
     bool seldom_ = false;
-    int wait_ = 0;        ///< solves without trying an earlier factor, after the last that did not serve
-    int waiting_ = 0;     ///< of these still to come
+    int wait_ = 0;     ///< solves without trying an earlier factor, after the last that did not serve
+    int waiting_ = 0;  ///< of these still to come
 };
 
 }  // namespace rhexis
