@@ -12,16 +12,16 @@ using namespace rhexis;
 
 namespace {
 
-const ObservationSchema schema{{"forceps.holding", "bool", ""},
-                               {"rhexis.torn_mm", "mm", ""},
-                               {"fragments.count", "1", ""},
-                               {"phaco.occlusion", "1", ""},
-                               {"phaco.force_mN", "mN", ""}};
+const ObservationSchema told_schema{{"forceps.holding", "bool", ""},
+                                    {"rhexis.torn_mm", "mm", ""},
+                                    {"fragments.count", "1", ""},
+                                    {"phaco.occlusion", "1", ""},
+                                    {"phaco.force_mN", "mN", ""}};
 
 /// The time at which both part when from time_s on one value differs, until another time.
 std::optional<GripDifference> parted(std::size_t measure, double value, double from_s, double until_s) {
     const std::vector<double> start{0.0, 1.0, 1.0, 0.0, 0.0};
-    DifferingGrip grips(schema, start, start);
+    DifferingGrip grips(told_schema, start, start);
     for (int i = 1; i <= 200; ++i) {
         const double time_s = 0.01 * i;
         std::vector<double> other = start;
@@ -44,7 +44,7 @@ TEST_SUITE("measured accuracy") {
             const std::optional<GripDifference> found = parted(measure, value, 0.5, 9.0);
             REQUIRE(found.has_value());
             CHECK(found->time_s == doctest::Approx(0.5));
-            CHECK(found->measure == schema[measure].name);
+            CHECK(found->measure == told_schema[measure].name);
             CHECK(found->second == value);
         }
     }

@@ -44,14 +44,14 @@ struct Tables {
     Folder folder;
 };
 
-SceneDescription scene_with(std::vector<std::string> tissues) {
+SceneDescription scene_of_tissues(std::vector<std::string> tissues) {
     SceneDescription scene;
     scene.tissues = std::move(tissues);
     scene.instruments = {"phaco"};
     return scene;
 }
 
-SceneDescription phaco_scene() { return scene_with({"lens", "bag", "capsule", "iris", "cornea", "chamber"}); }
+SceneDescription phaco_scene() { return scene_of_tissues({"lens", "bag", "capsule", "iris", "cornea", "chamber"}); }
 
 double tetrahedra(const SceneAccuracy& accuracy) {
     for (const ModelAccuracy& model : accuracy.models) {
@@ -111,7 +111,7 @@ TEST_SUITE("error budgets") {
 
     TEST_CASE("a way that knows nothing of a tissue is for scenes without it, and is what is set") {
         const Tables tables;
-        SceneDescription scene = scene_with({"lens", "bag", "iris"});
+        SceneDescription scene = scene_of_tissues({"lens", "bag", "iris"});
         const Result<SceneAccuracy> chosen = tables.choose(scene, wish_of({{"volume", 0.1}, {"force", 1.0}}));
         REQUIRE(chosen.ok());
         CHECK(chosen.value().models[0].way == "implicit");
@@ -145,7 +145,7 @@ TEST_SUITE("error budgets") {
 
     TEST_CASE("a scene without a model that has a table takes the longest step that time allows") {
         const Tables tables;
-        const SceneDescription scene = scene_with({"iris", "cornea"});
+        const SceneDescription scene = scene_of_tissues({"iris", "cornea"});
         CHECK(tables.choose(scene, {}).value().step_s == 0.01);
         CHECK(tables.choose(scene, wish_of({{"time", 0.004}})).value().step_s == 0.002);
         CHECK(tables.choose(scene, {}).value().models.empty());
@@ -203,7 +203,7 @@ TEST_SUITE("error budgets") {
 
     TEST_CASE("what was chosen is in the recording") {
         const Tables tables;
-        SceneDescription scene = scene_with({"iris", "cornea", "chamber"});
+        SceneDescription scene = scene_of_tissues({"iris", "cornea", "chamber"});
         set_accuracy(tables.choose(scene, wish_of({{"time", 0.02}})).value(), scene);
         Result<Session> session = Session::create(scene, 1);
         REQUIRE(session.ok());
@@ -231,7 +231,7 @@ TEST_SUITE("error budgets") {
     TEST_CASE("the committed tables are read, and every model's own budget is met by its table") {
         for (const AccuracyModel& model : accuracy_models()) {
             CAPTURE(std::string(model.tissue));
-            SceneDescription scene = scene_with({std::string(model.tissue)});
+            SceneDescription scene = scene_of_tissues({std::string(model.tissue)});
             for (const std::string_view more : {model.with, model.quantities[0].with}) {
                 if (!more.empty()) {
                     scene.tissues.emplace_back(more);
