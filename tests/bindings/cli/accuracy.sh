@@ -24,7 +24,7 @@ return exercise {
     title = "T", patient = { age = 68 }, tissues = { "lens", "bag", "iris" }, instruments = { "phaco" },
     goals = {},
     $1
-    steps = { step "work" { done = "phaco.tip_depth_mm > 3" } }, time_limit_s = 0.1,
+    steps = { step "work" { done = "phaco.tip_depth_mm > 3" } }, time_limit_s = 1,
 }
 END
 }
