@@ -51,7 +51,7 @@ expect 0 "" "${run[@]}" --start open.rhxs --out on
 [ "$(radii_of on)" = "$(radii_of kept)" ] || fail "the state lost its opening"
 expect 0 "" "${run[@]}" --start open.rhxs --opening whole --out on
 expect 0 "" "${run[@]}" --out kept --save-state circle.rhxs
-expect 2 "the state was made for another scene: opening a circle there, torn, 2." "${run[@]}" --start circle.rhxs \
+expect 2 "the state was made for another scene: opening a circle there, torn, " "${run[@]}" --start circle.rhxs \
     --opening round.rhxs --out bad
 
 # An exercise says it in its starts: a file beside them, a start of another exercise; alone, or with a hand after it.
