@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "base/numbers.hpp"
+#include "input/pose_track.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
 #include "trial/differing_grip.hpp"
@@ -34,8 +35,7 @@ std::map<std::string, double> meshes_of(const SceneDescription& scene) {
 DeviceSample between(const DeviceSample& from, const DeviceSample& to, double share) {
     DeviceSample sample = to;
     if (from.present && to.present) {
-        sample.pose.position = from.pose.position + share * (to.pose.position - from.pose.position);
-        sample.pose.orientation = from.pose.orientation.slerp(share, to.pose.orientation);
+        sample.pose = between(from.pose, to.pose, share);
         sample.jaw = from.jaw + share * (to.jaw - from.jaw);
     }
     return sample;

@@ -15,6 +15,15 @@ using linear_kernel::front_unit;
 using linear_kernel::Panel;
 using linear_kernel::row_unit;
 
+constexpr std::size_t register_room = 32;  ///< numbers behind what is used, that a register may reach
+
+/// Room for so many numbers; with some to spare, so that a matrix that grows slowly seldom asks for more.
+void make_room(AlignedVector<float>& numbers, std::size_t count) {
+    if (numbers.size() < count + register_room) {
+        numbers.resize(count + count / 8 + register_room);
+    }
+}
+
 int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
 
 constexpr int cut_nodes = 16;  ///< panels wider than this are cut, so that inverting their triangles stays cheap
@@ -84,11 +93,11 @@ void PackedFactor::lay_out() {
         }
     }
     first_panel_.push_back(static_cast<int>(panels_.size()));
-    values_.make_room(size);
-    pivots_.make_room(pivots);
-    below_.make_room(cut);
-    work_.make_room(9 * 3 * at(cut_nodes) + at(longest) + 8 * at(row_unit));
-    inverse_.make_room(9 * at(cut_nodes) * at(cut_nodes));
+    make_room(values_, size);
+    make_room(pivots_, pivots);
+    make_room(below_, cut);
+    make_room(work_, 9 * 3 * at(cut_nodes) + at(longest) + 8 * at(row_unit));
+    make_room(inverse_, 9 * at(cut_nodes) * at(cut_nodes));
 }
 
 /// Who hands on to whom, and how much room what is handed on takes: children end before their parent starts, so that
@@ -126,8 +135,8 @@ void PackedFactor::find_children() {
             top[1 - own] = rest_of_[at(children_[at(first_child_[at(s)])].panel)];
         }
     }
-    rest_[0].make_room(most[0]);
-    rest_[1].make_room(most[1]);
+    make_room(rest_[0], most[0]);
+    make_room(rest_[1], most[1]);
 }
 
 /// Rows of the child that follow one another in the parent's front too.

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "math/aligned_numbers.hpp"
+#include "math/aligned.hpp"
 #include "math/block_matrix.hpp"
 #include "math/linear_kernel.hpp"
 #include "math/supernodes.hpp"
@@ -65,14 +65,14 @@ private:
     std::vector<int> first_child_;
     std::vector<linear_kernel::Run> runs_;
     std::vector<int> place_;  ///< of the entries of A right of the diagonal in the front of their column, by slots
-    AlignedNumbers values_;
-    AlignedNumbers pivots_;               ///< of the front
-    AlignedNumbers below_;                ///< of the front of a panel that is cut
-    std::array<AlignedNumbers, 2> rest_;  ///< what panels leave: stacks of every other level of the tree
-    std::vector<std::size_t> rest_of_;    ///< per panel: in the stack of its level
-    std::vector<std::uint8_t> level_;     ///< per panel: even or odd
-    AlignedNumbers work_;
-    AlignedNumbers inverse_;
+    AlignedVector<float> values_;
+    AlignedVector<float> pivots_;               ///< of the front
+    AlignedVector<float> below_;                ///< of the front of a panel that is cut
+    std::array<AlignedVector<float>, 2> rest_;  ///< what panels leave: stacks of every other level of the tree
+    std::vector<std::size_t> rest_of_;          ///< per panel: in the stack of its level
+    std::vector<std::uint8_t> level_;           ///< per panel: even or odd
+    AlignedVector<float> work_;
+    AlignedVector<float> inverse_;
     double factor_work_ = 0.0;
     double solve_work_ = 0.0;
     bool factored_ = false;

@@ -22,6 +22,15 @@ void add_node(const TetMesh& coarse, const FineMesh& mesh, const std::array<int,
 
 }  // namespace
 
+std::array<Vec3, 4> material_places(const std::array<Vec3, 4>& corners) {
+    const Vec3 sum = corners[0] + corners[1] + corners[2] + corners[3];
+    std::array<Vec3, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) {
+        places[k] = others * sum + (own - others) * corners[k];
+    }
+    return places;
+}
+
 PointWeights material_points(const TetMesh& coarse, const FineMesh& mesh, int fine) {
     const std::array<int, 4>& tet = coarse.tets[static_cast<std::size_t>(fine / 8)];
     PointWeights points{};

@@ -12,6 +12,9 @@ namespace rhexis {
 /// Per point: the weights of the four nodes of the coarse tetrahedron that the fine one is a part of; they sum to 1.
 using PointWeights = std::array<std::array<double, 4>, 4>;
 
+/// Their places, from the corners of the fine tetrahedron.
+std::array<Vec3, 4> material_places(const std::array<Vec3, 4>& corners);
+
 PointWeights material_points(const TetMesh& coarse, const FineMesh& mesh, int fine);
 
 }  // namespace rhexis

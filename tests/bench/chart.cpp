@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "base/clock.hpp"
 
 namespace rhexis::bench {
 namespace {
@@ -59,16 +56,6 @@ std::string milliseconds(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%g ms", 1e3 * seconds);
     return text;
-}
-
-double cpu_of(const std::function<void()>& call, int repeats) {
-    double least = std::numeric_limits<double>::max();
-    for (int i = 0; i < std::max(1, repeats); ++i) {
-        const double start = thread_cpu_seconds();
-        call();
-        least = std::min(least, thread_cpu_seconds() - start);
-    }
-    return least;
 }
 
 double rms_share(const std::vector<double>& found, const std::vector<double>& answer) {

@@ -53,9 +53,6 @@ ChartPoint point_of(std::string way, std::string setting, bool is_default, doubl
 /// "10 ms", "0.1 ms".
 std::string milliseconds(double seconds);
 
-/// CPU seconds of this thread for one call, the fastest of `repeats`.
-double cpu_of(const std::function<void()>& call, int repeats);
-
 /// Root of the mean of squared differences, as a share of the greatest size of `answer`. 1 where a value is not finite.
 double rms_share(const std::vector<double>& found, const std::vector<double>& answer);
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "lua/exercise_host.hpp"
-#include "session/scene_parts.hpp"
+#include "scenes/scene_parts.hpp"
 
 using namespace rhexis;
 
@@ -61,7 +61,7 @@ TEST_CASE("each exercise builds, steps and draws what it needs, and no more") {
         for (int i = 0; i < steps; ++i) {
             session.value().step({}, {});
         }
-        const SceneParts parts = parts_of(session.value());
+        const scenes::SceneParts parts = scenes::parts_of(session.value());
         const nlohmann::json scene = scenes.value(name, nlohmann::json::object());
         CHECK(joined(parts.built) == joined(scene.value("built", nlohmann::json::array())));
         CHECK(joined(parts.stepped) == joined(scene.value("stepped", nlohmann::json::array())));

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <new>
 #include <optional>
 #include <string>
 
 #include "base/index.hpp"
 #include "energy/nodal_pressure.hpp"
+#include "math/aligned.hpp"
 #include "physics/solid/explicit_groups.hpp"
 #include "physics/solid/explicit_kernel.hpp"
 #include "physics/solid/node_stiffness.hpp"
@@ -24,20 +24,6 @@ using explicit_kernel::Group;
 using explicit_kernel::Kernel;
 using explicit_kernel::lanes;
 using explicit_kernel::Nodes;
-
-/// Storage that whole vector registers can be loaded from.
-template <typename T>
-struct Aligned {
-    using value_type = T;
-    Aligned() = default;
-    template <typename U>
-    explicit Aligned(const Aligned<U>& /*other*/) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t /*n*/) { ::operator delete (p, std::align_val_t{64}); }
-    friend bool operator==(const Aligned& /*a*/, const Aligned& /*b*/) { return true; }
-};
-template <typename T>
-using Array = std::vector<T, Aligned<T>>;
 
 /// A node keeps at least this share of the mean (or all of its own mass at rest, if that is less) while it has any
 /// element: the limit of an isolated fragment would otherwise be a third of the body's.
@@ -128,16 +114,16 @@ struct ExplicitSolid::Parts {
     std::vector<int> slot;  ///< of each tetrahedron: group * lanes + lane
     std::vector<double> rest_inertia;
     std::optional<NodeStiffness> held;  ///< only if a stable step is sought
-    Array<Group> groups;
+    AlignedVector<Group> groups;
     // state
-    Array<double> position, velocity;
-    Array<float> probe, force;
+    AlignedVector<double> position, velocity;
+    AlignedVector<float> probe, force;
     Vec3 origin = Vec3::Zero();  ///< of `probe` [mm]
-    Array<float> trace;          ///< scratch of nodal pressure
+    AlignedVector<float> trace;  ///< scratch of nodal pressure
     // what follows from the elements that are left
     SolidState left;  ///< only what tells which elements are there
-    Array<double> inverse_mass, weight_share;
-    Array<float> pressure;  ///< per node k / V of its patch; empty unless pressure is at nodes
+    AlignedVector<double> inverse_mass, weight_share;
+    AlignedVector<float> pressure;  ///< per node k / V of its patch; empty unless pressure is at nodes
     std::vector<double> mass;
     bool elements_known = false;
     std::vector<TetStiffness> stiffness;
@@ -152,7 +138,7 @@ struct ExplicitSolid::Parts {
     void set_pressures(const std::vector<TetStiffness>& shares);
     void fill(const std::vector<TetStiffness>& shares);
     void set_elements(const SolidState& state);
-    void add_forces(Array<float>& place, Array<float>& pull);
+    void add_forces(AlignedVector<float>& place, AlignedVector<float>& pull);
     double compute_limit();
     double limit_of_lanes();
 };
@@ -265,7 +251,7 @@ void ExplicitSolid::Parts::set_elements(const SolidState& state) {
 }
 
 /// Elastic forces at `place`, added to `pull`, whose fourth values are zero before and anything after.
-void ExplicitSolid::Parts::add_forces(Array<float>& place, Array<float>& pull) {
+void ExplicitSolid::Parts::add_forces(AlignedVector<float>& place, AlignedVector<float>& pull) {
     const int count = static_cast<int>(groups.size());
     if (model->formulation == Formulation::linear) {
         kernel->add_forces(groups.data(), count, place.data(), pull.data());
@@ -291,8 +277,8 @@ double ExplicitSolid::Parts::compute_limit() {
 /// By the product K u at rest, where there is no force: the kernel's own at a small displacement.
 double ExplicitSolid::Parts::limit_of_lanes() {
     const std::size_t all = at(4 * (node_count() + spare_nodes));
-    Array<float> place = probe;
-    Array<float> pull(all, 0.0F);
+    AlignedVector<float> place = probe;
+    AlignedVector<float> pull(all, 0.0F);
     constexpr float shift = 1e-3F;  // [mm]; strains of about 0.2 %: above rounding, below what bends the result
     std::vector<double> scale(at(node_count()));
     for (std::size_t i = 0; i < scale.size(); ++i) {

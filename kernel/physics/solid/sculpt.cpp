@@ -34,14 +34,10 @@ double ahead_of_mouth(const SculptZone& zone, const Vec3& point) {
     return fade(zone.facing.dot(point - zone.mouth) + behind_mouth);
 }
 
-/// Four points that integrate a tetrahedron to second order.
 double tet_weight(const ToolModel& tool, const SculptZone& zone, const Pose& pose, const std::array<Vec3, 4>& corners) {
-    constexpr double near = 0.58541020;
-    constexpr double far = 0.13819660;
-    const Vec3 sum = corners[0] + corners[1] + corners[2] + corners[3];
     double weight = 0.0;
-    for (const Vec3& corner : corners) {
-        weight += 0.25 * zone_weight(tool, zone, pose.to_body(far * sum + (near - far) * corner));
+    for (const Vec3& place : material_places(corners)) {
+        weight += 0.25 * zone_weight(tool, zone, pose.to_body(place));
     }
     return weight;
 }
@@ -79,16 +75,11 @@ std::vector<TouchedPoint> touched_points(const SolidModel& model, const SolidSta
     std::vector<TouchedPoint> touched;
     for (std::size_t i = 0; i < near.size(); ++i) {
         const FineTissue& fine = near[i];
-        const PointWeights weights = material_points(model.coarse, model.fine, fine.tet);
+        const std::array<Vec3, 4> places = material_places(fine.corners);
         const std::array<double, 4> left = left_of_points(state, fine.tet);
-        const std::array<int, 4>& tet = model.coarse.tets[fine.tet / 8];
-        const double volume = rest_volume(model.coarse, tet) / 32.0;
+        const double volume = rest_volume(model.coarse, model.coarse.tets[fine.tet / 8]) / 32.0;
         for (std::size_t p = 0; p < 4; ++p) {
-            Vec3 place = Vec3::Zero();
-            for (std::size_t k = 0; k < 4; ++k) {
-                place += weights[p][k] * state.position[tet[k]];
-            }
-            const double weight = left[p] > 0.0 ? zone_weight(tool, zone, pose.to_body(place)) : 0.0;
+            const double weight = left[p] > 0.0 ? zone_weight(tool, zone, pose.to_body(places[p])) : 0.0;
             if (weight > 0.0) {
                 touched.push_back({i, p, weight, volume});
             }

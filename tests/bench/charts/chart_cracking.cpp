@@ -8,6 +8,7 @@
 
 #include "bench/charts/equations.hpp"
 #include "bench/charts/models.hpp"
+#include "bench/timing.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/solid/crack.hpp"
 
@@ -345,7 +346,7 @@ std::vector<ChartPoint> measure_cracking(const ChartOptions& options) {
             }
             points.push_back(point_of(way.name, setting, is_default,
                                       rms_share(forces[0], std::vector<double>(forces[0].size(), 1.0)),
-                                      cpu_of([&] { way.of(all[0]); }, 10 * options.repeats)));
+                                      time_interleaved({[&] { way.of(all[0]); }}, options.repeats)[0].seconds));
         }
     }
     std::stable_sort(points.begin(), points.end(), [&](const ChartPoint& a, const ChartPoint& b) {

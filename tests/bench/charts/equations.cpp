@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/charts/equations.hpp"
+#include "bench/timing.hpp"
 
 #include <algorithm>
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
@@ -108,8 +109,9 @@ std::vector<ChartPoint> points_of(const std::vector<Way>& ways, const Curves& an
         for (const double dt : way.steps) {
             const bool is_default = dt == way.default_step;
             if (!options.only_default || is_default) {
-                points.push_back(point_of(way.name, milliseconds(dt), is_default, error_of(way.run(dt), answer),
-                                          cpu_of([&] { way.run(dt); }, 10 * options.repeats) / seconds));
+                points.push_back(
+                    point_of(way.name, milliseconds(dt), is_default, error_of(way.run(dt), answer),
+                             time_interleaved({[&] { way.run(dt); }}, options.repeats)[0].seconds / seconds));
             }
         }
     }

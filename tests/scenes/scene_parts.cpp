@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/scene_parts.hpp"
+#include "scenes/scene_parts.hpp"
 
 #include <algorithm>
 
-namespace rhexis {
+namespace rhexis::scenes {
 namespace {
 
 void add_if(bool there, const char* name, std::vector<std::string>& names) {
@@ -90,4 +90,4 @@ SceneParts parts_of(const Session& session) {
     return parts;
 }
 
-}  // namespace rhexis
+}  // namespace rhexis::scenes

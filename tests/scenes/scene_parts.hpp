@@ -7,7 +7,7 @@
 
 #include "session/session.hpp"
 
-namespace rhexis {
+namespace rhexis::scenes {
 
 /// Names of tissues and bodies, sorted.
 struct SceneParts {
@@ -18,4 +18,4 @@ struct SceneParts {
 
 SceneParts parts_of(const Session& session);
 
-}  // namespace rhexis
+}  // namespace rhexis::scenes
