@@ -12,13 +12,13 @@ function quarter_hand.come_in(t, entering, over)
     t:wait(1.5)
 end
 
---- From the trench into the far right quarter with ultrasound, and pressed on with aspiration until it shuts the tip.
+--- From the trench into the far right quarter with a touch of ultrasound, and pressed on with aspiration until it shuts the tip.
 function quarter_hand.press_on_piece(t)
     t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
-    t.phaco:pedal(3)
+    t.phaco:pedal(2.1)
     t.phaco:move_to({ 1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
     t.phaco:pedal(2)
-    t.phaco:move_to({ 1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
+    t.phaco:move_to({ 2.3, 2.3, -0.6 }, { speed = 1, motion = "even", stop = "phaco.occlusion > 0.9" })
 end
 
 return quarter_hand

@@ -15,8 +15,7 @@ return exercise {
         "Ultrasound on the forward stroke only",
     },
 
-    -- tetrahedra by hand: coarser than the lens's budget, see docs/accuracy.md, "Error budgets"
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 3000 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
     tissues = { "lens", "bag", "iris", "cornea" },
     instruments = { "phaco" },
 

@@ -15,8 +15,8 @@ return exercise {
         "Turn the nucleus before going on, and never by force",
     },
 
-    -- tetrahedra by hand: coarser than the lens's budget, see docs/accuracy.md, "Error budgets"
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 3000 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber", "hydrodissection" },
     instruments = { "saline_cannula", "cannula" },
     settings = {

@@ -20,9 +20,9 @@ return exercise {
         "Look whether the split is complete, and go back where it is not",
     },
 
-    -- Cracks need a firm nucleus. tetrahedra by hand: coarser than the lens's budget, see docs/accuracy.md, "Error
-    -- budgets"; 1500 is what half a second of CPU per second leaves.
-    patient = { age = 68, cataract = "NO4", pupil_mm = 7.5, tetrahedra = 1500 },
+    -- Cracks need a firm nucleus.
+    patient = { age = 68, cataract = "NO4", pupil_mm = 7.5 },
+    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
     instruments = { "phaco", "spatula" },
     settings = {

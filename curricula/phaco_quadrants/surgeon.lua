@@ -10,7 +10,8 @@ local sculpting = require "surgeons.sculpting"
 local vector = require "surgeons.vector"
 
 local approach_speed = 6.0
-local stroke_speed = 5.0        -- with ultrasound; slower, the tip waits for tissue
+local cutting = 2.35            -- pedal: 35 % of full ultrasound; 30 to 60 % is usual [AscrsUltrasoundTime2014]
+local stroke_speed = 5.0        -- with it; slower, the tip waits for tissue
 local grasp_speed = 3.0         -- with vacuum, until it holds
 local bury_speed = 2.0          -- with a touch of ultrasound, where vacuum alone finds no hold
 local press_speed = 1.5         -- with vacuum after that
@@ -158,7 +159,7 @@ local function grasp(me, eye, piece, grip)
     reason = go(me, within(eye, beyond(place, way, 0.3 * piece.size)), grasp_speed, holds)
     if reason then return reason, false end
     if firm(me, holds, 0.5) then return alarm(me.see()), true end
-    me.pedal(3)
+    me.pedal(cutting)
     reason = go(me, within(eye, beyond(me.tip(), way, 0.6)), bury_speed)
     if reason then return reason, false end
     me.pedal(grip)
@@ -186,7 +187,7 @@ local function stroke(me, eye, piece, number)
     me.pedal(2)
     local reason = go(me, from, approach_speed)
     if reason then return reason end
-    me.pedal(3)
+    me.pedal(cutting)
     return go(me, within(eye, beyond(target, way, piece.size)), stroke_speed)
 end
 

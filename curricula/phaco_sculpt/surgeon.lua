@@ -182,7 +182,7 @@ local function sculpt(me, eye, groove, until_s, before, recover, depth)
     sculpting.sculpt(me, eye, groove, { depth = depth, until_s = until_s, deep_enough = 0.80, surely_deep = 0.69,
         thin = 0.08, floor = floor_ahead, recover = recover or get_clear, pushed = 0.3, before = before,
         also = function(seen) return iris(seen) or rim(seen) or stuck(seen) end, return_height = 0.35,
-        entry_speed = 4.0, half_width = 0.3 })
+        entry_speed = 6.0, half_width = 0.3 })
 end
 
 local function shallow(eye)

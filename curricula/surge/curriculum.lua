@@ -15,8 +15,8 @@ return exercise {
         "See a chamber that empties, and fill it before anything else",
     },
 
-    -- tetrahedra by hand: coarser than the lens's budget, see docs/accuracy.md, "Error budgets"
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 1000 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
     instruments = { "phaco" },
     settings = {

@@ -16,8 +16,8 @@ return exercise {
         "Have the tip cleared outside of the eye, and see that it flows before going on",
     },
 
-    -- tetrahedra by hand: coarser than the lens's budget, see docs/accuracy.md, "Error budgets"
-    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5, tetrahedra = 1000 },
+    patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
+    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber", "globe" },
     instruments = { "phaco" },
     settings = {

@@ -15,8 +15,8 @@ return exercise {
         "Sculpt with a low bottle and little force",
     },
 
-    -- tetrahedra by hand: coarser than the lens's budget, see docs/accuracy.md, "Error budgets"
-    patient = { age = 74, cataract = "NO3", pupil_mm = 8, tetrahedra = 3000 },
+    patient = { age = 74, cataract = "NO3", pupil_mm = 8 },
+    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber", "vitreous", "zonules" },
     instruments = { "phaco", "cannula", "capsule_hook", "ring", "cutter", "triamcinolone" },
     settings = {

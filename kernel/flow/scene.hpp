@@ -19,7 +19,7 @@ struct SceneDescription {
     Advance advance = Advance::automatic;    ///< of the lens
     std::vector<double> opening{};           ///< of a bag that an implant is laid into: how far its edge is from the
                                              ///< axis [mm], eye/empty_bag.hpp; none: capsulorhexis.diameter_mm
-    bool lens_by_points = false;             ///< SolidModel::by_points of the lens, explicit only; not recorded
+    bool lens_by_points = true;              ///< SolidModel::by_points of the lens, explicit only; not recorded
     int threads = 1;                         ///< 1 to 64
     std::string instruction_set;             ///< "": the best; "baseline", "avx2", "avx512": same bits; not recorded
     std::map<std::string, double> settings;  ///< "phaco.power_limit" = 0.6, ...; names and ranges: session/settings.hpp

@@ -10,7 +10,9 @@ constexpr auto known_quantities = std::to_array<AccuracyQuantity>({
     {"balance", "1", 1e-6, 1.0, "Force that a step leaves out of balance on an implant, share of the largest."},
     {"depth", "1", 1e-6, 10.0, "Depth of the anterior chamber, rms over time, share of it."},
     {"force", "1", 1e-6, 10.0,
-     "Force on an instrument, share of it: of strokes rms over time, of a pull at the capsule the mean."},
+     "Force on an instrument: of strokes rms over time, share of the greatest; of a pull at the capsule the mean, "
+     "share of "
+     "it."},
     {"overlap", "1", 1e-6, 10.0, "How deep an implant goes into what it touches, share of its thickness."},
     {"path", "mm", 1e-6, 10.0, "Way of a tear's tip in the capsule, rms distance from where it goes."},
     {"pressure", "1", 1e-6, 10.0, "Pressure in the anterior chamber, rms over time, share of the highest."},
@@ -28,7 +30,7 @@ const std::vector<AccuracyModel>& accuracy_models() {
         {"anterior_capsule", "", {{"force", 0.15}, {"path", 0.2}, {"tear", 0.05}}},
         {"chamber", "", {{"pressure", 0.01}}},
         {"implant", "bag", {{"balance", 0.005}, {"overlap", 0.05}}},
-        {"lens", "", {{"depth", 0.05, "chamber"}, {"force", 0.75}, {"volume", 0.1}}},
+        {"lens", "", {{"depth", 0.05, "chamber"}, {"force", 0.25}, {"volume", 0.1}}},
     };
     return models;
 }

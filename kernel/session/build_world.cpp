@@ -88,15 +88,15 @@ IrisModel make_iris(const EyeAnatomy& anatomy) {
     return iris;
 }
 
-/// Stable step that the lens is given the inertia for: twice that of a nucleus of grade 3, whole, and what cuts and
-/// harder nuclei keep. The lens moves slowly, so what it does under a tool stays (docs/accuracy.md) [s].
-constexpr double lens_step = 3e-4;
+/// Stable step that the lens is given the inertia for, whatever its mesh, cuts and hardness. The lens moves slowly, so
+/// what it does under a tool stays (docs/accuracy.md) [s].
+constexpr double lens_step = 5e-4;
 
 /// The way the scene asks for, or substeps; each with elements it can step. In contact an implicit step of the lens
 /// costs more than all the substeps of its time (docs/accuracy.md).
 void set_up_lens(SolidModel& lens, Advance asked, bool by_points) {
     const bool implicit = asked == Advance::implicit;
-    lens.by_points = by_points;
+    lens.by_points = by_points && !implicit;
     lens.advance = implicit ? Advance::implicit : Advance::explicit_;
     lens.sought_step = implicit ? 0.0 : lens_step;
     lens.formulation = implicit ? Formulation::linear : Formulation::nodal_pressure;

@@ -69,8 +69,9 @@ bool memory_fits(const ContactMemory& memory, const WorldModel& world) {
         return false;
     }
     const SolidModel& solid = world.solids[memory.solid];
-    const int vertices = static_cast<int>(solid.coarse.nodes.size() + solid.fine.edges.size());
-    return memory.vertex >= 0 && memory.vertex < vertices && memory.partner_index >= 0 &&
+    const std::size_t vertices = solid.coarse.nodes.size() + solid.fine.edges.size();
+    const std::size_t points = solid.by_points ? 4 * solid.fine.tets.size() : 0;
+    return memory.vertex >= 0 && memory.vertex < static_cast<int>(vertices + points) && memory.partner_index >= 0 &&
            memory.partner_index < static_cast<int>(partners(world, memory.partner));
 }
 

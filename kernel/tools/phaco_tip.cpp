@@ -18,7 +18,7 @@ ToolModel phaco_tip() {
     tool.bore_radius = 0.35;
     tool.edge_radius = 0.1;
     tool.bevel = 0.52359877559829887;  // 30 degrees
-    tool.max_power = 60.0;
+    tool.max_power = 600.0;
     return tool;
 }
 

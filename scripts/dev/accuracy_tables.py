@@ -48,9 +48,11 @@ def milliseconds(text):
 def lens():
     ways = {"explicit": ("explicit", ""), "implicit, no chamber": ("implicit", "chamber")}
     for row in chart("phaco_chart.csv"):
+        if row["name"] not in ways:
+            continue
         way, not_with = ways[row["name"]]
         yield {"way": way, "not_with": not_with,
-               "patient.tetrahedra": wanted(int(row["elements"]), [500, 1000, 1500, 3000, 6000, 12000, 24000]),
+               "patient.tetrahedra": wanted(int(row["elements"]), [500, 1000, 1500, 3000, 4500, 6000, 12000, 24000]),
                "step_ms": milliseconds(row["point"]), "cost": row["cpu_s_per_s"], "volume": row["removed_error"],
                "force": row["force_error"], "depth": row["depth_error"]}
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Measures two strokes with ultrasound over mesh, step and method, and draws what they cost against how far they are from
+# Measures four strokes with ultrasound over mesh, step and method, and draws what they cost against how far they are from
 # the finest: docs/data/phaco_chart.csv and docs/pictures/phaco_chart.svg. Needs a Release build (./demo.sh makes one) and
 # the Debian package gnuplot-nox. It takes some minutes.
 #   usage: scripts/dev/phaco_chart.sh [--draw]     --draw: only draw again what was measured before
@@ -20,6 +20,7 @@ series=(
     "explicit|10 ms|10 ms (default)|#1b9e5a"
     "explicit|5 ms|5 ms|#4a90d9"
     "explicit|2 ms|2 ms|#e08214"
+    "explicit, by vertices|10 ms|tools meet vertices, 10 ms|#c03030"
     "implicit, no chamber|10 ms|implicit, 10 ms, no chamber|#888888"
 )
 rows=$(mktemp -d)
@@ -58,17 +59,17 @@ set output "$picture"
 set multiplot layout 3,1
 set logscale xy
 set grid xtics ytics lc rgb "#dddddd"
-set xrange [0.07:7]
+set xrange [0.07:9]
 set key above maxrows 2
 set lmargin 11
 set rmargin 4
 set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb "#c03030" lw 1.5
-set title "two strokes with ultrasound, against 24,000 tetrahedra in steps of 1 ms; red: real time on one core"
+set title "four strokes with ultrasound, against 24,000 tetrahedra in steps of 1 ms; red: real time on one core"
 set ylabel "volume removed at the end, % off"
 plot $(plots_of 2)
 unset title
 unset key
-set ylabel "force of the tip, rms % off"
+set ylabel "force of the tip, rms, % of the greatest"
 plot $(plots_of 3)
 set xlabel "CPU seconds per simulated second (one thread); labels: thousands of tetrahedra"
 set ylabel "depth of the chamber, rms % off"

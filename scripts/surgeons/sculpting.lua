@@ -10,9 +10,10 @@ sculpting.lens_thickness = 4.5  -- of an old lens, as biometry says before the o
 sculpting.free_speed = 6.0      -- in front of the lens
 
 local front_radius = 10.0     -- of the front surface
-local layer = 0.40            -- taken by one pair of strokes, of a tip 0.9 wide
+local layer = 0.55            -- taken by one pair of strokes, of a tip 0.9 wide
 local half_width = 0.40       -- of the groove, without the tip's own width
-local stroke_speed = 3.5      -- with ultrasound [mm/s]
+local cutting = 2.35          -- pedal: 35 % of full ultrasound; 30 to 60 % is usual [AscrsUltrasoundTime2014]
+local stroke_speed = 7.0      -- with it [mm/s]
 local return_speed = 7.0
 local slower = 0.15           -- share of the speed of a careful stroke less, per mm of depth
 local steepest = 0.78         -- slope of the shaft at which its sleeve still clears the iris
@@ -165,7 +166,7 @@ end
 local function stroke(me, eye, groove, state, beside)
     local way = along(eye, groove, state.depth, beside, groove.near, groove.far, 0)
     me.go(way(0), sculpting.free_speed)
-    me.pedal(3)
+    me.pedal(cutting)
     local reason = me.follow(way, me.about(stroke_speed) * state.pace, danger(eye, state))
     me.pedal(1)
     sculpting.look_at_height(me, eye)
@@ -180,7 +181,7 @@ local function careful_stroke(me, eye, groove, state, beside)
     local way = along(eye, groove, state.depth, beside, groove.near, groove.far, 0)
     local function over(y) return { line(groove, beside, y), y, sculpting.surface(eye, y) + state.return_height } end
     me.go(over(groove.near), return_speed)
-    me.pedal(3)
+    me.pedal(cutting)
     me.go(way(0), state.entry_speed)
     local speed = me.about(stroke_speed) * state.pace * (1 - slower * state.depth)
     local reason = me.follow(way, speed, danger(eye, state))

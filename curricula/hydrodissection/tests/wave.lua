@@ -13,8 +13,8 @@ end
 -- Sunk into the front and led round.
 local function turn(t, from, to, seconds, speed)
     local points = {}
-    for i = 1, 8 do points[i] = at(2.0, from + (to - from) * i / 8, 1.0) end
-    t.saline_cannula:path({ at(2.0, from, 2.7), at(2.0, from, 1.0) }, { speed = speed or 6 })
+    for i = 1, 8 do points[i] = at(2.0, from + (to - from) * i / 8, 0.7) end
+    t.saline_cannula:path({ at(2.0, from, 2.7), at(2.0, from, 0.7) }, { speed = speed or 6 })
     t.saline_cannula:path(points, { seconds = seconds })
 end
 

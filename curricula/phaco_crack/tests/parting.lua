@@ -63,8 +63,8 @@ return scenarios {
         near = "crack.bridge_share > 0.06 and crack.bridge_share < 0.1 and " .. crack_events.both_out,
         function(t)
             enter(t)
-            split(t, 1.6, -1.55, 1.5)
-            split(t, -1.5, -1.45, 1.0)
+            split(t, 1.6, -1.55, 0.9)
+            split(t, -1.5, -1.45, 0.65)
             t:wait(4)
         end },
 

@@ -16,7 +16,7 @@ end
 local function hold(t)
     t.phaco:pedal(2)
     t.phaco:move_to({ -0.85, 0.85, 0.2 }, { speed = 2 })
-    t.phaco:pedal(3)
+    t.phaco:pedal(2.1)
     t.phaco:move_to({ -1.4, 1.4, -0.1 }, { speed = 1.5, motion = "even" })
     t.phaco:pedal(1.75)
     t.phaco:move_to({ -1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
@@ -63,17 +63,16 @@ return scenarios {
         start = "torn",
         set = coarse,
         silent_twin_of = "Dropped piece",
-        near = "fragments.sunk_mm > 1.2",
+        near = "fragments.sunk_mm > 0.1",
         function(t)
             come_in(t)
             hold(t)
             t:set { ["machine.bottle_cm"] = 14 }
             t.phaco:move_to({ 0, 0, 0 }, { speed = 4 })
-            t.phaco:move_to({ 0, 0, -4.5 }, { speed = 2, motion = "even", stop = "fragments.sunk_mm > 1.2" })
+            t.phaco:move_to({ 0, 0, -4.5 }, { speed = 2, motion = "even", stop = "fragments.sunk_mm > 0.1" })
+            t.phaco:move_to({ 0, 0, 1 }, { speed = 2.5 })
             t:set { ["machine.bottle_cm"] = 95 }
-            t:wait(0.3)
-            t.phaco:move_to({ 0, 0, 1 }, { speed = 8 })
-            t:wait(0.2)
+            t:wait(0.5)
             t:expect("fragments.sunk_mm <= 0")
         end },
 }

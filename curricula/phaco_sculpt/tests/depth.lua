@@ -43,7 +43,7 @@ return scenarios {
             drill(t, 0.44)
             t.phaco:pedal(1)
             t:wait(1)
-            t:expect("phaco.tip_posterior_mm < 0.6")
+            t:expect("phaco.tip_posterior_mm < 0.65")
             t.phaco:move_to(over_lens, { speed = 10 })
         end },
 }

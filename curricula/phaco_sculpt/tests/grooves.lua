@@ -67,7 +67,7 @@ return scenarios {
         start = "thin_groove",
         set = shallow(30),
         silent_twin_of = "Groove too shallow",
-        near = "spatula.in_contact and 100 * groove_1.depth_share < 33",
+        near = "spatula.in_contact and 100 * groove_1.depth_share < 34",
         function(t)
             come_in(t)
             layers(t, 0, 0.4)

@@ -19,8 +19,8 @@ return scenarios {
     scenario "the occlusion breaks, pedal up at once" {
         function(t)
             occlude(t)
-            t:wait(2)
-            t.phaco:move_to({ 1.2, -0.6, 3 }, { speed = 30, stop = "chamber.depth_lost_share > 0.3" })
+            t.phaco:pedal(3)
+            t:wait_until("chamber.depth_lost_share > 0.3", 8)
             t.phaco:pedal(1)
             t:expect_event("Surge", { recovered = true, within = 3 })
         end },
@@ -49,7 +49,8 @@ return scenarios {
         near = "chamber.depth_lost_share > 0.2",
         function(t)
             occlude(t)
-            t:wait_until("chamber.depth_lost_share > 0.22", 3)
+            t.phaco:pedal(3)
+            t:wait_until("chamber.depth_lost_share > 0.2", 8)
             t.phaco:pedal(1)
             t:wait(1)
             t:expect("chamber.depth_share > 0.9")

@@ -61,6 +61,6 @@ return scenarios {
             push(t, "zonules.torn_deg > 0")
             draw_back(t)
             t:wait(0.5)
-            t:expect("zonules.torn_deg < 30")
+            t:expect("zonules.torn_deg < 45")
         end },
 }

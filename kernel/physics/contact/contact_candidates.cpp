@@ -223,7 +223,7 @@ void add_points(const WorldModel& world, int solid, const WorldState& state, std
 
 /// Beyond the wall by more than contact ever lets a point sink in: it left through the opening.
 bool left_bag(const Partner& partner, const Vec3& point, const SurfaceDistance& gap) {
-    return partner.kind == ContactPartner::bag && gap.distance < -sunk && partner.pose.to_body(point).z() > 0.0;
+    return partner.kind == ContactPartner::bag && gap.distance < -sunk && partner.pose.to_body(point).z() > -sunk;
 }
 
 /// Behind a hole there is no wall to touch.
@@ -298,7 +298,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
             SurfaceDistance start = measure_gap(model, candidate, partner.pose, point);
             candidate.outside = left_bag(partner, point, start);
             if (candidate.outside) {
-                start = {-start.distance, -start.normal};
+                start = measure_gap(model, candidate, partner.pose, point);
             }
             if (!tool && start.distance > partner.margin) {
                 continue;

@@ -33,7 +33,8 @@ SurfaceDistance wall_distance(const BagModel& bag, const Vec3& local, bool outsi
     }
     SurfaceDistance found = bag_distance(bag.shape, local);
     if (outside) {
-        return found;
+        // Past the equator zonules and ciliary body close the way back.
+        return local.z() < found.distance ? SurfaceDistance{local.z(), Vec3::UnitZ()} : found;
     }
     return found.distance > bag_wall ? nothing_near() : SurfaceDistance{-found.distance, -found.normal};
 }

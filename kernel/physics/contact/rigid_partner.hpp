@@ -40,7 +40,8 @@ SurfaceDistance distance_to(const RigidPartners& all, ContactPartner partner, in
 /// Coulomb coefficient. partner: likewise.
 double friction_of(const RigidPartners& all, ContactPartner partner, int index);
 
-/// Of the wall of a bag, for a place in its frame, from within or from outside.
+/// Of the wall of a bag, for a place in its frame, from within or from outside; there the wall goes on in the plane of
+/// its equator, where zonules and ciliary body are.
 SurfaceDistance wall_distance(const BagModel& bag, const Vec3& local, bool outside);
 
 /// Whether a point in a bag's frame is in front of the equator and seen through the opening: there is no wall.

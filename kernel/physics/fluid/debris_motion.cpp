@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/contact/rigid_partner.hpp"
 #include "physics/fluid/fluid_step.hpp"
 
 namespace rhexis {
@@ -55,7 +56,9 @@ void stay_in(const WorldModel& model, const WorldState& state, Debris& crumb) {
         const SurfaceDistance wall = bag_distance(bag.shape, local);
         const Vec3 normal = pose.orientation * wall.normal;
         if (wall.distance > 0.0) {
-            push_out(normal, radius - wall.distance, crumb);
+            const bool before_zonules = local.z() > -radius;
+            const SurfaceDistance outer = before_zonules ? wall_distance(bag, local, true) : wall;
+            push_out(pose.orientation * outer.normal, radius - outer.distance, crumb);
         } else {
             push_out(-normal, radius + wall.distance, crumb);
         }

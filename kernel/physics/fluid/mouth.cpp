@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/components.hpp"
 #include "physics/contact/tissue_near.hpp"
 #include "physics/fluid/debris_motion.hpp"
 
@@ -14,8 +15,9 @@ namespace rhexis {
 namespace {
 
 constexpr std::array<double, 4> look_depths{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
-constexpr double shut = 0.85;       ///< share of the mouth that must be covered to shut it. Proposal
-constexpr double kept_shut = 0.65;  ///< once lens has shut it: suction has drawn it in. Proposal
+constexpr double shut = 0.85;           ///< share of the mouth that must be covered to shut it. Proposal
+constexpr double most_following = 0.5;  ///< share of the lens. Proposal
+constexpr double kept_shut = 0.65;      ///< once lens has shut it: suction has drawn it in. Proposal
 
 /// Out along the mouth's normal to the surface of the rounded end.
 Vec3 on_end(const RoundedCone& end, const Vec3& facing, const Vec3& point) {
@@ -30,6 +32,25 @@ bool covered_by_lens(const std::vector<FineTissue>& tissue, const SolidState& le
         return lens.fraction[fine.tet] > 0.3 &&
                std::any_of(spots.begin(), spots.end(), [&](const Vec3& spot) { return holds(fine.corners, spot); });
     });
+}
+
+/// Whether what is right before the mouth is a piece that the flow draws after the tip as ultrasound eats its way in.
+/// The lens as a whole does not come: what is cleared before the mouth lets fluid in.
+bool follows(const WorldModel& model, const WorldState& state, int tool, const Mouth& mouth, const Pose& pose) {
+    const SolidState& lens = state.solids[0];
+    if (lens.splits.empty()) {
+        return false;
+    }
+    const std::vector<BeforeMouth> near = before_mouth(model, state, tool, mouth, pose);
+    const auto left = std::find_if(near.begin(), near.end(),
+                                   [&](const BeforeMouth& one) { return lens.fraction[one.fine] > still_there; });
+    if (left == near.end()) {
+        return false;
+    }
+    const TetMesh& mesh = model.solids[0].coarse;
+    const std::vector<int> pieces = pieces_by_nodes(mesh.tets, mesh.nodes.size(), lens.present);
+    const auto size = std::count(pieces.begin(), pieces.end(), pieces[static_cast<std::size_t>(left->fine / 8)]);
+    return static_cast<double>(size) < most_following * static_cast<double>(pieces.size());
 }
 
 bool covered_by_capsule(const WorldModel& model, const WorldState& state, const Vec3& spot) {
@@ -123,7 +144,8 @@ TipState look_at_mouth(const WorldModel& model, const WorldState& state, int too
     const Pose& pose = tool_state.pose;
     const bool was_shut = state.tips[tool].lens > 0.5 && state.tips[tool].suction > least_suction;
     // suction draws soft tissue across a gap, and ultrasound throws it back
-    const std::size_t far = was_shut ? look_depths.size() : (tool_state.power > 0.0 ? 2 : 3);
+    const bool drawn_in = was_shut && (!(tool_state.power > 0.0) || follows(model, state, tool, probe.mouth, pose));
+    const std::size_t far = drawn_in ? look_depths.size() : (tool_state.power > 0.0 ? 2 : 3);
     std::vector<FineTissue> tissue;
     if (!state.solids.empty() && !state.solids[0].fraction.empty()) {
         tissue =
