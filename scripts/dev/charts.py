@@ -32,6 +32,7 @@ BEGIN, END = "<!-- charts: written by scripts/dev/charts.py -->\n", "<!-- end of
 FIELDS = ["way", "setting", "default", "cost", "error", "failure"]
 COLOURS = ["#1b9e5a", "#4a90d9", "#e08214", "#7a5195", "#888888", "#b0632a", "#d4608f", "#3d7f86"]
 REAL_TIME = "CPU seconds per simulated second"
+YARDSTICK = "product/3000"  # a row of the benchmark "product", measured in the same run
 
 
 def rhexis():
@@ -48,17 +49,20 @@ def known():
 
 def measure(about):
     began = time.time()
-    found = subprocess.run([rhexis(), "bench", "chart_" + about["chart"], "--json"], stdout=subprocess.PIPE, check=True)
+    found = subprocess.run([rhexis(), "bench", "chart_" + about["chart"], "product", "--json"], stdout=subprocess.PIPE,
+                           check=True)
     told = json.loads(found.stdout)
+    unit = next(row for row in told["cases"] if row["name"] == YARDSTICK)
     text = io.StringIO()
     for key in ("title", "cost", "error", "answer"):
         print(f"# {key}: {about[key]}", file=text)
     print(f"# outside: {'yes' if about['outside'] else 'no'}", file=text)
     print(f"# machine: {told['machine']['processor']}", file=text)
+    print(f"# yardstick: {unit['us']:.1f} us for one product over {unit['elements']:,} tetrahedra", file=text)
     print(f"# minutes: {(time.time() - began) / 60:.1f}", file=text)
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(FIELDS)
-    for row in told["cases"]:
+    for row in (row for row in told["cases"] if not row["name"].startswith("product/")):
         writer.writerow([row["name"], row["setting"], "yes" if row.get("default") else "", f"{row['cost']:.4g}",
                          f"{row['error']:.6g}" if "error" in row else "", row.get("failure", "")])
     DATA.mkdir(parents=True, exist_ok=True)
@@ -142,6 +146,19 @@ def percent(share):
     return f"{100 * float(share):.2g} %"
 
 
+def measured_on(charts):
+    """Machines, and what the yardstick took on them while charts were measured."""
+    lines = []
+    for machine in dict.fromkeys(chart["machine"] for chart in charts):
+        told = [chart["yardstick"] for chart in charts if chart["machine"] == machine and "yardstick" in chart]
+        took = sorted(float(text.split()[0]) for text in told)
+        if took:
+            what = told[0].split(" for one ", 1)[1]
+            lines += [f"Measured on one core of: {machine}. One scalar double matrix-free {what} (`rhexis bench product`) "
+                      f"took {took[0]:g} to {took[-1]:g} us in the same runs; each file says what it took in its own.", ""]
+    return lines
+
+
 def table(charts):
     lines = ["| | model | the default | answer | minutes |", "|---|---|---|---|---|"]
     for chart in charts:
@@ -154,6 +171,7 @@ def table(charts):
                      f"| {row['way']}, {row['setting']}: {percent(row['error'])}, {float(row['cost']):.2g} {unit} "
                      f"| {whose} | {chart['minutes']} |")
     outside = sum(chart["outside"] == "yes" for chart in charts)
+    lines = measured_on(charts) + lines
     lines.append("")
     lines.append(f"{len(charts)} models, of which {outside} are held against an answer that is not ours.")
     return "\n".join(lines) + "\n"

@@ -18,5 +18,6 @@ Chart chart_cracking();
 Chart chart_zonules();
 Chart chart_globe();
 Chart chart_iris();
+Chart chart_posterior_capsule();
 
 }  // namespace rhexis::bench
