@@ -7,6 +7,7 @@
   scripts/dev/charts.py --draw       only draw and list again what was measured before
   scripts/dev/charts.py --list       name them
 
+Tracking is measured by scripts/dev/tracking_chart.sh; here it is only listed and drawn.
 Needs a Release build (./demo.sh makes one) and, to draw, the Debian package gnuplot-nox. Figures go to
 docs/data/charts/NAME.csv, pictures to docs/pictures/charts/NAME.svg.
 """
@@ -31,6 +32,15 @@ PAGE = ROOT / "docs/accuracy.md"
 BEGIN, END = "<!-- charts: written by scripts/dev/charts.py -->\n", "<!-- end of charts -->\n"
 FIELDS = ["way", "setting", "default", "cost", "error", "failure"]
 COLOURS = ["#1b9e5a", "#4a90d9", "#e08214", "#7a5195", "#888888", "#b0632a", "#d4608f", "#3d7f86"]
+TRACKING = [
+    "title: Tips of tracked instruments, at rest, by ways to find spots, cameras and markers",
+    "cost: CPU seconds for one exposure",
+    "error: tip, 95 % within, share of 1 mm",
+    "answer: the synthetic rig: what stood before its cameras is known exactly (docs/tracking.md)",
+    "outside: no",
+    "machine: not noted (scripts/dev/tracking_chart.sh)",
+    "minutes: 60",
+]
 REAL_TIME = "CPU seconds per simulated second"
 YARDSTICK = "product/3000"  # a row of the benchmark "product", measured in the same run
 
@@ -67,6 +77,23 @@ def measure(about):
                          f"{row['error']:.6g}" if "error" in row else "", row.get("failure", "")])
     DATA.mkdir(parents=True, exist_ok=True)
     (DATA / (about["chart"] + ".csv")).write_text(text.getvalue(), encoding="utf-8")
+
+
+def list_tracking():
+    """What scripts/dev/tracking_chart.sh measured within an hour, in the form of the other charts."""
+    with (ROOT / "docs/data/tracking_chart.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    text = io.StringIO()
+    for line in TRACKING:
+        print("# " + line, file=text)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(FIELDS)
+    for row in rows:
+        usual = (row["detector"], row["cameras"], row["markers"]) == ("fitted outlines", "6", "4")
+        writer.writerow([f"{row['detector']}, {row['markers']} markers", f"{row['cameras']} cameras",
+                         "yes" if usual else "", f"{1e-3 * float(row['cpu_ms']):.4g}",
+                         f"{1e-3 * float(row['of_95_um']):.6g}", ""])
+    (DATA / "tracking.csv").write_text(text.getvalue(), encoding="utf-8")
 
 
 def read(path):
@@ -155,7 +182,7 @@ def measured_on(charts):
         if took:
             what = told[0].split(" for one ", 1)[1]
             lines += [f"Measured on one core of: {machine}. One scalar double matrix-free {what} (`rhexis bench product`) "
-                      f"took {took[0]:g} to {took[-1]:g} us in the same runs; each file says what it took in its own.", ""]
+                      f"took {took[0]:g} to {took[-1]:g} us in the same runs; files measured with it say what it took in their own.", ""]
     return lines
 
 
@@ -165,7 +192,7 @@ def table(charts):
         row = default_of(chart)
         place = f"charts/{chart['name']}.svg"
         unit = "CPU s per s" if chart["cost"] == REAL_TIME else chart["cost"]
-        whose = chart["answer"] if chart["outside"] == "yes" else "ours, refined: " + chart["answer"]
+        whose = chart["answer"] if chart["outside"] == "yes" else "ours: " + chart["answer"]
         lines.append(f'| [<img src="pictures/{place}" width="240" alt="{chart["title"]}">](pictures/{place}) '
                      f"| **{chart['name']}**: {chart['title']} ([data](data/charts/{chart['name']}.csv)) "
                      f"| {row['way']}, {row['setting']}: {percent(row['error'])}, {float(row['cost']):.2g} {unit} "
@@ -207,9 +234,10 @@ def main():
         for number, about in enumerate(wanted, 1):
             print(f"[{number}/{len(wanted)}] {about['chart']}: {about['title']}", flush=True)
             measure(about)
+    list_tracking()
     drawn = [read(path) for path in sorted(DATA.glob("*.csv"))]
     for chart in drawn:
-        if not given.name or chart["name"] in given.name:
+        if not given.name or chart["name"] in [*given.name, "tracking"]:
             draw(chart)
     write_page(drawn)
     print(f"{DATA.relative_to(ROOT)}, {PICTURES.relative_to(ROOT)}, {PAGE.relative_to(ROOT)}")
