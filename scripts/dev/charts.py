@@ -89,6 +89,8 @@ def list_tracking():
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(FIELDS)
     for row in rows:
+        if row["markers"] != "4" and row["detector"] != "fitted outlines":
+            continue
         usual = (row["detector"], row["cameras"], row["markers"]) == ("fitted outlines", "6", "4")
         writer.writerow([f"{row['detector']}, {row['markers']} markers", f"{row['cameras']} cameras",
                          "yes" if usual else "", f"{1e-3 * float(row['cpu_ms']):.4g}",

@@ -213,8 +213,7 @@ std::vector<ChartPoint> measure_piece_contact(const ChartOptions& options) {
 
 Chart chart_piece_contact() {
     return {"piece_contact",
-            "Pieces of one body against each other, their nodes not opposite: bars collide, a block presses, a block "
-            "slides",
+            "Pieces of one body: bars that collide, a block pressed on another, one on a slope",
             cpu_per_second,
             "velocity, shortening or way, share; at most 100 %",
             "exchange of velocities [SaintVenant1867], Hooke's law, Coulomb's law (closed forms)",
