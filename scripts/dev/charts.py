@@ -7,6 +7,7 @@
   scripts/dev/charts.py --draw       only draw and list again what was measured before
   scripts/dev/charts.py --list       name them
 
+Tracking is measured by scripts/dev/tracking_chart.sh; here it is only listed and drawn.
 Needs a Release build (./demo.sh makes one) and, to draw, the Debian package gnuplot-nox. Figures go to
 docs/data/charts/NAME.csv, pictures to docs/pictures/charts/NAME.svg.
 """
@@ -31,7 +32,17 @@ PAGE = ROOT / "docs/accuracy.md"
 BEGIN, END = "<!-- charts: written by scripts/dev/charts.py -->\n", "<!-- end of charts -->\n"
 FIELDS = ["way", "setting", "default", "cost", "error", "failure"]
 COLOURS = ["#1b9e5a", "#4a90d9", "#e08214", "#7a5195", "#888888", "#b0632a", "#d4608f", "#3d7f86"]
+TRACKING = [
+    "title: Tips of tracked instruments, at rest, by ways to find spots, cameras and markers",
+    "cost: CPU seconds for one exposure",
+    "error: tip, 95 % within, share of 1 mm",
+    "answer: the synthetic rig: what stood before its cameras is known exactly (docs/tracking.md)",
+    "outside: no",
+    "machine: not noted (scripts/dev/tracking_chart.sh)",
+    "minutes: 60",
+]
 REAL_TIME = "CPU seconds per simulated second"
+YARDSTICK = "product/3000"  # a row of the benchmark "product", measured in the same run
 
 
 def rhexis():
@@ -48,21 +59,43 @@ def known():
 
 def measure(about):
     began = time.time()
-    found = subprocess.run([rhexis(), "bench", "chart_" + about["chart"], "--json"], stdout=subprocess.PIPE, check=True)
+    found = subprocess.run([rhexis(), "bench", "chart_" + about["chart"], "product", "--json"], stdout=subprocess.PIPE,
+                           check=True)
     told = json.loads(found.stdout)
+    unit = next(row for row in told["cases"] if row["name"] == YARDSTICK)
     text = io.StringIO()
     for key in ("title", "cost", "error", "answer"):
         print(f"# {key}: {about[key]}", file=text)
     print(f"# outside: {'yes' if about['outside'] else 'no'}", file=text)
     print(f"# machine: {told['machine']['processor']}", file=text)
+    print(f"# yardstick: {unit['us']:.1f} us for one product over {unit['elements']:,} tetrahedra", file=text)
     print(f"# minutes: {(time.time() - began) / 60:.1f}", file=text)
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(FIELDS)
-    for row in told["cases"]:
+    for row in (row for row in told["cases"] if not row["name"].startswith("product/")):
         writer.writerow([row["name"], row["setting"], "yes" if row.get("default") else "", f"{row['cost']:.4g}",
                          f"{row['error']:.6g}" if "error" in row else "", row.get("failure", "")])
     DATA.mkdir(parents=True, exist_ok=True)
     (DATA / (about["chart"] + ".csv")).write_text(text.getvalue(), encoding="utf-8")
+
+
+def list_tracking():
+    """What scripts/dev/tracking_chart.sh measured within an hour, in the form of the other charts."""
+    with (ROOT / "docs/data/tracking_chart.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    text = io.StringIO()
+    for line in TRACKING:
+        print("# " + line, file=text)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(FIELDS)
+    for row in rows:
+        if row["markers"] != "4" and row["detector"] != "fitted outlines":
+            continue
+        usual = (row["detector"], row["cameras"], row["markers"]) == ("fitted outlines", "6", "4")
+        writer.writerow([f"{row['detector']}, {row['markers']} markers", f"{row['cameras']} cameras",
+                         "yes" if usual else "", f"{1e-3 * float(row['cpu_ms']):.4g}",
+                         f"{1e-3 * float(row['of_95_um']):.6g}", ""])
+    (DATA / "tracking.csv").write_text(text.getvalue(), encoding="utf-8")
 
 
 def read(path):
@@ -142,18 +175,32 @@ def percent(share):
     return f"{100 * float(share):.2g} %"
 
 
+def measured_on(charts):
+    """Machines, and what the yardstick took on them while charts were measured."""
+    lines = []
+    for machine in dict.fromkeys(chart["machine"] for chart in charts):
+        told = [chart["yardstick"] for chart in charts if chart["machine"] == machine and "yardstick" in chart]
+        took = sorted(float(text.split()[0]) for text in told)
+        if took:
+            what = told[0].split(" for one ", 1)[1]
+            lines += [f"Measured on one core of: {machine}. One scalar double matrix-free {what} (`rhexis bench product`) "
+                      f"took {took[0]:g} to {took[-1]:g} us in the same runs; files measured with it say what it took in their own.", ""]
+    return lines
+
+
 def table(charts):
     lines = ["| | model | the default | answer | minutes |", "|---|---|---|---|---|"]
     for chart in charts:
         row = default_of(chart)
         place = f"charts/{chart['name']}.svg"
         unit = "CPU s per s" if chart["cost"] == REAL_TIME else chart["cost"]
-        whose = chart["answer"] if chart["outside"] == "yes" else "ours, refined: " + chart["answer"]
+        whose = chart["answer"] if chart["outside"] == "yes" else "ours: " + chart["answer"]
         lines.append(f'| [<img src="pictures/{place}" width="240" alt="{chart["title"]}">](pictures/{place}) '
                      f"| **{chart['name']}**: {chart['title']} ([data](data/charts/{chart['name']}.csv)) "
                      f"| {row['way']}, {row['setting']}: {percent(row['error'])}, {float(row['cost']):.2g} {unit} "
                      f"| {whose} | {chart['minutes']} |")
     outside = sum(chart["outside"] == "yes" for chart in charts)
+    lines = measured_on(charts) + lines
     lines.append("")
     lines.append(f"{len(charts)} models, of which {outside} are held against an answer that is not ours.")
     return "\n".join(lines) + "\n"
@@ -189,9 +236,10 @@ def main():
         for number, about in enumerate(wanted, 1):
             print(f"[{number}/{len(wanted)}] {about['chart']}: {about['title']}", flush=True)
             measure(about)
+    list_tracking()
     drawn = [read(path) for path in sorted(DATA.glob("*.csv"))]
     for chart in drawn:
-        if not given.name or chart["name"] in given.name:
+        if not given.name or chart["name"] in [*given.name, "tracking"]:
             draw(chart)
     write_page(drawn)
     print(f"{DATA.relative_to(ROOT)}, {PICTURES.relative_to(ROOT)}, {PAGE.relative_to(ROOT)}")

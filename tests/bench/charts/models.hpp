@@ -18,5 +18,9 @@ Chart chart_cracking();
 Chart chart_zonules();
 Chart chart_globe();
 Chart chart_iris();
+Chart chart_posterior_capsule();
+Chart chart_suction_grip();
+Chart chart_piece_contact();
+Chart chart_implant_bag();
 
 }  // namespace rhexis::bench
