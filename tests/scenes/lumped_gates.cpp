@@ -10,12 +10,12 @@ namespace rhexis::scenes {
 
 Gates gates_of_lumped_models(bool quick) {
     constexpr double mmhg = 133.322;  // [Pa]
-    const int draws = quick ? 2 : 20;
+    const int draws = quick ? 2 : 6;
     Gates gates;
     for (const LumpedScene& scene : lumped_scenes()) {
         Extremes worst;
         for (int seed = 1; seed <= draws; ++seed) {
-            const Extremes found = run_extremes(scene, static_cast<std::uint64_t>(seed), quick ? 1.0 : 4.0);
+            const Extremes found = run_extremes(scene, static_cast<std::uint64_t>(seed), quick ? 1.0 : 3.0);
             worst.finite = worst.finite && found.finite;
             worst.lowest = std::min(worst.lowest, found.lowest);
             worst.pressure = std::max(worst.pressure, found.pressure);

@@ -115,7 +115,7 @@ Gates gates_of_slivers(bool quick) {
             SolidModel model = cube(quick ? 3 : 4, 2.0, 3000.0, nu);
             flatten_one(model, share);
             // shaken by 1 um to find its limit, a sliver of a hundredth is no longer flat: it looks stiffer than it is
-            add_limit(gates, id, model, share < 0.05 ? 1.45 : 1.1);
+            add_limit(gates, id, model, share < 0.05 ? 1.3 : 1.1);
             model.sought_step = 2e-5;
             gates.push_back({id + " explicit, given inertia", "step that is sought over the stable one",
                              model.sought_step / probe_limit(model).step, 1.6});
