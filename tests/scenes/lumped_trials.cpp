@@ -188,7 +188,8 @@ std::span<const LumpedScene> lumped_scenes() {
         {"tip alone", {"chamber", "iris", "cornea"}, {"phaco"}},
         {"hydrodissection",
          {"lens", "bag", "capsule", "iris", "cornea", "chamber", "hydrodissection"},
-         {"saline_cannula"}},
+         {"saline_cannula"},
+         true},
     }};
     return scenes;
 }

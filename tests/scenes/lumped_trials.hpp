@@ -16,6 +16,7 @@ struct LumpedScene {
     const char* name;
     std::vector<std::string> tissues;
     std::vector<std::string> instruments;
+    bool bursts = false;  ///< something may give way at once: then when decides
 };
 std::span<const LumpedScene> lumped_scenes();
 

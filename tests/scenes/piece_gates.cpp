@@ -27,7 +27,7 @@ Gates gates_of_pieces(bool quick) {
     const Crowd crowd = press_segments(quick ? 1000 : 3000, quick ? 0.5 : 2.0);
     const std::string id = "T23 eight segments";
     gates.push_back({id, "deepest that one lies in another [mm]", crowd.overlap, 0.35});
-    gates.push_back({id, "fastest node [mm/s]", crowd.fastest, 200.0});
+    gates.push_back({id, "fastest node [mm/s]", crowd.fastest, 400.0});
     gates.push_back({id, "kinetic energy after the tool has gone [nJ]", crowd.left, 30.0});
     gates.push_back({id, "tetrahedra left inverted", whole(crowd.inverted), 0.0});
     gates.push_back({id, unsolved, whole(crowd.failures), 0.0});

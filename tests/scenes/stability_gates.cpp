@@ -71,7 +71,8 @@ std::span<const GateGroup> stability_gates() {
         {"T26", "an implant that is pushed into its bag and settles",
          "Where the optic slips out of the nozzle decides for seconds where it lies, by half a millimetre.",
          gates_of_implants},
-        {"T27", "models without meshes in steps of 20 ms, settings at the ends of their ranges", "",
+        {"T27", "models without meshes in steps of 20 ms, settings at the ends of their ranges",
+         "Where saline blocks the bag, the step in which the capsule bursts decides what follows.",
          gates_of_lumped_models},
     }};
     return groups;
