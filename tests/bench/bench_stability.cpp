@@ -11,6 +11,9 @@ nlohmann::json run_stability(const BenchOptions& options) {
     for (const scenes::GateGroup& group : scenes::stability_gates()) {
         for (const scenes::Gate& gate : group.run(options.quick)) {
             rows.push_back({{"name", "stability/" + gate.id},
+                            {"group", group.id},
+                            {"provoked", group.what},
+                            {"why", group.why},
                             {"what", gate.what},
                             {"measured", gate.measured},
                             {"gate", gate.limit},

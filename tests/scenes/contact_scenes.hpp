@@ -21,6 +21,8 @@ public:
     /// Where a tool will be at the end of the next step.
     void move_tool(int tool, const Pose& pose);
     void step(double dt);
+    /// Drops what the solvers keep from step to step.
+    void forget() { physics_.drop_caches(); }
 
     /// Force of the solids on a tool, mean over the last step [uN].
     [[nodiscard]] Vec3 tool_force(int tool) const;

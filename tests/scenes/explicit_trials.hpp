@@ -43,10 +43,14 @@ struct Flight {
 /// T20, T21: a stretched, spinning, flying body without damping, at `share` of the stable step.
 Flight fly(SolidModel model, int steps, double share);
 
+/// T21: the same flight by the same method in double precision: what is left is the method's own [as energy_drift].
+double drift_in_double(SolidModel model, int steps, double share);
+
 struct Limit {
     double step = 0.0;    ///< stable step that the solid gives [s]
-    bool below = false;   ///< stays bounded at 0.97 of it
-    bool beyond = false;  ///< blows up at 1.1 of it
+    double exact = 0.0;   ///< that of the same stiffness and masses in double precision [s]
+    bool below = false;   ///< stays bounded at 0.97 of what it gives
+    bool beyond = false;  ///< blows up at 1.1 of the exact one
 };
 /// T3, T4: is the limit that the solid states the true one?
 Limit probe_limit(const SolidModel& model);

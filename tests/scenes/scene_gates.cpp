@@ -28,7 +28,7 @@ void add_strike(Gates& gates, const std::string& id, const Strike& found, double
 Gates gates_of_strikes(bool) {
     Gates gates;
     for (const Advance way : ways) {
-        // struck from above, the springs that stand for contact in the implicit way give more: see docs/accuracy.md
+        // struck from above, the springs that stand for contact in the implicit way give more: see docs/stability.md
         add_strike(gates, "T11 down " + name_of(way), strike(Blow::down, way), 0.05);
         add_strike(gates, "T11 across " + name_of(way), strike(Blow::across, way), 0.05);
     }

@@ -198,6 +198,24 @@ ShellProblem hinged_roof(int each_way, double thickness, GridCut cut) {
     return result;
 }
 
+ShellProblem pulled_cylinder(int around, int along, GridCut cut) {
+    const double radius = 4.953;
+    const auto map = [radius](double s, double t) {
+        const double angle = 0.5 * M_PI * s;  // from the force, at +z, to the side, at +x
+        return Vec3(radius * std::sin(angle), 5.175 * t, radius * std::cos(angle));
+    };
+    ShellProblem result = problem("pulled cylinder", grid_mesh(around, along, cut, map), 0.094, 10.5e6, 0.3125);
+    hold(result, {true, false, false, false, true, true}, [](const Vec3& x) { return std::abs(x.x()) < 1e-9; });
+    hold(result, {false, false, true, true, true, false}, [](const Vec3& x) { return std::abs(x.z()) < 1e-9; });
+    hold(result, {false, true, false, true, false, true}, [](const Vec3& x) { return x.y() < 1e-9; });
+    result.load.force[0].z() = 10000.0;
+    const int side = around;
+    result.measure = [side, radius](const ShellState& state) {
+        return std::array<double, 2>{state.position[0].z() - radius, radius - state.position[at(side)].x()};
+    };
+    return result;
+}
+
 ShellProblem clamped_plate(int each_way, GridCut cut) {
     const double young = 1.092e6;
     const double nu = 0.3;

@@ -46,6 +46,9 @@ ShellProblem pinched_cylinder(int around, int along, GridCut cut = GridCut::alte
 /// A quarter of a hinged cylindrical roof of thickness 12.7 or 6.35 under a central force; W there, twice. Reference of
 /// 12.7: load factor at the limit points only.
 ShellProblem hinged_roof(int each_way, double thickness, GridCut cut = GridCut::alternate);
+/// An eighth of a cylinder with open ends, pulled apart at the middle [Sze2004]: on the way its wall goes over from
+/// bending to stretching and snaps. At full load 40 mN in all; outward where it is pulled, inward at the side.
+ShellProblem pulled_cylinder(int around, int along, GridCut cut = GridCut::alternate);
 
 /// Square plate of side 1 and thickness 0.01, clamped all around, under a small central force; W there, twice.
 /// Reference: 5.612e-3 F a^2 / D [Timoshenko1959].
