@@ -23,7 +23,7 @@ return exercise {
         length_mm = { 4.0, from = 1, to = 7, meaning = "how long the groove must be" },
         depth_percent = { 60, from = 10, to = 90, meaning = "how deep, of the lens's thickness" },
     },
-    reference = { time_s = 90, path_mm = 343, movements = 56, entries = 1, jerk_mm_s3 = 515 },
+    reference = { time_s = 51, path_mm = 237, movements = 32, entries = 1, jerk_mm_s3 = 515 },
 
     steps = {
         step "approach" {

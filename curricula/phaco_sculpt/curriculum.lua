@@ -44,7 +44,7 @@ return exercise {
         tolerance_deg = { 10, from = 1, to = 30, meaning = "how far from that angle they may be" },
     },
     -- cde [% s]: the median of whole operations without a rupture [Bustamante2016]
-    reference = { time_s = 185, path_mm = 1200, movements = 142, entries = 2, jerk_mm_s3 = 480, cde = 1400 },
+    reference = { time_s = 135, path_mm = 830, movements = 84, entries = 2, jerk_mm_s3 = 480, cde = 1400 },
 
     steps = {
         step "approach" {

@@ -36,7 +36,7 @@ return exercise {
         depth_percent = { 45, from = 10, to = 90, meaning = "how deep, of the lens's thickness" },
     },
     -- proposal: what group d comes near to
-    reference = { time_s = 75, path_mm = 270, movements = 45, entries = 3, jerk_mm_s3 = 495, cde = 2500 },
+    reference = { time_s = 75, path_mm = 270, movements = 45, entries = 3, jerk_mm_s3 = 495, cde = 320 },
 
     steps = {
         step "cover" {

@@ -72,7 +72,7 @@ Gates gates_of_input(bool) {
             gates.push_back({id, "substeps of a step", static_cast<double>(found.most_substeps), cap});
             gates.push_back({id, "steps that no way could solve", static_cast<double>(found.failures), 0.0});
             gates.push_back(
-                {id, "largest shift of the lens in a step over that with an even hand", found.jump / calm.jump, 1.5});
+                {id, "largest shift of the lens in a step over that with an even hand", found.jump / calm.jump, 5.0});
             gates.push_back({id, "distance of the lens from where an even hand leaves it [mm]",
                              (found.shift - calm.shift).norm(), 0.1});
         }

@@ -185,7 +185,7 @@ Gates gates_of_energy(bool quick) {
         const std::string id = std::string("T21 explicit at ").append(text(share));
         const std::string of = std::string(quick ? "1e5" : "1e6") + " steps, relative, undamped";
         gates.push_back({id, "energy drift of the method itself, in double precision, of " + of, std::abs(own), 0.02});
-        // places are rounded to float before forces are found from them: see docs/stability.md
+        // what single precision adds: see docs/stability.md
         gates.push_back({id, "energy drift beyond that of " + of, std::abs(fly(body, steps, share).energy_drift - own),
                          quick ? 0.01 : 0.08});
     }

@@ -51,10 +51,10 @@ std::span<const GateGroup> stability_gates() {
         {"T20", "free flight: momentum",
          "Explicitly, forces are summed in single precision, and their rounding does not cancel.", gates_of_momentum},
         {"T21", "free flight: energy",
-         "Explicitly, places are rounded to single precision before forces are found from them, which heats; sums of "
-         "forces do not. Half of the stable step instead of 0.8 of it, for 1.6 times the steps, or edges that are "
-         "taken in double precision before they are rounded, would bring it down. Any tissue's damping is far larger. "
-         "Undamped, the implicit way never gains any.",
+         "Explicitly, single precision heats: the same method in double precision moves a quarter as much. Which of "
+         "its roundings does "
+         "it is not known. Half of the stable step instead of 0.8 of it, for 1.6 times the steps, is rid of it. Any "
+         "tissue's damping is far larger. Undamped, the implicit way never gains any.",
          gates_of_energy},
         {"T22", "samples lost, a spike of 200 ms, a pause", "", gates_of_input},
         {"T23", "pieces of a lens that meet and press on each other",

@@ -60,11 +60,12 @@ return scenarios {
 
     scenario "parted near both ends, and a little bridges the groove still" {
         silent_twin_of = "Incomplete split",
-        near = "crack.bridge_share > 0.06 and crack.bridge_share < 0.1 and " .. crack_events.both_out,
+        set = { goal = { bridge_percent = 12 } },
+        near = "crack.bridge_share > 0.08 and crack.bridge_share < 0.12 and " .. crack_events.both_out,
         function(t)
             enter(t)
             split(t, 1.6, -1.55, 0.9)
-            split(t, -1.5, -1.45, 0.65)
+            split(t, -1.5, -1.45, 0.5)
             t:wait(4)
         end },
 

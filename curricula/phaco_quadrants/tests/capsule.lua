@@ -50,7 +50,7 @@ return scenarios {
         start = "hole",
         set = coarse,
         silent_twin_of = "Capsule in the tip",
-        near = "phaco.tip_posterior_mm < 0.06 and phaco.suction_mmhg > 8",
+        near = "phaco.tip_posterior_mm < 0.06 and phaco.suction_mmhg > 4",
         function(t)
             t:set { ["machine.vacuum_mmhg"] = 5, ["machine.flow_ml_min"] = 5 }
             drill(t)

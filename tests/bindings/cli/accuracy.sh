@@ -59,7 +59,7 @@ explicit,,1000,20,0.3,0.05,0.5,0.02
 explicit,,1000,10,0.4,0.05,0.4,0.02
 explicit,,1500,10,1.5,0.01,0.1,0.02
 END
-lens 'accuracy = { volume = 0.3 },'
+lens 'accuracy = { volume = 0.3, force = 0.75 },'
 run || fail "no run: $(cat "$work/stderr")"
 is "$(chosen "$work/out/report.json" 'a["step_s"], a["models"][0]["mesh"]["patient.tetrahedra"], a["models"][0]["expected"]["force"]')" \
     "(0.01, 500.0, 0.6)"

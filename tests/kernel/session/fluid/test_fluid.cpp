@@ -198,7 +198,7 @@ TEST_SUITE("session with fluid") {
                 // A probe sunk into the front, off the axis, dragged across
                 DeviceSample& probe = samples[1];
                 probe.present = true;
-                probe.pose.position = Vec3(1.8, -1.0 + 0.015 * i, 1.3);
+                probe.pose.position = Vec3(1.8, -1.0 + 0.015 * i, 1.4);
                 session.step(samples, {});
             }
             return std::abs(value(session, "lens.rotation_deg"));

@@ -17,7 +17,8 @@ return scenarios {
     scenario "surge, foot up" {
         function(t)
             occlude(t)
-            t.phaco:move_to(out, { speed = 8, stop = "chamber.depth_lost_share > 0.3" })
+            t.phaco:pedal(3)  -- clears what shuts the mouth
+            t:wait_until("chamber.depth_lost_share > 0.3", 2)
             t:expect_event("Surge", { within = 0.5 })
             t.phaco:pedal(1)
             t:request("Bottle up")
@@ -26,7 +27,7 @@ return scenarios {
     scenario "surge, foot stays down" {
         function(t)
             occlude(t)
-            t.phaco:move_to(out, { speed = 8 })
+            t.phaco:pedal(3)
             t:expect_event("Surge", { recovered = false, within = 4 })
         end },
     scenario "foot up before it breaks" {
