@@ -12,7 +12,8 @@ function quarter_hand.come_in(t, entering, over)
     t:wait(1.5)
 end
 
---- From the trench into the far right quarter with a touch of ultrasound, and pressed on with aspiration until it shuts the tip.
+--- From the trench into the far right quarter with a touch of ultrasound, and pressed on with aspiration until it shuts
+--- the tip.
 function quarter_hand.press_on_piece(t)
     t.phaco:move_to({ 0.8, 0.8, 0.2 }, { speed = 4 })
     t.phaco:pedal(2.1)

@@ -13,7 +13,7 @@ namespace {
 
 /// G2 of an attempt that moves a needle to and fro over the lens for two seconds, the microscope sent there before.
 double score_at(const Vec3& from_pupil) {
-    Attempt attempt("none", 1, {{"capsule.triangles", "300"}}, "capsulorhexis");
+    Attempt attempt("none", 1, {{"capsule.triangles", "300"}, {"step_s", "0.01"}}, "capsulorhexis");
     const DeviceSample foot = sample_at(3, Vec3(0.0, 0.0, attempt.session().eye().anatomy.iris_z) + from_pupil);
     for (int i = 0; i < 300; ++i) {
         attempt.step({foot});

@@ -56,7 +56,10 @@ std::span<const GateGroup> stability_gates() {
          "it is not known. Half of the stable step instead of 0.8 of it, for 1.6 times the steps, is rid of it. Any "
          "tissue's damping is far larger. Undamped, the implicit way never gains any.",
          gates_of_energy},
-        {"T22", "samples lost, a spike of 200 ms, a pause", "", gates_of_input},
+        {"T22", "samples lost, a spike of 200 ms, a pause",
+         "A tool that leaps takes tissue with it for a part of the leap, which is twenty times what it moves in a step "
+         "otherwise.",
+         gates_of_input},
         {"T23", "pieces of a lens that meet and press on each other",
          "Vertices of a piece are pushed out of the nearest plane of another, which is another plane in the next step: "
          "wedges that press on each other tremble, without end and without growing. Faces that are followed from step "

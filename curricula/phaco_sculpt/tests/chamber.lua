@@ -73,18 +73,6 @@ return scenarios {
             t:expect_event("Infusion off", { recovered = true, within = 2 })
         end },
 
-    scenario "no flow through a buried tip; ultrasound off" {
-        set = { patient = { tetrahedra = 1000, cataract = "NO5" } },
-        function(t)
-            come_in(t)
-            t.phaco:pedal(3)
-            t.phaco:move_to({ 0, -1, -1.2 }, { speed = 1.2, motion = "even" })
-            t:expect_event("Infusion off")
-            t.phaco:pedal(1)
-            t.phaco:move_to({ 0, -1, 3.6 }, { speed = 6 })
-            t:expect_event("Infusion off", { recovered = true, within = 1 })
-        end },
-
     scenario "no infusion, and ultrasound goes on" {
         set = coarse,
         function(t)

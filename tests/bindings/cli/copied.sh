@@ -11,9 +11,9 @@ sed -i 's/^    patient = {.*},$/    patient = { age = 74, cataract = "NO4", pupi
 grep -q 'cataract = "NO4"' "$work/my_groove/curriculum.lua" || fail "README's edit was not made"
 expect 0 "" "$rhexis" test "$work/my_groove" --filter iris
 expect 0 "" "$rhexis" test "$work/my_groove" --filter "aspiration alone"
-sed -i '/^    patient = {/d' "$work/my_groove/tests/pushing.lua"
-expect 1 "" "$rhexis" test "$work/my_groove" --filter "the lens begins to move"
-sed -i 's/^return scenarios {/&\n    patient = 74,/' "$work/my_groove/tests/pushing.lua"
-expect 1 "pushing.lua:" "$rhexis" check "$work/my_groove"
+sed -i '/^    patient = {/d' "$work/my_groove/tests/depth.lua"
+expect 1 "" "$rhexis" test "$work/my_groove" --filter "too deep, put right"
+sed -i 's/^return scenarios {/&\n    patient = 74,/' "$work/my_groove/tests/depth.lua"
+expect 1 "depth.lua:" "$rhexis" check "$work/my_groove"
 cd / || exit 2
 finished
