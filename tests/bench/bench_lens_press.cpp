@@ -59,7 +59,7 @@ nlohmann::json run_press(const BenchOptions& options) {
         lens.formulation = formulation;
         rows.push_back(press_row(name, lens, options.quick));
     };
-    for (const double sought : {0.0, 2e-4, 3e-4, 4e-4, 6e-4, 8e-4}) {
+    for (const double sought : {0.0, 2e-4, 3e-4, 4e-4, 5e-4, 6e-4, 8e-4}) {
         SolidModel lens = lens_of(3.0, Advance::explicit_);
         lens.sought_step = sought;
         const int microseconds = static_cast<int>(std::lround(1e6 * sought));
