@@ -10,9 +10,7 @@ constexpr auto known_quantities = std::to_array<AccuracyQuantity>({
     {"balance", "1", 1e-6, 1.0, "Force that a step leaves out of balance on an implant, share of the largest."},
     {"depth", "1", 1e-6, 10.0, "Depth of the anterior chamber, rms over time, share of it."},
     {"force", "1", 1e-6, 10.0,
-     "Force on an instrument: of strokes rms over time, share of the greatest; of a pull at the capsule the mean, "
-     "share of "
-     "it."},
+     "Force on an instrument: of strokes the rms over time, share of the greatest; of a pull at the capsule its mean."},
     {"overlap", "1", 1e-6, 10.0, "How deep an implant goes into what it touches, share of its thickness."},
     {"path", "mm", 1e-6, 10.0, "Way of a tear's tip in the capsule, rms distance from where it goes."},
     {"pressure", "1", 1e-6, 10.0, "Pressure in the anterior chamber, rms over time, share of the highest."},

@@ -10,9 +10,9 @@ namespace rhexis {
 /// 20 G: 0.9 mm outer, 0.7 mm inner diameter; bevel 30 degrees. Sleeve 1.5 mm wide from 1.5 mm behind the tip,
 /// handpiece from 18 mm.
 ///
-/// Power delivered to tissue at 100 %: 600 mW. Chosen so that a nucleus of grade 3, at 30 mJ/mm^3, costs the cumulative
-/// dissipated energy that is usual: 20.4 s of 30 % to 13.3 s of 60 %, which is 6 to 8 s of full power
-/// [AscrsUltrasoundTime2014]. No measurement of the power itself was found.
+/// Power delivered to tissue at 100 %: 600 mW. Proposal: the 125 mm^3 of a nucleus of grade 3, at 30 mJ/mm^3, cost 6 s
+/// of full power that finds tissue all around the tip. Whole operations cost 6 to 8 s (20.4 s of 30 % to 13.3 s of 60
+/// %) [AscrsUltrasoundTime2014]; virtual surgeons need some 20. No measurement of the power itself was found.
 ToolModel phaco_tip();
 
 }  // namespace rhexis

@@ -25,6 +25,8 @@ import sys
 import tempfile
 import time
 
+from pages import write_between
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "docs/data/charts"
 PICTURES = ROOT / "docs/pictures/charts"
@@ -206,15 +208,6 @@ def table(charts):
     return "\n".join(lines) + "\n"
 
 
-def write_page(charts):
-    page = PAGE.read_text(encoding="utf-8")
-    if BEGIN not in page or END not in page:
-        sys.exit(f"rhexis: {PAGE.relative_to(ROOT)} has lost the lines between which charts are listed")
-    before, rest = page.split(BEGIN, 1)
-    after = rest.split(END, 1)[1]
-    PAGE.write_text(before + BEGIN + "\n" + table(charts) + "\n" + END + after, encoding="utf-8")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("name", nargs="*")
@@ -241,7 +234,7 @@ def main():
     for chart in drawn:
         if not given.name or chart["name"] in [*given.name, "tracking"]:
             draw(chart)
-    write_page(drawn)
+    write_between(PAGE, BEGIN, END, table(drawn))
     print(f"{DATA.relative_to(ROOT)}, {PICTURES.relative_to(ROOT)}, {PAGE.relative_to(ROOT)}")
 
 

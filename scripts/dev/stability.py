@@ -16,6 +16,8 @@ import re
 import subprocess
 import sys
 
+from pages import write_between
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = ROOT / "docs/data/stability.json"
 PAGE = ROOT / "docs/stability.md"
@@ -72,21 +74,12 @@ def table(gates):
     return "\n".join(lines) + "\n"
 
 
-def write_page(gates):
-    page = PAGE.read_text(encoding="utf-8")
-    if BEGIN not in page or END not in page:
-        sys.exit(f"rhexis: {PAGE.relative_to(ROOT)} has lost the lines between which gates are listed")
-    before, rest = page.split(BEGIN, 1)
-    after = rest.split(END, 1)[1]
-    PAGE.write_text(before + BEGIN + "\n" + table(gates) + "\n" + END + after, encoding="utf-8")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--list", action="store_true", help="only list again what was measured before")
     if not parser.parse_args().list:
         measure()
-    write_page(json.loads(DATA.read_text(encoding="utf-8"))["gates"])
+    write_between(PAGE, BEGIN, END, table(json.loads(DATA.read_text(encoding="utf-8"))["gates"]))
     print(f"{DATA.relative_to(ROOT)}, {PAGE.relative_to(ROOT)}")
 
 

@@ -20,7 +20,7 @@ std::span<const GateGroup> stability_gates() {
          "The explicit step is safe everywhere. A sliver of 0.01 is shaken by a good part of its height when its limit "
          "is looked for in single precision, and so its step is chosen too short by up to a fifth; in double precision "
          "it would not be, for the stiffness of all elements anew whenever some go. Given the inertia for a step of 20 "
-         "us, as the lens of the exercises is for 300, it needs a fraction of the steps.",
+         "us, as the lens of the exercises is for 500, it needs a fraction of the steps.",
          gates_of_slivers},
         {"T5", "a taut sheet", "", gates_of_taut_sheets},
         {"T6", "a crumpled sheet", "Its linear solves leave a millionth, which shows in the energy.",

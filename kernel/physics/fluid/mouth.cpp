@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::array<double, 4> look_depths{0.05, seal, 0.3, kept_seal};  ///< in front of the mouth [mm]
 constexpr double shut = 0.85;           ///< share of the mouth that must be covered to shut it. Proposal
-constexpr double most_following = 0.5;  ///< share of the lens. Proposal
 constexpr double kept_shut = 0.65;      ///< once lens has shut it: suction has drawn it in. Proposal
+constexpr double most_following = 0.5;  ///< share of the lens that a piece may be which follows the flow. Proposal
 
 /// Out along the mouth's normal to the surface of the rounded end.
 Vec3 on_end(const RoundedCone& end, const Vec3& facing, const Vec3& point) {

@@ -4,6 +4,7 @@
 // Points are spread over the mouth and pushed out to the rounded end that contact knows. A point is covered by what it
 // finds within `seal` in front of it, by the nearest first: iris, capsule, debris, lens. Soft tissue shuts the mouth
 // before the last point is covered, because it bulges into the bore, and what has shut it may then be farther away.
+// Ultrasound clears what is before it: then only a piece, which follows the flow, keeps it shut from there.
 #pragma once
 
 #include <span>

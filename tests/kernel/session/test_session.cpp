@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "kernel/session/operate.hpp"
@@ -81,6 +82,31 @@ TEST_SUITE("session") {
         Session fresh = make_session();
         REQUIRE(fresh.restore(snapshot).ok());
         CHECK(hashes_of(fresh, 20) == through);
+    }
+
+    TEST_CASE("a session goes on from a snapshot in which a tip lies against the lens") {
+        Session session = make_session();
+        DeviceSample sample;
+        sample.present = true;
+        const int vertices = static_cast<int>(session.world().solids[0].coarse.nodes.size() +
+                                              session.world().solids[0].fine.edges.size());
+        const auto by_point = [&](const ContactMemory& memory) { return memory.vertex >= vertices; };
+        bool touches = false;
+        for (int i = 0; i < 100 && !touches; ++i) {
+            sample.pose.position = Vec3(0.0, -1.0, 2.5 - 0.02 * i);
+            session.step({&sample, 1}, {});
+            const std::vector<ContactMemory>& memory = session.state().memory;
+            touches = std::any_of(memory.begin(), memory.end(), by_point);
+        }
+        REQUIRE(touches);
+        const Snapshot snapshot = session.snapshot();
+        Session fresh = make_session();
+        REQUIRE(fresh.restore(snapshot).ok());
+        for (int i = 0; i < 10; ++i) {
+            session.step({&sample, 1}, {});
+            fresh.step({&sample, 1}, {});
+        }
+        CHECK(fresh.state_hash() == session.state_hash());
     }
 
     TEST_CASE("a snapshot of another scene is refused and changes nothing") {
