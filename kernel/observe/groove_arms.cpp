@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
+
+#include "base/index.hpp"
 
 namespace rhexis {
 namespace {
 
 constexpr int directions = 120;          ///< over half a turn: 1.5 degrees apart
 constexpr int coarse_step = 4;           ///< directions between those tried first
-constexpr double whole_cost = 2.0;       ///< of a whole column in the rectangle, where a lost one is worth 1
+constexpr int whole_cost = 2;            ///< of a whole column in the rectangle, where a lost one is worth 1
 constexpr int rounds = 3;                ///< of extent along, then across
 constexpr int most_bands = 6;            ///< looked at, pits and scratches among them
 constexpr double margin = 0.2;           ///< beside a band: its ragged edge, no other groove [mm]
@@ -59,17 +62,17 @@ GrooveBand sideways(const GrooveBand& band) {
 struct Stretch {
     int first = 0;
     int last = -1;
-    double sum = 0.0;
+    int sum = 0;
 };
 
 /// The stretch of a row of numbers with the greatest sum.
-Stretch best_stretch(const std::vector<double>& numbers) {
+Stretch best_stretch(const std::vector<int>& numbers) {
     Stretch best;
-    double sum = 0.0;
+    int sum = 0;
     int first = 0;
     for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
-        if (sum <= 0.0) {
-            sum = 0.0;
+        if (sum <= 0) {
+            sum = 0;
             first = i;
         }
         sum += numbers[i];
@@ -82,10 +85,35 @@ Stretch best_stretch(const std::vector<double>& numbers) {
 
 enum class Column : unsigned char { whole, explained, lost };
 
+const std::array<Vec2, directions>& tried_directions() {
+    static const std::array<Vec2, directions> tried = make_directions();
+    return tried;
+}
+
+/// Places on either side of the middle of a square that holds the whole grid however it is turned.
+int half_turned(const ColumnGrid& grid) {
+    return static_cast<int>(std::ceil(std::numbers::sqrt2 * (0.5 * grid.count + 1.0)));
+}
+
+/// The column at each place of that square, its rows along a direction: 1 + its number, 0 beside the grid.
+std::vector<int> turned_columns(const ColumnGrid& grid, const Vec2& along) {
+    const Vec2 across(along.y(), -along.x());
+    const int half = half_turned(grid);
+    std::vector<int> columns;
+    for (int i = -half; i <= half; ++i) {
+        for (int k = -half; k <= half; ++k) {
+            columns.push_back(1 + grid.cell_at(grid.cell * (k * across + i * along)));
+        }
+    }
+    return columns;
+}
+
 class ArmFinder {
 public:
-    ArmFinder(const ColumnGrid& grid, const std::vector<int>& lost)
-        : grid_(grid), columns_(grid.cells(), Column::whole), cells_(lost) {
+    /// turned: turned_columns of the directions that were looked along before; keeps more of them.
+    ArmFinder(const ColumnGrid& grid, const std::vector<int>& lost, std::vector<std::vector<int>>& turned)
+        : grid_(grid), columns_(grid.cells(), Column::whole), cells_(lost), turned_(turned) {
+        turned_.resize(directions);
         for (const int cell : lost) {
             columns_[cell] = Column::lost;
             reach_ = std::max(reach_, grid.centre(cell).norm());
@@ -118,8 +146,8 @@ private:
     std::vector<GrooveBand> one_by_one(Slim slim);
     [[nodiscard]] double together(const std::vector<GrooveBand>& bands) const;
     [[nodiscard]] GrooveBand best_band(Slim slim);
-    [[nodiscard]] GrooveBand best_in_direction(const Vec2& along);
-    void look_along(const Vec2& along);
+    [[nodiscard]] GrooveBand best_in_direction(int direction);
+    void look_along(int direction);
     [[nodiscard]] bool is_groove(const GrooveBand& band) const;
 
     const ColumnGrid& grid_;
@@ -128,8 +156,11 @@ private:
     double reach_ = 0.0;             ///< of them from the axis [mm]
     int side_ = 1;                   ///< of the square in which they lie [columns]
 
-    std::vector<double> worth_;  ///< of the square turned to a direction, row by row: scratch
-    std::vector<double> sums_;
+    std::vector<std::vector<int>>& turned_;
+    std::vector<int> of_column_;  ///< what each column is worth, behind one beside the grid; scratch, as what follows
+    std::vector<int> worth_;      ///< of the square turned to a direction, row by row
+    std::vector<int> sums_;
+    std::vector<int> runs_;
 };
 
 /// The best band; then, with what that holds counting no more, the next.
@@ -163,7 +194,7 @@ double ArmFinder::together(const std::vector<GrooveBand>& bands) const {
     for (int cell = 0; cell < grid_.cells(); ++cell) {
         const Vec2 place = grid_.centre(cell);
         if (std::any_of(two.begin(), two.end(), [&](const GrooveBand& band) { return band.holds(place, 0.0); })) {
-            sum += columns_[cell] == Column::whole ? -whole_cost : 1.0;
+            sum += columns_[cell] == Column::whole ? -whole_cost : 1;
         }
     }
     return two.empty() ? 0.0 : sum * std::sqrt(stoutest);
@@ -172,12 +203,15 @@ double ArmFinder::together(const std::vector<GrooveBand>& bands) const {
 /// Coarsely over all directions, then finely about the best. Long ones go before others: a cross of stout grooves holds
 /// a large diamond.
 GrooveBand ArmFinder::best_band(Slim slim) {
-    static const std::array<Vec2, directions> tried = make_directions();
+    of_column_.assign(1, -whole_cost);
+    for (const Column column : columns_) {
+        of_column_.push_back(column == Column::lost ? 1 : column == Column::explained ? 0 : -whole_cost);
+    }
     GrooveBand best;
     int best_at = 0;
     const auto look = [&](int at) {
         const int index = (at + directions) % directions;
-        const GrooveBand band = best_in_direction(tried[index]);
+        const GrooveBand band = best_in_direction(index);
         const bool longer = is_long(band) && !is_long(best);
         const bool better =
             is_long(band) == is_long(best) && (best.worth <= 0.0 || rank(band, slim) > rank(best, slim));
@@ -198,43 +232,48 @@ GrooveBand ArmFinder::best_band(Slim slim) {
 }
 
 /// What each place of the square is worth, rows along a direction.
-void ArmFinder::look_along(const Vec2& along) {
-    const Vec2 across(along.y(), -along.x());
+void ArmFinder::look_along(int direction) {
+    std::vector<int>& turned = turned_[at(direction)];
+    if (turned.empty()) {
+        turned = turned_columns(grid_, tried_directions()[at(direction)]);
+    }
     const int half = side_ / 2;
-    worth_.resize(static_cast<std::size_t>(side_) * side_);
-    double* out = worth_.data();
-    for (int i = -half; i <= half; ++i) {
-        for (int k = -half; k <= half; ++k) {
-            const int cell = grid_.cell_at(grid_.cell * (k * across + i * along));
-            const Column column = cell < 0 ? Column::whole : columns_[cell];
-            *out++ = column == Column::lost ? 1.0 : column == Column::explained ? 0.0 : -whole_cost;
+    const int whole = half_turned(grid_);
+    worth_.resize(at(side_ * side_));
+    int* out = worth_.data();
+    for (int i = whole - half; i <= whole + half; ++i) {
+        const int* in = turned.data() + i * (2 * whole + 1) + whole - half;
+        for (int k = 0; k < side_; ++k) {
+            *out++ = of_column_[at(in[k])];
         }
     }
 }
 
-GrooveBand ArmFinder::best_in_direction(const Vec2& along) {
-    look_along(along);
-    Stretch rows{0, side_ - 1, 0.0};
-    Stretch columns{0, side_ - 1, 0.0};
+GrooveBand ArmFinder::best_in_direction(int direction) {
+    look_along(direction);
+    const Vec2& along = tried_directions()[at(direction)];
+    Stretch rows{0, side_ - 1, 0};
+    Stretch columns{0, side_ - 1, 0};
     // Begin with the row that is worth most: from the whole square the first sums would see mostly whole columns.
-    sums_.assign(side_, 0.0);
-    for (int k = 0; k < side_; ++k) {
-        double run = 0.0;
-        for (int i = 0; i < side_; ++i) {
-            run = std::max(0.0, run + worth_[static_cast<std::size_t>(i) * side_ + k]);
-            sums_[k] = std::max(sums_[k], run);
+    sums_.assign(side_, 0);
+    runs_.assign(side_, 0);
+    for (int i = 0; i < side_; ++i) {
+        const int* worth = worth_.data() + i * side_;
+        for (int k = 0; k < side_; ++k) {
+            runs_[k] = std::max(0, runs_[k] + worth[k]);
+            sums_[k] = std::max(sums_[k], runs_[k]);
         }
     }
     columns.first = columns.last = static_cast<int>(std::max_element(sums_.begin(), sums_.end()) - sums_.begin());
     for (int round = 0; round < rounds; ++round) {
-        sums_.assign(side_, 0.0);
+        sums_.assign(side_, 0);
         for (int i = 0; i < side_; ++i) {
             for (int k = columns.first; k <= columns.last; ++k) {
                 sums_[i] += worth_[static_cast<std::size_t>(i) * side_ + k];
             }
         }
         rows = best_stretch(sums_);
-        sums_.assign(side_, 0.0);
+        sums_.assign(side_, 0);
         for (int i = rows.first; i <= rows.last; ++i) {
             for (int k = 0; k < side_; ++k) {
                 sums_[k] += worth_[static_cast<std::size_t>(i) * side_ + k];
@@ -249,7 +288,7 @@ GrooveBand ArmFinder::best_in_direction(const Vec2& along) {
                           (rows.last - half + 0.5) * cell,
                           (columns.first - half - 0.5) * cell,
                           (columns.last - half + 0.5) * cell,
-                          columns.sum};
+                          static_cast<double>(columns.sum)};
     return band.high - band.low >= band.right - band.left ? band : sideways(band);
 }
 
@@ -363,7 +402,7 @@ std::vector<GrooveShape> GrooveFinder::find(const ColumnGrid& grid, const Column
     std::vector<int> lost = lost_cells(grid, fill);
     if (lost != lost_) {
         lost_ = std::move(lost);
-        bands_ = ArmFinder(grid, lost_).bands();
+        bands_ = ArmFinder(grid, lost_, turned_).bands();
     }
     std::vector<GrooveShape> arms;
     for (std::size_t i = 0; i < bands_.size(); ++i) {

@@ -44,6 +44,7 @@ private:
     // The bands follow from the columns that have lost tissue: kept until those change.
     std::vector<int> lost_;
     std::vector<GrooveBand> bands_;
+    std::vector<std::vector<int>> turned_;  ///< of the grid alone: its columns along each direction that was tried
 };
 
 /// Smaller angle between two grooves, 0 to pi/2 [rad].

@@ -2,6 +2,7 @@
 #include "topology/come_apart.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>
@@ -18,27 +19,37 @@ namespace {
 
 bool alive(const SolidState& state, int fine) { return state.present[fine / 8] != 0 && state.fraction[fine] > 0.0; }
 
-/// Pairs of neighbouring coarse tetrahedra that hold together, ascending.
-std::vector<BrokenFace> held_pairs(const SolidModel& model, const SolidState& state,
-                                   const std::vector<BrokenFace>& broken) {
-    std::vector<BrokenFace> pairs;
-    for (int f = 0; f < static_cast<int>(model.fine.tets.size()); ++f) {
-        if (!alive(state, f)) {
-            continue;
-        }
-        for (const int other : model.fine.neighbours[f]) {
-            if (other > f && other / 8 != f / 8 && alive(state, other)) {
-                pairs.push_back({std::min(f, other) / 8, std::max(f, other) / 8});
+/// The coarse tetrahedra above one that a pair of fine ones on either side of a common face joins to it, ascending.
+void held_above(const SolidModel& model, const SolidState& state, int t, std::vector<int>& others) {
+    others.clear();
+    for (int f = 8 * t; f < 8 * t + 8; ++f) {
+        for (const int beside : model.fine.neighbours[f]) {
+            if (beside / 8 > t && alive(state, f) && alive(state, beside)) {
+                others.push_back(beside / 8);
             }
         }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    std::erase_if(pairs, [&](const BrokenFace& pair) {
-        return std::binary_search(state.broken.begin(), state.broken.end(), pair) ||
-               std::binary_search(broken.begin(), broken.end(), pair);
-    });
-    return pairs;
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+}
+
+/// Pairs of neighbouring coarse tetrahedra that hold together, ascending.
+std::vector<BrokenFace> held_pairs(const SolidModel& model, const SolidState& state,
+                                   const std::vector<BrokenFace>& broken) {
+    std::vector<BrokenFace> joined;
+    std::vector<int> others;
+    for (int t = 0; t < static_cast<int>(model.fine.tets.size() / 8); ++t) {
+        held_above(model, state, t, others);
+        for (const int other : others) {
+            joined.push_back({t, other});
+        }
+    }
+    std::vector<BrokenFace> whole;
+    std::set_difference(joined.begin(), joined.end(), state.broken.begin(), state.broken.end(),
+                        std::back_inserter(whole));
+    std::vector<BrokenFace> held;
+    std::set_difference(whole.begin(), whole.end(), broken.begin(), broken.end(), std::back_inserter(held));
+    return held;
 }
 
 UnionFind joined(const std::vector<BrokenFace>& pairs, std::size_t tets) {
@@ -97,75 +108,100 @@ void join_same_piece(UnionFind& pieces, std::vector<std::vector<int>>& groups) {
     }
 }
 
-/// Numbers of edges in the order in which they are first asked for.
+/// Numbers of the edges of a mesh after nodes were split. Who has an edge first keeps its number; where others of those
+/// that had it have other ends now, each pair of ends gets a further number.
 class EdgeNumbers {
 public:
-    explicit EdgeNumbers(std::size_t nodes) : upwards_(nodes) {}
+    explicit EdgeNumbers(const std::vector<std::array<int, 2>>& before) : edges(before), own_(before.size()) {}
 
-    int number(int a, int b) {
-        const int low = std::min(a, b);
-        const int high = std::max(a, b);
-        for (const auto& [end, number] : upwards_[at(low)]) {
-            if (end == high) {
-                return number;
+    int number(int edge, std::array<int, 2> ends) {
+        std::sort(ends.begin(), ends.end());
+        std::vector<int>& own = own_[at(edge)];
+        for (const int known : own) {
+            if (edges[known] == ends) {
+                return known;
             }
         }
-        upwards_[at(low)].emplace_back(high, static_cast<int>(edges.size()));
-        edges.push_back({low, high});
-        return static_cast<int>(edges.size()) - 1;
+        own.push_back(own.empty() ? edge : static_cast<int>(edges.size()));
+        edges.resize(std::max(edges.size(), at(own.back() + 1)));
+        edges[own.back()] = ends;
+        return own.back();
     }
 
     std::vector<std::array<int, 2>> edges;
 
 private:
-    std::vector<std::vector<std::pair<int, int>>> upwards_;  ///< per node: other ends above it, and the edge's number
+    std::vector<std::vector<int>> own_;  ///< per edge before: the numbers of what it is now; empty: not asked for
 };
 
-/// Neighbours stay where their common face has the same corners on both sides.
-std::vector<std::array<int, 4>> kept_neighbours(const std::vector<std::array<int, 4>>& before,
-                                                const std::vector<std::array<int, 4>>& tets) {
-    std::vector<std::array<int, 4>> neighbours = before;
-    for (std::size_t t = 0; t < tets.size(); ++t) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int other = neighbours[t][k];
-            const auto parted = [&](int local) {
-                const std::array<int, 4>& beside = tets[at(other)];
-                return std::find(beside.begin(), beside.end(), tets[t][at(local)]) == beside.end();
-            };
-            if (other >= 0 && std::any_of(tet_faces[k].begin(), tet_faces[k].end(), parted)) {
-                neighbours[t][k] = -1;
+/// The coarse tetrahedra that have another node than before.
+std::vector<char> moved_tets(const TetMesh& before, const TetMesh& now) {
+    std::vector<char> moved(now.tets.size());
+    std::transform(now.tets.begin(), now.tets.end(), before.tets.begin(), moved.begin(),
+                   [](const std::array<int, 4>& a, const std::array<int, 4>& b) { return a == b ? 0 : 1; });
+    return moved;
+}
+
+/// Edges of the fine mesh that one of these coarse tetrahedra has.
+std::vector<char> edges_of(const SolidModel& base, const std::vector<char>& tets) {
+    const int nodes = static_cast<int>(base.coarse.nodes.size());
+    std::vector<char> found(base.fine.edges.size(), 0);
+    for (std::size_t f = 0; f < base.fine.tets.size(); ++f) {
+        for (const int corner : base.fine.tets[f]) {
+            if (tets[f / 8] != 0 && corner >= nodes) {
+                found[corner - nodes] = 1;
             }
         }
     }
-    return neighbours;
+    return found;
+}
+
+/// Neighbours whose common face has no more the same corners on both sides forget each other.
+void part_neighbours(const std::vector<char>& moved, FineMesh& fine) {
+    for (std::size_t f = 0; f < fine.tets.size(); ++f) {
+        for (std::size_t k = 0; moved[f / 8] != 0 && k < 4; ++k) {
+            const int other = fine.neighbours[f][k];
+            const auto parted = [&](int local) {
+                const std::array<int, 4>& beside = fine.tets[at(other)];
+                return std::find(beside.begin(), beside.end(), fine.tets[f][at(local)]) == beside.end();
+            };
+            if (other >= 0 && std::any_of(tet_faces[k].begin(), tet_faces[k].end(), parted)) {
+                fine.neighbours[f][k] = -1;
+                std::array<int, 4>& back = fine.neighbours[at(other)];
+                std::replace(back.begin(), back.end(), static_cast<int>(f), -1);
+            }
+        }
+    }
 }
 
 /// The same children with the corners that their coarse tetrahedra have now.
 FineMesh follow_coarse(const SolidModel& base, const TetMesh& coarse) {
-    FineMesh fine;
     const int old_nodes = static_cast<int>(base.coarse.nodes.size());
     const int nodes = static_cast<int>(coarse.nodes.size());
-    EdgeNumbers numbers(coarse.nodes.size());
-    fine.tets.reserve(base.fine.tets.size());
-    for (std::size_t f = 0; f < base.fine.tets.size(); ++f) {
+    const std::vector<char> moved = moved_tets(base.coarse, coarse);
+    const std::vector<char> touched = edges_of(base, moved);
+    FineMesh fine = base.fine;
+    EdgeNumbers numbers(base.fine.edges);
+    for (std::size_t f = 0; f < fine.tets.size(); ++f) {
         const std::array<int, 4>& before = base.coarse.tets[f / 8];
-        const std::array<int, 4>& now = coarse.tets[f / 8];
-        const auto moved = [&](int node) {
-            return now[static_cast<std::size_t>(std::find(before.begin(), before.end(), node) - before.begin())];
+        const auto now = [&](int node) {
+            return coarse
+                .tets[f / 8][at(static_cast<int>(std::find(before.begin(), before.end(), node) - before.begin()))];
         };
-        std::array<int, 4> tet = base.fine.tets[f];
-        for (int& corner : tet) {
-            if (corner < old_nodes) {
-                corner = moved(corner);
-                continue;
+        for (int& corner : fine.tets[f]) {
+            const int edge = corner - old_nodes;
+            if (edge < 0) {
+                corner = moved[f / 8] != 0 ? now(corner) : corner;
+            } else if (touched[edge] == 0) {
+                corner = nodes + edge;
+            } else {
+                const std::array<int, 2>& ends = base.fine.edges[edge];
+                corner = nodes + numbers.number(edge, {now(ends[0]), now(ends[1])});
             }
-            const std::array<int, 2>& ends = base.fine.edges[corner - old_nodes];
-            corner = nodes + numbers.number(moved(ends[0]), moved(ends[1]));
         }
-        fine.tets.push_back(tet);
     }
     fine.edges = std::move(numbers.edges);
-    fine.neighbours = kept_neighbours(base.fine.neighbours, fine.tets);
+    part_neighbours(moved, fine);
     return fine;
 }
 

@@ -196,21 +196,27 @@ void set_adhesion(const WorldModel& model, const WorldState& state, const Contac
 }
 
 /// Candidates of material points with the tools that come near; `box` is around the solid.
-void add_points(const WorldModel& world, int solid, const WorldState& state, std::span<const ToolState> tools,
-                double dt, const std::vector<Partner>& partners, const Box& box, ContactCandidates& candidates) {
+void add_points(const WorldModel& world, int solid, const ContactSurface& surface, const WorldState& state,
+                std::span<const ToolState> tools, double dt, const std::vector<Partner>& partners, const Box& box,
+                ContactCandidates& candidates) {
     std::vector<ToolReach> reaches;
     std::vector<const Partner*> of_reach;
     for (const Partner& partner : partners) {
         if (partner.kind == ContactPartner::tool) {
             const ToolModel& tool = world.tools[partner.index];
-            const double held = state.tips[partner.index].hold > 0.0 ? kept_seal : 0.0;
-            reaches.push_back(
-                {&tool, partner.pose, travel_near(tool, tools[partner.index], box) + std::max(held, point_margin)});
+            const double travelled = travel_near(tool, tools[partner.index], box);
+            ToolReach reach{&tool, partner.pose, travelled + point_margin};
+            if (state.tips[partner.index].hold > 0.0) {
+                reach.mouth = tip_mouth(tool).centre;
+                reach.mouth_radius = tool.bore_radius + seal + kept_seal + travelled;
+                reach.mouth_margin = travelled + kept_seal;
+            }
+            reaches.push_back(reach);
             of_reach.push_back(&partner);
         }
     }
     std::vector<NearPoint> points;
-    find_near_points(world.solids[solid], state.solids[solid], reaches, dt, points);
+    find_near_points(world.solids[solid], surface.point_spacings(), state.solids[solid], reaches, dt, points);
     for (const NearPoint& near : points) {
         const Partner& partner = *of_reach[static_cast<std::size_t>(near.reach)];
         const Vec3 point = point_of(near.at, state.solids[solid].position);
@@ -312,7 +318,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
         }
     }
     if (by_points) {
-        add_points(model, solid, state, tools, dt, partners, box, candidates);
+        add_points(model, solid, surface, state, tools, dt, partners, box, candidates);
     }
     share_suction(model, state, tools, candidates);
     set_adhesion(model, state, surface, candidates);

@@ -36,6 +36,16 @@ std::vector<NodeTissue> node_tissue(const SolidModel& model) {
     return tissue;
 }
 
+std::vector<double> spacings_of_points(const SolidModel& model) {
+    constexpr double points_each = 32.0;
+    std::vector<double> spacings;
+    for (std::size_t t = 0; t < model.coarse.tets.size(); ++t) {
+        const double density = model.materials[model.coarse.region[t]].density;
+        spacings.push_back(std::cbrt(tet_mass(model, static_cast<int>(t)) / (points_each * density)));
+    }
+    return spacings;
+}
+
 SurfaceVertex make_vertex(int vertex, int a, int b, const std::vector<NodeTissue>& tissue) {
     SurfaceVertex made;
     made.vertex = vertex;
@@ -53,7 +63,7 @@ Vec3 point_of(const SurfaceVertex& vertex, const std::vector<Vec3>& nodes) {
     return vertex.nodes[1] < 0 ? nodes[vertex.nodes[0]] : Vec3(0.5 * (nodes[vertex.nodes[0]] + nodes[vertex.nodes[1]]));
 }
 
-ContactSurface::ContactSurface(const SolidModel& model) {
+ContactSurface::ContactSurface(const SolidModel& model) : point_spacings_(spacings_of_points(model)) {
     const std::vector<NodeTissue> tissue = node_tissue(model);
     const int nodes = static_cast<int>(model.coarse.nodes.size());
     for (int node = 0; node < nodes; ++node) {

@@ -33,6 +33,9 @@ public:
     /// Vertices on the current boundary, ascending.
     [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const { return vertices_; }
 
+    /// How far the material points of each coarse tetrahedron lie apart at rest [mm].
+    [[nodiscard]] const std::vector<double>& point_spacings() const { return point_spacings_; }
+
     /// Whether the body is in more pieces than one.
     [[nodiscard]] bool in_pieces() const { return in_pieces_; }
 
@@ -45,6 +48,7 @@ private:
 
     std::vector<SurfaceVertex> all_;  ///< every vertex of the mesh, on the boundary or not
     std::vector<std::array<int, 4>> coarse_neighbours_;
+    std::vector<double> point_spacings_;
     std::vector<std::uint8_t> alive_;  ///< per (fine) tetrahedron, at the last update
     std::vector<std::uint8_t> outer_;  ///< scratch: per vertex
     std::vector<SurfaceVertex> vertices_;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "mesh/material_points.hpp"
 #include "mesh/places.hpp"
@@ -13,14 +13,27 @@ namespace rhexis {
 
 namespace {
 
-constexpr double point_share = 0.5;   ///< radius of the ball of a point, as a share of the edge of a cube of its volume
-constexpr double most_coming = 0.5;   ///< of tissue towards a tool in a step; a faster node is a loose one [mm]
-constexpr double points_each = 32.0;  ///< of a coarse tetrahedron
+constexpr double point_share = 0.5;  ///< radius of the ball of a point, as a share of the edge of a cube of its volume
+constexpr double rounding = 1e-9;    ///< [mm]
+constexpr double most_coming = 0.5;  ///< of tissue towards a tool in a step; a faster node is a loose one [mm]
 
-/// A coarse tetrahedron as a ball.
-struct Bound {
+/// What a tool's parts take up at the start of the step.
+Box box_of(const ToolReach& reach) {
+    Box box;
+    for (const RoundedCone& part : reach.tool->parts) {
+        box.add(reach.pose.to_world(part.a), part.radius_a);
+        box.add(reach.pose.to_world(part.b), part.radius_b);
+    }
+    return box;
+}
+
+struct Ball {
     Vec3 centre = Vec3::Zero();
     double radius = 0.0;
+};
+
+/// A coarse tetrahedron as a ball.
+struct Bound : Ball {
     double coming = 0.0;  ///< how far it may move in the step [mm]
 };
 
@@ -38,15 +51,61 @@ Bound bound_of(const SolidState& state, const std::array<int, 4>& tet, double dt
     return bound;
 }
 
+/// What comes into question within a ball, its centre in the tool's frame.
+double margin_at(const ToolReach& reach, const Vec3& local, double radius) {
+    const double far = reach.mouth_radius + radius;
+    const bool sucked = reach.mouth_radius > 0.0 && (local - reach.mouth).squaredNorm() < far * far;
+    return sucked ? reach.mouth_margin : reach.margin;
+}
+
 /// The tools that come near a tetrahedron.
-void tools_at(const Bound& bound, double spacing, std::span<const ToolReach> reaches, std::vector<int>& near) {
+void tools_at(const Bound& bound, double spacing, std::span<const ToolReach> reaches, std::span<const Box> boxes,
+              std::vector<int>& near) {
     near.clear();
     for (std::size_t i = 0; i < reaches.size(); ++i) {
         const ToolReach& reach = reaches[i];
-        const double far = bound.radius + bound.coming + reach.margin + spacing;
         const Vec3 local = reach.pose.to_body(bound.centre);
-        if (tool_distance(*reach.tool, local, 0.0).distance < far) {
+        const double far = bound.radius + bound.coming + margin_at(reach, local, bound.radius) + spacing;
+        if (square_to(boxes[i], bound.centre) < far * far && tool_distance(*reach.tool, local, 0.0).distance < far) {
             near.push_back(static_cast<int>(i));
+        }
+    }
+}
+
+/// What a fine tetrahedron takes up, and all its points with it.
+Ball ball_of(const SolidModel& model, const SolidState& state, int fine) {
+    const int nodes = static_cast<int>(model.coarse.nodes.size());
+    std::array<Vec3, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int corner = model.fine.tets[fine][k];
+        if (corner < nodes) {
+            corners[k] = state.position[corner];
+        } else {
+            const std::array<int, 2>& ends = model.fine.edges[corner - nodes];
+            corners[k] = 0.5 * (state.position[ends[0]] + state.position[ends[1]]);
+        }
+    }
+    Ball ball;
+    ball.centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+    double square = 0.0;
+    for (const Vec3& corner : corners) {
+        square = std::max(square, (corner - ball.centre).squaredNorm());
+    }
+    ball.radius = std::sqrt(square);
+    return ball;
+}
+
+/// Those of the tools that may meet a point within a ball.
+void keep_near(const Ball& ball, double spacing, double coming, std::span<const ToolReach> reaches,
+               const std::vector<int>& near, std::vector<int>& close) {
+    close.clear();
+    for (const int i : near) {
+        const ToolReach& reach = reaches[static_cast<std::size_t>(i)];
+        const Vec3 local = reach.pose.to_body(ball.centre);
+        const double far =
+            ball.radius + point_share * spacing + coming + margin_at(reach, local, ball.radius) + rounding;
+        if (tool_distance(*reach.tool, local, resolved_by_points * spacing).distance < far) {
+            close.push_back(i);
         }
     }
 }
@@ -55,7 +114,11 @@ void tools_at(const Bound& bound, double spacing, std::span<const ToolReach> rea
 ContactPoint make_point(int id, const std::array<int, 4>& tet, const std::array<double, 4>& weights, double spacing,
                         double modulus) {
     std::array<std::size_t, 4> order{0, 1, 2, 3};
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+    for (std::size_t last = 1; last < 4; ++last) {  // four are too few for a sort that asks for memory
+        for (std::size_t k = last; k > 0 && weights[order[k]] > weights[order[k - 1]]; --k) {
+            std::swap(order[k], order[k - 1]);
+        }
+    }
     ContactPoint point;
     point.id = id;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -70,22 +133,29 @@ ContactPoint make_point(int id, const std::array<int, 4>& tet, const std::array<
 
 }  // namespace
 
-void find_near_points(const SolidModel& model, const SolidState& state, std::span<const ToolReach> reaches, double dt,
-                      std::vector<NearPoint>& points) {
+void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
+                      std::span<const ToolReach> reaches, double dt, std::vector<NearPoint>& points) {
     points.clear();
+    std::vector<Box> boxes(reaches.size());
+    std::transform(reaches.begin(), reaches.end(), boxes.begin(), box_of);
     const int first_id = static_cast<int>(model.coarse.nodes.size() + model.fine.edges.size());
-    std::vector<int> near;
+    std::vector<int> near;   // tools that come near the coarse tetrahedron
+    std::vector<int> close;  // those of them that come near the fine one
     for (int t = 0; t < static_cast<int>(model.coarse.tets.size()); ++t) {
         if (state.present[t] == 0) {
             continue;
         }
         const std::array<int, 4>& tet = model.coarse.tets[t];
-        const Material& material = model.materials[model.coarse.region[t]];
-        const double spacing = std::cbrt(tet_mass(model, t) / (points_each * material.density));
+        const double modulus = model.materials[model.coarse.region[t]].young_modulus;
+        const double spacing = spacings[static_cast<std::size_t>(t)];
         const Bound bound = bound_of(state, tet, dt);
-        tools_at(bound, spacing, reaches, near);
+        tools_at(bound, spacing, reaches, boxes, near);
         for (int fine = 8 * t; fine < 8 * t + 8 && !near.empty(); ++fine) {
             if (!(state.fraction[fine] > 0.0)) {
+                continue;
+            }
+            keep_near(ball_of(model, state, fine), spacing, bound.coming, reaches, near, close);
+            if (close.empty()) {
                 continue;
             }
             const PointWeights weights = material_points(model.coarse, model.fine, fine);
@@ -95,14 +165,14 @@ void find_near_points(const SolidModel& model, const SolidState& state, std::spa
                     continue;
                 }
                 const int id = first_id + 4 * fine + static_cast<int>(p);
-                const ContactPoint point = make_point(id, tet, weights[p], spacing, material.young_modulus);
+                const ContactPoint point = make_point(id, tet, weights[p], spacing, modulus);
                 const Vec3 place = point_of(point, state.position);
-                for (const int i : near) {
+                for (const int i : close) {
                     const ToolReach& reach = reaches[static_cast<std::size_t>(i)];
+                    const Vec3 local = reach.pose.to_body(place);
                     const double gap =
-                        tool_distance(*reach.tool, reach.pose.to_body(place), resolved_by_points * spacing).distance -
-                        point.radius;
-                    if (gap < reach.margin + bound.coming) {
+                        tool_distance(*reach.tool, local, resolved_by_points * spacing).distance - point.radius;
+                    if (gap < margin_at(reach, local, 0.0) + bound.coming) {
                         points.push_back({point, i});
                     }
                 }

@@ -19,6 +19,10 @@ struct ToolReach {
     const ToolModel* tool = nullptr;
     Pose pose;            ///< at the start of the step
     double margin = 0.0;  ///< what it moves, and what else comes into question [mm]
+    // Where it holds tissue by suction, what lies farther off comes into question too.
+    Vec3 mouth = Vec3::Zero();  ///< in the tool's frame [mm]
+    double mouth_radius = 0.0;  ///< how far around that; 0: it holds nothing [mm]
+    double mouth_margin = 0.0;  ///< instead of the margin, and no less [mm]
 };
 
 struct NearPoint {
@@ -30,8 +34,9 @@ struct NearPoint {
 /// between them.
 inline constexpr double resolved_by_points = 0.38;
 
-/// Ordered by (point, tool). dt [s]: the step, in which tissue moves too.
-void find_near_points(const SolidModel& model, const SolidState& state, std::span<const ToolReach> reaches, double dt,
-                      std::vector<NearPoint>& points);
+/// Ordered by (point, tool). spacings: how far the points of each coarse tetrahedron lie apart (ContactSurface keeps
+/// them) [mm]; dt [s]: the step, in which tissue moves too.
+void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
+                      std::span<const ToolReach> reaches, double dt, std::vector<NearPoint>& points);
 
 }  // namespace rhexis

@@ -29,12 +29,29 @@ SurfaceDistance cone_distance(const RoundedCone& cone, const Vec3& point) {
     return result;
 }
 
+namespace {
+
+/// Whether a part is surely no nearer to a point than `distance`: by its axis and its greater radius, without a root.
+bool no_nearer(const RoundedCone& part, const Vec3& point, double distance) {
+    const double reach = distance + std::max(part.radius_a, part.radius_b);
+    const Vec3 axis = part.b - part.a;
+    const Vec3 from_a = point - part.a;
+    const double square = axis.squaredNorm();
+    const double s = square > 0.0 ? std::clamp(from_a.dot(axis) / square, 0.0, 1.0) : 0.0;
+    return reach > 0.0 && (from_a - s * axis).squaredNorm() >= reach * reach;
+}
+
+}  // namespace
+
 SurfaceDistance tool_distance(const ToolModel& tool, const Vec3& point, double least_radius) {
     SurfaceDistance nearest;
     nearest.distance = HUGE_VAL;
     for (const RoundedCone& part : tool.parts) {
         const RoundedCone thick{part.a, part.b, std::max(part.radius_a, least_radius),
                                 std::max(part.radius_b, least_radius)};
+        if (no_nearer(thick, point, nearest.distance)) {
+            continue;
+        }
         const SurfaceDistance distance = cone_distance(thick, point);
         if (distance.distance < nearest.distance) {
             nearest = distance;

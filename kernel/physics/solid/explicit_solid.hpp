@@ -9,14 +9,20 @@
 
 #include "base/result.hpp"
 #include "flow/solid.hpp"
+#include "physics/solid/explicit_groups.hpp"
 
 namespace rhexis {
 
 class ExplicitSolid {
 public:
+    /// How tetrahedra go into lanes. Splitting nodes leaves it good: those that shared none share none.
+    static LaneAssignment assign(const TetMesh& mesh);
+
     /// The model must outlive the solid. instruction_set: "" for the best of this machine, or "baseline", "avx2",
-    /// "avx512"; same bits, other speed.
-    static Result<ExplicitSolid> create(const SolidModel& model, std::string_view instruction_set);
+    /// "avx512"; same bits, other speed. assigned: of the mesh before nodes were split, so that bits do not depend on
+    /// when the solid was made; nothing is loaded then. Null: of this mesh, and its state of rest is loaded.
+    static Result<ExplicitSolid> create(const SolidModel& model, std::string_view instruction_set,
+                                        const LaneAssignment* assigned = nullptr);
     ~ExplicitSolid();
     ExplicitSolid(ExplicitSolid&&) noexcept;
 

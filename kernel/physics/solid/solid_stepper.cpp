@@ -29,7 +29,7 @@ constexpr double newton_tolerance =
     1e-7;                            ///< relative residual that ends a step when there are no forces to compare with
 constexpr double acceptable = 10.0;  ///< times the tolerance: a residual force above it has a step redone
 constexpr double largest_advance = 0.5;  ///< of a tool within a substep, in radii of its thinnest end
-constexpr double sound_share = 0.25;     ///< a tetrahedron with less of it left may invert
+constexpr double sound_share = 0.4;     ///< a tetrahedron with less of it left may invert
 
 /// Force per coarse node; empty if there is none.
 std::vector<Vec3> node_forces(const StepTask& task, int solid) {
@@ -146,6 +146,9 @@ Result<SolidStepper> SolidStepper::create(const WorldModel& model, int solid, co
                                           ThreadPool& pool, const SolidStepper* before) {
     SolidStepper stepper(model, solid, settings, pool);
     stepper.rest_step_ = before != nullptr ? before->rest_step_ : 0.0;
+    stepper.lanes_ = before != nullptr
+                         ? before->lanes_
+                         : std::make_shared<LaneAssignment>(ExplicitSolid::assign(model.solids[solid].coarse));
     const Advance asked = model.solids[solid].advance;
     const bool stands_in = model.solids[solid].formulation == Formulation::edge_smoothed;
     if (asked == Advance::explicit_ || (asked == Advance::automatic && !stands_in)) {
@@ -169,12 +172,13 @@ Status SolidStepper::make_explicit() {
         stand_in_->formulation = Formulation::nodal_pressure;
         model = stand_in_.get();
     }
-    Result<ExplicitSolid> made = ExplicitSolid::create(*model, settings_.instruction_set);
+    Result<ExplicitSolid> made = ExplicitSolid::create(*model, settings_.instruction_set, lanes_.get());
     if (!made) {
         return made.error();
     }
     explicit_.emplace(std::move(made).value());
     if (rest_step_ == 0.0 && !solid_model_->coarse.tets.empty()) {
+        explicit_->load(rest_state(*solid_model_));
         rest_step_ = explicit_->stable_step();
     }
     return success();

@@ -43,7 +43,8 @@ struct StepTry {
 
 class SolidStepper {
 public:
-    /// before: of the same solid with fewer splits, whose choice between the two ways goes on to hold; or null.
+    /// before: of the same solid with fewer splits, whose choice between the two ways and whose lanes go on to hold; or
+    /// null.
     static Result<SolidStepper> create(const WorldModel& model, int solid, const PhysicsSettings& settings,
                                        ThreadPool& pool, const SolidStepper* before);
 
@@ -76,7 +77,8 @@ private:
     ThreadPool* pool_;
     ContactSurface surface_;
     SolidEnergy energy_;
-    std::unique_ptr<SolidModel> stand_in_;  ///< of the explicit way where it cannot step the elements
+    std::unique_ptr<SolidModel> stand_in_;         ///< of the explicit way where it cannot step the elements
+    std::shared_ptr<const LaneAssignment> lanes_;  ///< of the mesh before it came apart
     std::optional<ExplicitSolid> explicit_;
     std::optional<ImplicitSolid> implicit_;
     ExplicitContact explicit_contact_;

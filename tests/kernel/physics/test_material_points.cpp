@@ -6,6 +6,7 @@
 
 #include "mesh/material_points.hpp"
 #include "mesh/places.hpp"
+#include "physics/contact/contact_surface.hpp"
 #include "physics/contact/near_points.hpp"
 #include "physics/contact/tool_shape.hpp"
 #include "physics/physics.hpp"
@@ -153,7 +154,7 @@ TEST_SUITE("material points") {
         const double margin = 0.08;
         const std::vector<ToolReach> reaches{{&bench.model->tools[0], bench.tools[0].pose, margin}};
         std::vector<NearPoint> found;
-        find_near_points(bench.solid(), solid, reaches, 0.01, found);
+        find_near_points(bench.solid(), ContactSurface(bench.solid()).point_spacings(), solid, reaches, 0.01, found);
         std::set<int> ids;
         for (const NearPoint& near : found) {
             ids.insert(near.at.id);
