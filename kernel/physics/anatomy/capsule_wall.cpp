@@ -19,9 +19,10 @@ double contact_radius(const ToolModel& tool) {
     return tool.edge_radius > 0.0 ? tool.edge_radius : tool.parts.front().radius_a;
 }
 
-double mean_strain(const CapsuleModel& capsule, double depth) {
-    const double slope = depth / capsule.dimple_radius;
-    return std::sqrt(1.0 + slope * slope) - 1.0;
+/// Strain of a sheet that yields the more the further it is strained: `linear` is what it would be at small loads.
+double yielding(double linear, double softening) {
+    constexpr double least = 0.05;  // of what a sheet keeps: far beyond what a capsule bears
+    return linear / std::max(least, 1.0 - softening * linear);
 }
 
 double hold_of(const TipState& tip, const MouthProbe& probe) { return tip.suction * probe.area; }
@@ -115,20 +116,22 @@ void tear_on(const WorldModel& model, double dt, WorldState& state) {
 }  // namespace
 
 double dimple_force(const CapsuleModel& capsule, double radius, double depth) {
-    const double share = radius / capsule.dimple_radius;
-    return 9.0 * std::numbers::pi / 16.0 * capsule.membrane_stiffness * depth * depth * depth /
-           (capsule.dimple_radius * capsule.dimple_radius) * std::sqrt(share) * std::sqrt(std::sqrt(share));
+    const double share = depth / capsule.dimple_radius;
+    const double round = radius / capsule.dimple_radius * share;
+    return 1.183 * capsule.membrane_stiffness * capsule.dimple_radius * share * share * share *
+           (1.0 + 1.47 * std::sqrt(round) + 3.78 * round) / (1.0 + 1.64 * share * share);
 }
 
 double dimple_strain(const CapsuleModel& capsule, double radius, double depth) {
-    const double root = cube_root(capsule.dimple_radius / radius);
-    return mean_strain(capsule, depth) * root * root / 3.0;
+    const double share = std::abs(depth) / capsule.dimple_radius;
+    const double round = std::sqrt(radius / capsule.dimple_radius * share);
+    const double beside_a_point = share > 0.0 ? 0.1645 * share * share / round : 0.0;
+    return yielding(beside_a_point, 1.393) * (1.0 + 1.06 * round);
 }
 
 double bulge_strain(const CapsuleModel& capsule, double bore, double suction) {
-    const double bulge = cube_root(3.0 * (1.0 - capsule.poisson_ratio) * suction * bore * bore * bore * bore /
-                                   (8.0 * capsule.membrane_stiffness));
-    return 2.0 / 3.0 * bulge * bulge / (bore * bore);
+    const double root = cube_root(suction * bore / capsule.membrane_stiffness);
+    return 0.2415 * yielding(root * root, 0.456);
 }
 
 double hole_energy(const CapsuleModel& capsule, double wall_radius, double hole_radius, double pressure) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside physics: the posterior capsule under an instrument. A dimple of radius a around a round end of radius R that
-// has come a depth d too far [BegleyMackin2004]:
-//   F = 9 pi / 16 E t d^3 / a^2 (R / a)^(3/4)
-// strained most where the sheet meets the end; the strain of a sheet pulled to a point falls as r^(-2/3)
-// [Schwerin1929], so that with the mean sqrt(1 + (d / a)^2) - 1 it is a third of (a / R)^(2/3) times that. Sucked into
-// a bore of radius b by p it bulges by h = (3 (1 - nu) p b^4 / (8 E t))^(1/3) and strains by 2/3 (h / b)^2. It gives
-// way at its ultimate strain; a hole grows while the pressure behind it yields more energy than its edge takes.
+// Inside physics: the posterior capsule under an instrument. A clamped sheet of radius a, without tension, under a
+// round end of radius R that has come a depth d too far; fits of the integrated sheet (docs/capsule.md), which for
+// small R are a point's closed form [Komaragiri2005]. With y = d / a and s^2 = R d / a^2:
+//   F = 1.183 E t a y^3 (1 + 1.47 s + 3.78 s^2) / (1 + 1.64 y^2)
+// and the strain at its middle, with e = 0.1645 y^2 / s, which is how the strain beside a point falls [Schwerin1929]:
+//   e (1 + 1.06 s) / (1 - 1.393 e)
+// Sucked into a bore of radius b by p it is strained at its middle by 0.2415 q / (1 - 0.456 q), q^3 = (p b / (E t))^2.
+// For Poisson's ratio 0.47, R / a of 0.05 to 0.4, y to 1, p b / (E t) to 1 and strains to 1.1: beyond, the denominators
+// are kept above 0, where a linear sheet yields without end. It gives way at its ultimate strain; a hole grows while
+// the pressure behind it yields more energy than its edge takes.
 #pragma once
 
 #include <span>

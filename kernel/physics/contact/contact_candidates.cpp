@@ -151,7 +151,7 @@ double before_mouth(const ContactCandidate& candidate, int tool, const Mouth& mo
 void share_suction(const WorldModel& model, const WorldState& state, std::span<const ToolState> tools,
                    ContactCandidates& candidates) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
-        const double hold = state.tips[i].hold;
+        const double hold = hold_of_lens(state.tips[i]);
         if (!(hold > 0.0)) {
             continue;
         }
@@ -169,8 +169,6 @@ void share_suction(const WorldModel& model, const WorldState& state, std::span<c
         for (ContactCandidate& candidate : candidates) {
             if (held(candidate)) {
                 candidate.hold = hold / count;
-                // what bulges into the bore is held sideways by its rim; ultrasound shakes it off
-                candidate.grip = tools[i].power > 0.0 ? 0.0 : candidate.hold;
             }
         }
     }

@@ -185,6 +185,11 @@ void ExplicitContact::activate(int index, double dt, const SurfaceDistance& gap,
     active.friction = candidate.spring.friction;
     active.pull = dt * candidate.hold;
     active.grip = dt * candidate.grip;
+    if (candidate.partner == ContactPartner::tool && candidate.hold > 0.0) {
+        const auto same = [&](const SuctionGrip& grip) { return grip.tool == candidate.index; };
+        const auto found = std::find_if(grips_->begin(), grips_->end(), same);
+        active.suction = found == grips_->end() ? -1 : static_cast<int>(found - grips_->begin());
+    }
     active.normal = gap.normal;
     const bool carried_along = candidate.partner == ContactPartner::tool;
     const Vec3 carried = carried_along ? Vec3(pose.to_world(old_pose.to_body(point)) - point) : Vec3(Vec3::Zero());
@@ -250,8 +255,17 @@ void ExplicitContact::take_bodies(double dt, const std::vector<BagState>& bags) 
     }
 }
 
+/// What a grip bears, the contacts before the same mouth do not bear once more.
+double ExplicitContact::pull_left(const Active& active, double dt) const {
+    if (active.suction < 0) {
+        return active.pull;
+    }
+    const SuctionGrip& grip = (*grips_)[active.suction];
+    return active.pull * std::max(0.0, 1.0 - grip.last.norm() / (dt * grip.limit));
+}
+
 /// Over the unsettled contacts; leaves those that changed.
-void ExplicitContact::sweep() {
+void ExplicitContact::sweep(double dt) {
     std::size_t kept = 0;
     double* const rows = rows_.velocity;
     for (const int index : unsettled_) {
@@ -259,14 +273,15 @@ void ExplicitContact::sweep() {
         Body& body = bodies_[active.body];
         const Vec3 velocity = velocity_of(active, body, rows);
         const double along = active.normal.dot(velocity);
+        const double pull = pull_left(active, dt);
         const double normal_impulse =
-            std::max(-active.pull, active.normal_impulse + active.normal_mass * (active.normal_target - along));
+            std::max(-pull, active.normal_impulse + active.normal_mass * (active.normal_target - along));
         if (normal_impulse == 0.0 && active.normal_impulse == 0.0) {
             continue;  // apart, and stays so
         }
         const Vec3 across = velocity - along * active.normal;
         const Vec3 sticking = active.tangent_impulse + active.tangent_mass * (active.tangent_target - across);
-        const double limit = active.friction * (normal_impulse + active.pull) + active.grip;
+        const double limit = active.friction * (normal_impulse + pull) + active.grip;
         const Vec3 tangent_impulse = project_on_disc(sticking, limit);
         active.sliding = sticking.squaredNorm() > limit * limit;
         const Vec3 change =
@@ -415,7 +430,7 @@ void ExplicitContact::resolve(double dt, const PartnerPoses& before, const Partn
     }
     for (int i = 0; i < most_sweeps && (i == 0 || !unsettled_.empty() || !unsettled_pairs_.empty()); ++i) {
         sweep_grips(dt, before, after);
-        sweep();
+        sweep(dt);
         sweep_pairs();
     }
     for (SuctionGrip& grip : *grips_) {

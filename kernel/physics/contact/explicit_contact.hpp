@@ -67,6 +67,7 @@ private:
         double friction = 0.0;
         double pull = 0.0;  ///< impulse that it bears before it parts [uN s]
         double grip = 0.0;  ///< what that adds to the largest friction [uN s]
+        int suction = -1;   ///< the grip with which it shares its pull, index into grips_; -1: none
         int body = 0;       ///< index into bodies_
         Vec3 arm = Vec3::Zero();
         Vec3 normal = Vec3::UnitZ();
@@ -92,7 +93,8 @@ private:
                   const Vec3& point);
     void set_masses(Active& active) const;
     void take_bodies(double dt, const std::vector<BagState>& bags);
-    void sweep();
+    [[nodiscard]] double pull_left(const Active& active, double dt) const;
+    void sweep(double dt);
     void collect_pairs(double dt);
     void sweep_pairs();
     void sweep_grips(double dt, const PartnerPoses& before, const PartnerPoses& after);

@@ -131,6 +131,10 @@ std::vector<BeforeMouth> before_mouth(const WorldModel& model, const WorldState&
     return found;
 }
 
+double hold_of_lens(const TipState& tip) {
+    return tip.lens > 0.0 ? tip.hold * tip.lens / (tip.lens + tip.capsule + tip.iris + tip.debris) : 0.0;
+}
+
 double open_share(double covered, bool was_shut) {
     return std::clamp(1.0 - covered / (was_shut ? kept_shut : shut), 0.0, 1.0);
 }

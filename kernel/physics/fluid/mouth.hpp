@@ -40,6 +40,9 @@ struct BeforeMouth {
 std::vector<BeforeMouth> before_mouth(const WorldModel& model, const WorldState& state, int tool, const Mouth& mouth,
                                       const Pose& pose);
 
+/// The part of what a tip holds that lens tissue bears [uN].
+double hold_of_lens(const TipState& tip);
+
 /// How open a mouth is of which this share is covered, 1 to 0. was_shut: lens tissue shut it before.
 double open_share(double covered, bool was_shut);
 

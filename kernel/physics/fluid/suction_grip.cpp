@@ -82,9 +82,9 @@ void find_grips(const WorldModel& model, const WorldState& state, std::span<cons
                 std::span<const MouthProbe> probes, std::vector<SuctionGrip>& grips) {
     grips.clear();
     for (std::size_t i = 0; i < tools.size(); ++i) {
-        const TipState& tip = state.tips[i];
-        if (!tools[i].present || !(tip.hold > 0.0) || !(tip.lens > 0.0) || tools[i].power > 0.0 ||
-            state.solids.empty() || state.solids[0].fraction.empty()) {
+        const double limit = hold_of_lens(state.tips[i]);
+        if (!tools[i].present || !(limit > 0.0) || tools[i].power > 0.0 || state.solids.empty() ||
+            state.solids[0].fraction.empty()) {
             continue;
         }
         // poses at the start of the step, as the positions are
@@ -100,7 +100,7 @@ void find_grips(const WorldModel& model, const WorldState& state, std::span<cons
             patch_mass(model.solids[0], state.solids[0], seeds, pose.to_world(mouth.centre), reach);
         SuctionGrip grip;
         grip.tool = static_cast<int>(i);
-        grip.limit = tip.hold * tip.lens / (tip.lens + tip.capsule + tip.iris + tip.debris);
+        grip.limit = limit;
         grip.mouth = mouth.centre;
         double sum = 0.0;
         for (std::size_t node = 0; node < mass.size(); ++node) {

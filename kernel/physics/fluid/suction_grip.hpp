@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inside physics: suction holds a piece, not a point of its surface. What ultrasound left thin before the mouth bulges
 // into the bore and carries the pull on to the sound tissue behind it, so the tissue within one tetrahedron of the
-// mouth is led by the tip, by each node with its mass, until the pull is more than suction holds. An impulse per
-// substep:
+// mouth is led by the tip, by each node with its mass, until the pull is more than suction holds. What the grip leaves
+// of that the contacts before the mouth bear, and draw the surface to it. An impulse per substep:
 //
 //   J = clamp_H dt (v_tip - sum w_i v_i) / sum(w_i^2 / m_i)        w_i: mass left around node i, fading with distance
 //

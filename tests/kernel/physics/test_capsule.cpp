@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "eye/posterior_capsule.hpp"
 #include "math/roots.hpp"
 #include "physics/anatomy/capsule_wall.hpp"
 #include "physics/physics.hpp"
@@ -29,7 +30,7 @@ struct Rig {
         model->tools.push_back(phaco_tip());
         model->tools[0].bevel = 0.0;
         model->chamber = ChamberModel{};
-        model->capsule = CapsuleModel{};
+        model->capsule = make_capsule(68.0);
         IrisModel iris;
         iris.rest_z = 2.0;
         model->iris = iris;
@@ -83,19 +84,39 @@ TEST_SUITE("posterior capsule") {
         CHECK(cube_root(std::nan("")) == 0.0);
     }
 
-    TEST_CASE("a dimple's force and strain follow their formulas") {
+    TEST_CASE("a dimple's force and strain are those of a sheet, and of a point where the end is small") {
         const CapsuleModel capsule;
-        // F = 9 pi / 16 E t d^3 / a^2 (R / a)^(3/4)
-        CHECK(dimple_force(capsule, 0.45, 1.0) ==
-              doctest::Approx(9.0 * M_PI / 16.0 * 7500.0 / 4.0 * std::pow(0.225, 0.75)).epsilon(1e-12));
-        CHECK(dimple_force(capsule, 0.45, 2.0) == doctest::Approx(8.0 * dimple_force(capsule, 0.45, 1.0)));
-        CHECK(dimple_strain(capsule, 0.45, 1.0) ==
-              doctest::Approx((std::sqrt(1.25) - 1.0) / 3.0 * std::pow(2.0 / 0.45, 2.0 / 3.0)).epsilon(1e-12));
+        const double stiff = capsule.membrane_stiffness;
+        // The integrated sheet [YangFeng1970], of radius 1, by rhexis bench chart_posterior_capsule's equations
+        const auto end = [&](double radius, double depth, double force, double strain) {
+            CHECK(dimple_force(capsule, 2.0 * radius, 2.0 * depth) ==
+                  doctest::Approx(2.0 * stiff * force * depth * depth * depth).epsilon(0.05));
+            CHECK(dimple_strain(capsule, 2.0 * radius, 2.0 * depth) == doctest::Approx(strain).epsilon(0.09));
+        };
+        end(0.05, 0.1, 1.2987, 0.025394);
+        end(0.05, 0.4, 1.2272, 0.30133);
+        end(0.225, 0.4, 1.6782, 0.13235);
+        end(0.225, 1.0, 1.0920, 0.94070);
+        end(0.4, 0.5, 2.0924, 0.16350);
+        // [Komaragiri2005]
+        const double yielding = 1.0491 - 0.1462 * 0.47 - 0.15827 * 0.47 * 0.47;
+        CHECK(dimple_force(capsule, 1e-6, 0.01) ==
+              doctest::Approx(2.0 * stiff * std::pow(0.005 / yielding, 3)).epsilon(1e-3));
         CHECK(dimple_strain(capsule, 0.45, -1.0) == dimple_strain(capsule, 0.45, 1.0));
-        // A sheet over a bore: p b / (2 E t) = (2/3 e) (h / b) 4/3 ..., here by its own cubic
-        const double p = 40000.0;
-        const double h = std::cbrt(3.0 * 0.53 * p * std::pow(0.35, 4) / (8.0 * 7500.0));
-        CHECK(bulge_strain(capsule, 0.35, p) == doctest::Approx(2.0 / 3.0 * h * h / (0.35 * 0.35)).epsilon(1e-12));
+        CHECK(dimple_strain(capsule, 0.45, 0.0) == 0.0);
+    }
+
+    TEST_CASE("a sheet over a bore is strained as the integrated one, and beyond its range ever more") {
+        const CapsuleModel capsule;
+        const auto at = [&](double share) {  // p b / (E t)
+            return bulge_strain(capsule, 0.35, share * capsule.membrane_stiffness / 0.35);
+        };
+        CHECK(at(0.01) == doctest::Approx(0.011445).epsilon(0.01));
+        CHECK(at(0.2) == doctest::Approx(0.097431).epsilon(0.01));
+        CHECK(at(1.0) == doctest::Approx(0.44664).epsilon(0.01));
+        CHECK(at(2.0) > 1.0);
+        CHECK(at(10.0) > at(5.0));
+        CHECK(dimple_strain(capsule, 0.1, 3.0) > dimple_strain(capsule, 0.1, 2.0));
     }
 
     TEST_CASE("a blunt push dimples the capsule and lets it come back; a deeper one goes through") {
@@ -168,30 +189,30 @@ TEST_SUITE("posterior capsule") {
         free.hold(free.tools[0].pose.position, 0.0, 60);
         CHECK_FALSE(free.state.capsule->captured);  // covered, but nothing sucks
         CHECK(free.state.tips[0].capsule > 0.9);
-        Rig saved = caught(150.0);
+        Rig saved = caught(100.0);
         REQUIRE(saved.state.capsule->captured);
         CHECK(saved.state.tips[0].open == 0.0);
         CHECK(saved.state.capsule->strain > 0.1);
         saved.hold(saved.tools[0].pose.position, 0.0, 100);
         CHECK_FALSE(saved.state.capsule->captured);
         CHECK(saved.state.capsule->hole_radius == 0.0);
-        Rig pulled = caught(150.0);
+        Rig pulled = caught(100.0);
         pulled.go({0, 0, pulled.wall() + 3.0}, 1.0);
-        CHECK((pulled.state.capsule->hole_radius > 0.0 || !pulled.state.capsule->captured));
-        CHECK(pulled.state.capsule->peak_strain > 1.5 * saved.state.capsule->peak_strain);
+        CHECK(pulled.state.capsule->hole_radius > 0.0);
+        CHECK(caught(150.0).state.capsule->hole_radius > 0.0);
         const Rig burst = caught(600.0);
         CHECK(burst.state.capsule->hole_radius > 0.0);
     }
 
     TEST_CASE("a captured capsule holds the bag and the tip together") {
         Rig rig;
-        rig.set_vacuum(150.0);
+        rig.set_vacuum(80.0);
         rig.hold({0, 0, 1.0}, 1.0, 200);
         rig.go({0, 0, rig.wall() + 0.05}, 1.0);
         rig.hold(rig.tools[0].pose.position, 1.0, 60);
         REQUIRE(rig.state.capsule->captured);
         const double before = rig.wall();
-        rig.go(rig.tools[0].pose.position + Vec3(0, 0, 0.8), 1.0);
+        rig.go(rig.tools[0].pose.position + Vec3(0, 0, 0.4), 1.0);
         REQUIRE(rig.state.capsule->captured);
         CHECK(rig.state.capsule->force.z() > 100.0);
         CHECK(rig.wall() > before);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "physics/fluid/aspiration.hpp"
@@ -68,6 +69,31 @@ struct Held {
         }
         return (centre() - before).x();
     }
+    /// The greatest force of the tip on the cube while growing forces on all nodes pull it straight off [uN].
+    double borne() {
+        Result<Physics> made = Physics::create(model, {});
+        REQUIRE(made.ok());
+        Physics physics = std::move(made).value();
+        ContactSet contacts;
+        Profile profile;
+        NodeLoad pull;
+        pull.nodes.resize(state.solids[0].position.size());
+        std::iota(pull.nodes.begin(), pull.nodes.end(), 0);
+        const double hold = state.tips[0].hold;
+        const Vec3 before = centre();
+        double most = 0.0;
+        for (int i = 1; i <= 100 && (before - centre()).z() < 0.6; ++i) {
+            pull.total.z() = -0.03 * hold * i;
+            state.loads = {pull};
+            WorldState next;
+            REQUIRE(physics.advance(state, tools, 0.01, next, contacts, profile).failure == StepFailure::none);
+            state = next;
+            set_hold(hold);
+            most = std::max(most, std::accumulate(contacts.begin(), contacts.end(), 0.0,
+                                                  [](double sum, const Contact& one) { return sum + one.force.z(); }));
+        }
+        return most;
+    }
     std::vector<SuctionGrip> grips() {
         std::vector<SuctionGrip> found;
         find_grips(*model, state, tools, probes, found);
@@ -82,6 +108,14 @@ TEST_SUITE("suction grip") {
         const double led = Held(20000.0).follow(0.4);
         CHECK(led == doctest::Approx(0.8).epsilon(0.15));
         CHECK(Held(0.01).follow(0.4) < 0.2 * led);
+    }
+
+    TEST_CASE("contacts and grip bear suction once") {
+        CHECK(Held(2000.0).borne() == doctest::Approx(2000.0).epsilon(0.1));
+        Held beside(2000.0);
+        beside.state.tips[0].lens = 0.5;
+        beside.state.tips[0].capsule = 0.5;
+        CHECK(hold_of_lens(beside.state.tips[0]) == 1000.0);
     }
 
     TEST_CASE("ultrasound shakes it off") {
