@@ -122,7 +122,7 @@ ContactCandidate candidate_of(const ContactPoint& point, const Partner& partner,
     candidate.partner = partner.kind;
     candidate.index = partner.index;
     candidate.spring.friction = partner.friction;
-    candidate.least_radius = least_radius;
+    candidate.approach.least_radius = least_radius;
     return candidate;
 }
 
@@ -230,6 +230,11 @@ bool left_bag(const Partner& partner, const Vec3& point, const SurfaceDistance& 
     return partner.kind == ContactPartner::bag && gap.distance < -sunk && partner.pose.to_body(point).z() > -sunk;
 }
 
+/// How far beyond a bag's wall it still pushes back: without a hole there is no other way to get there than through it.
+double wall_reach(const WorldState& state) {
+    return state.capsule && state.capsule->hole_radius > 0.0 ? bag_wall : HUGE_VAL;
+}
+
 /// Behind a hole there is no wall to touch.
 bool over_hole(const WorldState& state, ContactPartner partner, const Vec3& local) {
     return partner == ContactPartner::bag && state.capsule && within_hole(*state.capsule, local);
@@ -264,8 +269,8 @@ void place_tools(std::span<const ToolState> tools, double s, PartnerPoses& poses
 
 SurfaceDistance measure_gap(const WorldModel& model, const ContactCandidate& candidate, const Pose& pose,
                             const Vec3& point) {
-    SurfaceDistance gap = distance_to(rigid_partners(model), candidate.partner, candidate.index, pose, point,
-                                      {candidate.least_radius, candidate.outside});
+    SurfaceDistance gap =
+        distance_to(rigid_partners(model), candidate.partner, candidate.index, pose, point, candidate.approach);
     gap.distance -= candidate.at.radius;
     return gap;
 }
@@ -288,6 +293,7 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
     }
     const double moved = 2.0 * longest(state.solids[solid].velocity) * dt;
     const std::vector<Partner> partners = partners_of(model, state, tools, moved, resolved * largest, box);
+    const double wall = wall_reach(state);
     const bool by_points = model.solids[solid].by_points && !model.solids[solid].fine.tets.empty();
     for (std::size_t v = 0; v < surface.vertices().size(); ++v) {
         const SurfaceVertex& vertex = surface.vertices()[v];
@@ -299,9 +305,10 @@ void find_candidates(const WorldModel& model, int solid, const WorldState& state
                 continue;
             }
             ContactCandidate candidate = candidate_of(contact_point(vertex), partner, resolved * vertex.size);
+            candidate.approach.wall = wall;
             SurfaceDistance start = measure_gap(model, candidate, partner.pose, point);
-            candidate.outside = left_bag(partner, point, start);
-            if (candidate.outside) {
+            candidate.approach.outside = left_bag(partner, point, start);
+            if (candidate.approach.outside) {
                 start = measure_gap(model, candidate, partner.pose, point);
             }
             if (!tool && start.distance > partner.margin) {

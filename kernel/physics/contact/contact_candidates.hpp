@@ -32,9 +32,9 @@ struct ContactCandidate {
     ContactPoint at;
     ContactPartner partner = ContactPartner::tool;
     int index = 0;
-    ContactSpring spring;       ///< its stiffness only after set_springs
-    double carry = 0.0;         ///< share of its last force that the spring bears at a gap of 0, likewise
-    double least_radius = 0.0;  ///< of a tool's part, as the vertex meets it [mm]
+    ContactSpring spring;  ///< its stiffness only after set_springs
+    double carry = 0.0;    ///< share of its last force that the spring bears at a gap of 0, likewise
+    Approach approach;
     double hold = 0.0;          ///< pull that it bears before it parts: suction, adhesion [uN]
     double grip = 0.0;          ///< what that adds to the largest friction [uN]
     Vec3 start = Vec3::Zero();  ///< in the partner's frame at the start of the step [mm]
@@ -42,7 +42,6 @@ struct ContactCandidate {
 
     Vec3 anchor = Vec3::Zero();  ///< in the partner's frame [mm]
     bool touching = false;       ///< at the end of the last substep
-    bool outside = false;        ///< bag: it lies on the outer side of the wall
 
     Vec3 force = Vec3::Zero();    ///< of the last substep, on the solid [uN]
     Vec3 impulse = Vec3::Zero();  ///< summed over the step [uN s]

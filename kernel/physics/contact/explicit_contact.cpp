@@ -139,7 +139,7 @@ SurfaceDistance ExplicitContact::measure(const ContactCandidate& candidate, cons
     const BagModel& bag = model_->bags[candidate.index];
     const Vec3 local = pose.to_body(point);
     if (!watch.flat || (local - watch.foot).squaredNorm() > flat_square || within_opening(bag, local)) {
-        watch.plane = wall_distance(bag, local, candidate.outside);
+        watch.plane = wall_distance(bag, local, candidate.approach);
         watch.foot = local;
         watch.flat = std::isfinite(watch.plane.distance);
         return {watch.plane.distance, pose.orientation * watch.plane.normal};

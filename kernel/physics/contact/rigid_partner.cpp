@@ -27,16 +27,16 @@ bool within_opening(const BagModel& bag, const Vec3& local) {
     return local.z() > 0.0 && local.head<2>().squaredNorm() < bag.opening_radius * bag.opening_radius;
 }
 
-SurfaceDistance wall_distance(const BagModel& bag, const Vec3& local, bool outside) {
+SurfaceDistance wall_distance(const BagModel& bag, const Vec3& local, const Approach& approach) {
     if (within_opening(bag, local)) {
         return nothing_near();
     }
     SurfaceDistance found = bag_distance(bag.shape, local);
-    if (outside) {
+    if (approach.outside) {
         // Past the equator zonules and ciliary body close the way back.
         return local.z() < found.distance ? SurfaceDistance{local.z(), Vec3::UnitZ()} : found;
     }
-    return found.distance > bag_wall ? nothing_near() : SurfaceDistance{-found.distance, -found.normal};
+    return found.distance > approach.wall ? nothing_near() : SurfaceDistance{-found.distance, -found.normal};
 }
 
 SurfaceDistance distance_to(const RigidPartners& all, ContactPartner partner, int index, const Pose& pose,
@@ -57,7 +57,7 @@ SurfaceDistance distance_to(const RigidPartners& all, ContactPartner partner, in
             found = tube_distance(all.tubes[at(index)], local);
             break;
         case ContactPartner::bag:
-            found = wall_distance(all.bags[at(index)], local, approach.outside);
+            found = wall_distance(all.bags[at(index)], local, approach);
             break;
         default:
             RHEXIS_ASSERT(false);

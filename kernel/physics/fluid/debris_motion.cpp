@@ -57,7 +57,7 @@ void stay_in(const WorldModel& model, const WorldState& state, Debris& crumb) {
         const Vec3 normal = pose.orientation * wall.normal;
         if (wall.distance > 0.0) {
             const bool before_zonules = local.z() > -radius;
-            const SurfaceDistance outer = before_zonules ? wall_distance(bag, local, true) : wall;
+            const SurfaceDistance outer = before_zonules ? wall_distance(bag, local, {.outside = true}) : wall;
             push_out(pose.orientation * outer.normal, radius - outer.distance, crumb);
         } else {
             push_out(-normal, radius + wall.distance, crumb);
