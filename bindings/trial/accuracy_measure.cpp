@@ -2,7 +2,6 @@
 #include "trial/accuracy_measure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -10,6 +9,7 @@
 #include "input/pose_track.hpp"
 #include "session/prepared_state.hpp"
 #include "session/settings.hpp"
+#include "trial/course_errors.hpp"
 #include "trial/differing_grip.hpp"
 #include "trial/progress.hpp"
 
@@ -53,66 +53,12 @@ std::vector<DeviceSample> between(const std::vector<DeviceSample>& from, const s
     return samples;
 }
 
-/// Difference of a quantity in the course of both, by measures that tell of it.
-class Course {
-public:
-    enum class Of { time, end };
-    Course(Of of, const ObservationSchema& schema, std::string_view ending) : of_(of) {
-        for (std::size_t i = 0; i < schema.size(); ++i) {
-            if (schema[i].name.ends_with(ending)) {
-                measures_.push_back(i);
-            }
-        }
-    }
-
-    void add(const Observation& own, const std::vector<double>& finer) {
-        for (const std::size_t i : measures_) {
-            if (std::isnan(own.values[i]) || std::isnan(finer[i])) {
-                continue;
-            }
-            const double difference = own.values[i] - finer[i];
-            const bool sums = of_ == Of::time;
-            difference_ = (sums ? difference_ : 0.0) + difference * difference;
-            size_ = (sums ? size_ : 0.0) + finer[i] * finer[i];
-        }
-    }
-    /// Nothing where the finer one has none of it.
-    [[nodiscard]] std::optional<double> error() const {
-        return size_ > 0.0 ? std::optional(std::sqrt(difference_ / size_)) : std::nullopt;
-    }
-
-private:
-    Of of_;
-    std::vector<std::size_t> measures_;
-    double difference_ = 0.0;
-    double size_ = 0.0;
-};
-
-struct Courses {
-    explicit Courses(const ObservationSchema& schema) {
-        for (const auto& [quantity, of, ending] : {std::tuple("force", Course::Of::time, ".force_mN"),
-                                                   std::tuple("depth", Course::Of::time, "chamber.depth_mm"),
-                                                   std::tuple("pressure", Course::Of::time, "chamber.pressure_mmhg"),
-                                                   std::tuple("volume", Course::Of::end, "lens.removed_mm3"),
-                                                   std::tuple("tear", Course::Of::end, "rhexis.torn_mm")}) {
-            all.emplace(quantity, Course(of, schema, ending));
-        }
-    }
-    std::map<std::string, Course> all;
-};
-
 json numbers_json(const std::map<std::string, double>& numbers) {
     return numbers.empty() ? json::object() : json(numbers);
 }
 
-json result_of(const Recording& recording, const SceneDescription& finer, const Courses& courses, std::size_t compared,
-               const std::optional<json>& differs) {
-    std::map<std::string, double> errors;
-    for (const auto& [quantity, course] : courses.all) {
-        if (const std::optional<double> error = course.error()) {
-            errors[quantity] = *error;
-        }
-    }
+json result_of(const Recording& recording, const SceneDescription& finer, const std::map<std::string, double>& errors,
+               std::size_t compared, const std::optional<json>& differs) {
     json exceeded = json::array();
     for (const ModelAccuracy& model : recording.header.scene.accuracy.models) {
         for (const auto& [quantity, allowed] : model.budget) {
@@ -194,7 +140,8 @@ SceneDescription at_twice_the_resolution(const SceneDescription& scene) {
     return finer;
 }
 
-Result<json> measure_accuracy(const std::string& path, const AttemptOptions& attempt) {
+Result<json> measure_accuracy(const std::string& path, const AttemptOptions& attempt,
+                              const std::map<std::string, double>& told) {
     const Result<Recording> read = read_recording(path);
     if (!read) {
         return read.error();
@@ -214,7 +161,7 @@ Result<json> measure_accuracy(const std::string& path, const AttemptOptions& att
     Session& session = made.value();
     const int parts = static_cast<int>(std::lround(recording.header.scene.step_s / finer.step_s));
     Progress progress("at twice the resolution", attempt.quiet);
-    Courses courses(session.schema());
+    CourseErrors courses(session.schema());
     DifferingGrip grips(session.schema(), recording.start.observation.values, session.observation().values);
     std::vector<DeviceSample> before;
     std::size_t compared = 0;
@@ -237,16 +184,16 @@ Result<json> measure_accuracy(const std::string& path, const AttemptOptions& att
             break;
         }
         if (!grips.in_doubt()) {
-            for (auto& [quantity, course] : courses.all) {
-                course.add(step.observation, *mean);
-            }
+            courses.add(time_s, step.observation.values, *mean);
             compared = static_cast<std::size_t>(step.step);
         }
         char note[48];
         std::snprintf(note, sizeof note, "%.1f s compared", time_s);
         progress.show(static_cast<double>(step.step) / static_cast<double>(recording.steps.size()), note);
     }
-    return result_of(recording, finer, courses, compared, differs);
+    std::map<std::string, double> errors = told;
+    errors.merge(courses.errors());
+    return result_of(recording, finer, errors, compared, differs);
 }
 
 }  // namespace rhexis

@@ -17,6 +17,7 @@
 #include "trial/report_json.hpp"
 #include "trial/series.hpp"
 #include "trial/timing.hpp"
+#include "trial/told_errors.hpp"
 #include "trial/trial_progress.hpp"
 #include "trial/virtual_surgeon.hpp"
 
@@ -78,6 +79,7 @@ struct Seen {
     const TrialOutcome& outcome;
     const Series& series;
     const Timing& timing;
+    const ToldErrors& told;
     const Recorder& recorder;
     const StateKeeper& keeper;
     const HotReload& reload;
@@ -158,7 +160,7 @@ Result<AttemptResult> write_results(const AttemptOptions& options, ExerciseHost&
     result.recording = seen.recorder.file();
     result.saved = seen.keeper.kept();
     if (options.measure_accuracy) {
-        Result<nlohmann::json> measured = measure_accuracy(result.recording, options);
+        Result<nlohmann::json> measured = measure_accuracy(result.recording, options, seen.told.largest());
         if (!measured) {
             return measured.error();
         }
@@ -184,6 +186,7 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
                               RecordingWriter writer, PictureBook* book, std::optional<std::uint64_t>& back) {
     Series series(session.schema());
     Timing timing;
+    ToldErrors told;
     Recorder recorder(std::move(writer), options.start.state.empty(), options.going_on);
     if (options.going_on != nullptr) {
         catch_up(*options.going_on, series);
@@ -193,7 +196,7 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
     TrialProgress progress(options.exercise.curriculum, options.quiet,
                            std::min(options.limit_s, host.identity().value("time_limit_s", options.limit_s)));
     std::optional<PictureObserver> pictures;
-    std::vector<TrialObserver*> observers = {&timing, &series, &recorder};
+    std::vector<TrialObserver*> observers = {&timing, &told, &series, &recorder};
     if (options.watch) {
         observers.push_back(&reload);
     }
@@ -224,7 +227,8 @@ Result<AttemptResult> operate(const AttemptOptions& options, ExerciseHost& host,
         unfinished.recording = recorder.file();
         return unfinished;
     }
-    return write_results(options, host, session, {outcome.value(), series, timing, recorder, keeper, reload, book});
+    return write_results(options, host, session,
+                         {outcome.value(), series, timing, told, recorder, keeper, reload, book});
 }
 
 /// Where a person operates there is a microscope to look through, centred and in focus unless the exercise is about

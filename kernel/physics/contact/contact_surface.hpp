@@ -36,6 +36,9 @@ public:
     /// How far the material points of each coarse tetrahedron lie apart at rest [mm].
     [[nodiscard]] const std::vector<double>& point_spacings() const { return point_spacings_; }
 
+    /// Triangles of the current boundary, by place in vertices(), seen from outside.
+    [[nodiscard]] const std::vector<std::array<int, 3>>& faces() const { return faces_; }
+
     /// Whether the body is in more pieces than one.
     [[nodiscard]] bool in_pieces() const { return in_pieces_; }
 
@@ -52,7 +55,7 @@ private:
     std::vector<std::uint8_t> alive_;  ///< per (fine) tetrahedron, at the last update
     std::vector<std::uint8_t> outer_;  ///< scratch: per vertex
     std::vector<SurfaceVertex> vertices_;
-    std::vector<std::array<int, 3>> faces_;  ///< of the boundary, by place in vertices_, seen from outside
+    std::vector<std::array<int, 3>> faces_;
     bool in_pieces_ = false;
     bool built_ = false;
 };

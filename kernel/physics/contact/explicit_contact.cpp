@@ -41,11 +41,10 @@ void move_anchor(const Pose& pose, const Vec3& point, const Vec3& normal, bool s
 
 }  // namespace
 
-void ExplicitContact::begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
-                            ContactCandidates& candidates, const std::vector<PiecePair>& pairs,
-                            std::vector<SuctionGrip>& grips, ExplicitSolid& solid) {
+void ExplicitContact::begin(const WorldModel& model, const PartnerPoses& poses, ContactCandidates& candidates,
+                            const std::vector<PiecePair>& pairs, std::vector<SuctionGrip>& grips,
+                            ExplicitSolid& solid) {
     model_ = &model;
-    surface_ = &surface;
     candidates_ = &candidates;
     pairs_ = &pairs;
     grips_ = &grips;
@@ -297,63 +296,63 @@ void ExplicitContact::sweep(double dt) {
     unsettled_.resize(kept);
 }
 
+/// Velocity of a point per impulse on it [1/g]. A node that it has twice counts with both weights.
+double ExplicitContact::response(const ContactPoint& at) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < 4; ++l) {
+            sum += at.nodes[k] == at.nodes[l] ? at.weights[k] * at.weights[l] * rows_.inverse_mass[at.nodes[k]] : 0.0;
+        }
+    }
+    return sum;
+}
+
+void ExplicitContact::push_point(const ContactPoint& at, const Vec3& impulse) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        row(rows_.velocity, at.nodes[k]) += at.weights[k] * rows_.inverse_mass[at.nodes[k]] * impulse;
+    }
+}
+
 /// Pairs that could close within this substep.
 void ExplicitContact::collect_pairs(double dt) {
     active_pairs_.clear();
-    const auto nodes_of = [&](int vertex) {
-        const std::array<int, 2>& nodes = surface_->vertices()[vertex].nodes;
-        return std::array<int, 2>{nodes[0], nodes[1] < 0 ? nodes[0] : nodes[1]};
-    };
-    const auto middle = [](const double* rows, const std::array<int, 2>& nodes) {
-        return Vec3(0.5 * (row(rows, nodes[0]) + row(rows, nodes[1])));
-    };
-    const auto response = [&](const std::array<int, 2>& nodes) {
-        const double sum = rows_.inverse_mass[nodes[0]] + rows_.inverse_mass[nodes[1]];
-        return (nodes[0] == nodes[1] ? 0.5 : 0.25) * sum;
-    };
     for (std::size_t i = 0; i < pairs_->size(); ++i) {
         const PiecePair& pair = (*pairs_)[i];
-        ActivePair active;
-        active.pair = static_cast<int>(i);
-        active.nodes = nodes_of(pair.vertex);
-        active.others = nodes_of(pair.other);
-        const double gap =
-            pair.normal.dot(middle(rows_.position, active.nodes) - middle(rows_.position, active.others));
-        const Vec3 pace = middle(rows_.velocity, active.nodes) - middle(rows_.velocity, active.others);
-        const double sum = response(active.nodes) + response(active.others);
-        if (!(gap < 2.0 * dt * (pace.norm() + fastest_push)) || !(sum > 0.0)) {
+        const double gap = pair.normal.dot(place(pair.vertex) - place(pair.foot));
+        if (!(gap < 2.0 * dt * ((pace(pair.vertex) - pace(pair.foot)).norm() + fastest_push))) {
             continue;
         }
-        active.target = std::min(-gap / dt, fastest_ejection);
-        active.mass = 1.0 / sum;
-        active_pairs_.push_back(active);
+        const double sum = response(pair.vertex) + response(pair.foot);
+        if (sum > 0.0) {
+            ActivePair active;
+            active.pair = static_cast<int>(i);
+            active.target = std::min(-gap / dt, fastest_ejection);
+            active.mass = 1.0 / sum;
+            active_pairs_.push_back(active);
+        }
     }
 }
 
 /// Over the unsettled pairs; leaves those that changed.
 void ExplicitContact::sweep_pairs() {
-    double* const rows = rows_.velocity;
     std::size_t kept = 0;
     for (const int index : unsettled_pairs_) {
         ActivePair& active = active_pairs_[index];
-        const Vec3& normal = (*pairs_)[active.pair].normal;
-        const Vec3 velocity = 0.5 * (row(rows, active.nodes[0]) + row(rows, active.nodes[1]) -
-                                     row(rows, active.others[0]) - row(rows, active.others[1]));
-        const double along = normal.dot(velocity);
+        const PiecePair& pair = (*pairs_)[active.pair];
+        const Vec3 velocity = pace(pair.vertex) - pace(pair.foot);
+        const double along = pair.normal.dot(velocity);
         const double impulse = std::max(0.0, active.impulse + active.mass * (active.target - along));
         if (impulse == 0.0 && active.impulse == 0.0) {
             continue;  // apart, and stays so
         }
-        const Vec3 sticking = active.tangent_impulse - active.mass * (velocity - along * normal);
+        const Vec3 sticking = active.tangent_impulse - active.mass * (velocity - along * pair.normal);
         const Vec3 tangent = project_on_disc(sticking, piece_friction * impulse);
-        const Vec3 change = 0.5 * ((impulse - active.impulse) * normal + tangent - active.tangent_impulse);
-        for (std::size_t k = 0; k < 2; ++k) {
-            row(rows, active.nodes[k]) += rows_.inverse_mass[active.nodes[k]] * change;
-            row(rows, active.others[k]) -= rows_.inverse_mass[active.others[k]] * change;
-        }
+        const Vec3 change = (impulse - active.impulse) * pair.normal + tangent - active.tangent_impulse;
+        push_point(pair.vertex, change);
+        push_point(pair.foot, -change);
         active.impulse = impulse;
         active.tangent_impulse = tangent;
-        const double quiet = 0.5 * settled * active.mass;
+        const double quiet = settled * active.mass;
         if (change.squaredNorm() > quiet * quiet) {
             unsettled_pairs_[kept++] = index;
         }

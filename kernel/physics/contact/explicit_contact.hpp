@@ -23,9 +23,8 @@ namespace rhexis {
 class ExplicitContact {
 public:
     /// Starts a step of a loaded solid. candidates and grips must outlive the step. poses: at its start.
-    void begin(const WorldModel& model, const ContactSurface& surface, const PartnerPoses& poses,
-               ContactCandidates& candidates, const std::vector<PiecePair>& pairs, std::vector<SuctionGrip>& grips,
-               ExplicitSolid& solid);
+    void begin(const WorldModel& model, const PartnerPoses& poses, ContactCandidates& candidates,
+               const std::vector<PiecePair>& pairs, std::vector<SuctionGrip>& grips, ExplicitSolid& solid);
 
     /// Corrects the velocities of the solid and of the bags so that no contact is violated after dt [s].
     /// before, after: poses at the ends of the substep, of the bags both at its start; bags: already accelerated.
@@ -95,13 +94,14 @@ private:
     void take_bodies(double dt, const std::vector<BagState>& bags);
     [[nodiscard]] double pull_left(const Active& active, double dt) const;
     void sweep(double dt);
+    [[nodiscard]] double response(const ContactPoint& at) const;
+    void push_point(const ContactPoint& at, const Vec3& impulse);
     void collect_pairs(double dt);
     void sweep_pairs();
     void sweep_grips(double dt, const PartnerPoses& before, const PartnerPoses& after);
     void finish(double dt, const PartnerPoses& after);
 
     const WorldModel* model_ = nullptr;
-    const ContactSurface* surface_ = nullptr;
     ContactCandidates* candidates_ = nullptr;
     ExplicitSolid::Rows rows_;
     std::vector<Body> bodies_;    ///< what stands still or is led, then the bags
@@ -110,11 +110,9 @@ private:
     std::vector<double> wakes_;   ///< per candidate: it need not be looked at while `motion_` is less [mm]
     double motion_ = 0.0;         ///< since the start of the step: no gap has changed by more [mm]
     double coming_ = 0.0;         ///< what the nodes add to that in the rest of the substep [mm]
-    /// A pair of vertices that could meet within the substep.
+    /// A vertex that could meet the triangle of another piece within the substep.
     struct ActivePair {
         int pair = 0;
-        std::array<int, 2> nodes{0, 0};
-        std::array<int, 2> others{0, 0};
         double target = 0.0;  ///< smallest relative normal velocity [mm/s]
         double mass = 0.0;    ///< [g]
         double impulse = 0.0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/longest.hpp"
 #include "physics/anatomy/bag_contents.hpp"
 #include "physics/anatomy/bag_motion.hpp"
 #include "physics/anatomy/capsule_wall.hpp"
@@ -47,9 +46,6 @@ std::vector<Vec3> node_forces(const StepTask& task, int solid) {
     }
     return forces;
 }
-
-/// Farthest that two points of a solid may come nearer to each other in a step [mm].
-double moved_in(const StepTask& task, int solid) { return 2.0 * longest(task.state.solids[solid].velocity) * task.dt; }
 
 /// Substeps that keep tools from passing through what they could meet.
 int substeps_for_tools(const StepTask& task, const ContactCandidates& candidates) {
@@ -212,7 +208,7 @@ void SolidStepper::drop_caches() {
 void SolidStepper::look_for_contacts(const StepTask& task) {
     surface_.update(*solid_model_, task.state.solids[solid_]);
     find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, candidates_);
-    find_piece_pairs(surface_, task.state.solids[solid_].position, moved_in(task, solid_), pairs_);
+    find_piece_pairs(surface_, task.state.solids[solid_].position, pairs_);
     if (solid_ == 0) {
         find_grips(task.model, task.state, task.tools, task.probes, grips_);
     }
@@ -257,7 +253,7 @@ void SolidStepper::run_explicit(const StepTask& task, int divisions, StepTry& re
     place_tools(task.tools, 0.0, after);
     set_bag_poses(result.bags, before);
     before.tools = after.tools;
-    explicit_contact_.begin(task.model, surface_, before, result.candidates, pairs_, result.grips, *explicit_);
+    explicit_contact_.begin(task.model, before, result.candidates, pairs_, result.grips, *explicit_);
     for (int i = 1; i <= count; ++i) {
         std::swap(before.tools, after.tools);
         place_tools(task.tools, static_cast<double>(i) / count, after);

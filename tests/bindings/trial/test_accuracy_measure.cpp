@@ -6,6 +6,7 @@
 
 #include "trial/accuracy_measure.hpp"
 #include "trial/accuracy_notes.hpp"
+#include "trial/course_errors.hpp"
 #include "trial/differing_grip.hpp"
 
 using namespace rhexis;
@@ -53,6 +54,28 @@ TEST_SUITE("measured accuracy") {
         CHECK_FALSE(parted(0, 1.0, 0.5, 0.58).has_value());
         CHECK_FALSE(parted(3, 0.9, 0.5, 9.0).has_value());
         CHECK_FALSE(parted(4, 40.0, 0.5, 9.0).has_value());
+    }
+
+    TEST_CASE("errors: forces in means over a tenth of a second, a path in mm, ends as shares") {
+        const ObservationSchema schema{{"phaco.force_mN", "mN", ""},
+                                       {"rhexis.tip_x_mm", "mm", ""},
+                                       {"rhexis.tip_y_mm", "mm", ""},
+                                       {"lens.removed_mm3", "mm^3", ""},
+                                       {"chamber.depth_mm", "mm", ""}};
+        CourseErrors course(schema);
+        CHECK(course.errors().empty());
+        for (int i = 1; i <= 100; ++i) {
+            const double time_s = 0.01 * i - 1e-4;
+            const double chatter = i % 2 == 0 ? 3.0 : 1.0;  // of mean 2
+            const double none = std::nan("");
+            course.add(time_s, {2.0, i > 50 ? 1.3 : none, 0.4, 0.9 * i, 3.3}, {chatter, 1.0, 0.0, 1.0 * i, 3.0});
+        }
+        const std::map<std::string, double> errors = course.errors();
+        CHECK(errors.at("force") < 0.06);  // the last step of a while may be odd
+        CHECK(errors.at("path") == doctest::Approx(std::sqrt((0.3 * 0.3 * 50 + 0.4 * 0.4 * 100) / 75.0)));
+        CHECK(errors.at("volume") == doctest::Approx(0.1));
+        CHECK(errors.at("depth") == doctest::Approx(0.1));
+        CHECK_FALSE(errors.contains("pressure"));
     }
 
     TEST_CASE("twice the resolution halves edges and step, as far as they may be") {
