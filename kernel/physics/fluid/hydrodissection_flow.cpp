@@ -21,6 +21,7 @@ constexpr double under_lens = 0.3;     ///< viscoelastic so far behind the rim's
 constexpr double beside_rim =
     0.3;  ///< nearer to the edge than this a cannula does not press the lens back [mm]. Proposal
 constexpr double gives_way = 0.5;  ///< of the nucleus, share of the depth to which an end stands in it. Proposal
+constexpr int parts = 4;           ///< of a step, in each of which saline, wave and outflow follow one another
 constexpr double away = 0.3;       ///< of the bag's radius, across from where saline comes in, it bursts. Proposal
 
 /// What an instrument's syringe gives in a step [mm^3].
@@ -171,10 +172,12 @@ double trapped_strain(const WorldModel& model, double pressure) {
            (2.0 * capsule.membrane_stiffness);
 }
 
-void hydrodissect(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
+namespace {
+
+/// What syringes give, the wave and what comes out, one after the other.
+void advance_trapped(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
     const HydrodissectionModel& own = *model.hydrodissection;
     HydrodissectionState& hydro = *state.hydrodissection;
-    hydro.under_rim = false;
     for (std::size_t i = 0; i < tools.size(); ++i) {
         if (model.tools[i].kind == ToolKind::cannula && tools[i].present) {
             give_saline(model, model.tools[i], tools[i], dt, state);
@@ -186,7 +189,16 @@ void hydrodissect(const WorldModel& model, std::span<const ToolState> tools, dou
     let_out(own, open_way(model, tools, state), press, dt, hydro);
     hydro.pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
     hydro.peak_pressure = std::max(hydro.peak_pressure, hydro.pressure);
-    free_cortex(own, hydro, state.bags[0]);
+}
+
+}  // namespace
+
+void hydrodissect(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
+    state.hydrodissection->under_rim = false;
+    for (int part = 0; part < parts; ++part) {
+        advance_trapped(model, tools, dt / parts, state);
+    }
+    free_cortex(*model.hydrodissection, *state.hydrodissection, state.bags[0]);
 }
 
 double hydrodissection_release(const HydrodissectionModel& model, std::span<const ToolState> tools, double pressure) {
