@@ -148,9 +148,6 @@ void CrackFinder::look(const SolidModel& model, const SolidState& state, const C
             std::binary_search(state.broken.begin(), state.broken.end(), face.tets)) {
             continue;
         }
-        if (std::min(remaining_fraction(model, state, a), remaining_fraction(model, state, b)) < 0.5) {
-            continue;
-        }
         const Material& first = model.materials[model.coarse.region[a]];
         const Material& second = model.materials[model.coarse.region[b]];
         const double toughness = std::min(first.toughness, second.toughness);
