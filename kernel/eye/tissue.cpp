@@ -36,9 +36,9 @@ constexpr double density = 1.05e-3;  ///< [g/mm^3]
 /// that grade 6 takes four times as much as grade 3. To be tuned with surgeons.
 double ablation_energy(double young_modulus) { return 30.0 * std::sqrt(young_modulus / 5000.0); }
 
-/// Energy per area of crack [uN/mm]: proposal, 0.6 J/m^2 at 5 kPa, growing with the root of the
+/// Energy per area of crack [uN/mm]: proposal, 0.2 J/m^2 at 5 kPa, growing with the root of the
 /// modulus like the energy of ultrasound. Cortex is soft and tough.
-double toughness(double young_modulus) { return 600.0 * std::sqrt(young_modulus / 5000.0); }
+double toughness(double young_modulus) { return 200.0 * std::sqrt(young_modulus / 5000.0); }
 
 Material tissue(const char* name, double young_modulus, const Vec3& extinction) {
     Material material;

@@ -64,8 +64,8 @@ return scenarios {
         near = "crack.bridge_share > 0.08 and crack.bridge_share < 0.12 and " .. crack_events.both_out,
         function(t)
             enter(t)
-            split(t, 1.6, -1.55, 0.9)
-            split(t, -1.5, -1.45, 0.5)
+            split(t, 1.6, -1.55, 1.3)
+            split(t, -1.5, -1.45, 1.3)
             t:wait(4)
         end },
 

@@ -2,7 +2,8 @@
 #include "physics/solid/crack.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "mesh/adjacency.hpp"
 
@@ -27,6 +28,24 @@ TetPoints points_of(const std::vector<Vec3>& nodes, const std::array<int, 4>& te
     return {nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]};
 }
 
+bool has(const std::array<int, 4>& tet, int node) { return std::find(tet.begin(), tet.end(), node) != tet.end(); }
+
+/// Per node the lowest one at the same place: nodes that were split lie where they came from.
+std::vector<int> first_at_place(const std::vector<Vec3>& nodes) {
+    std::vector<int> order(nodes.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto less = [&](int a, int b) {
+        return std::lexicographical_compare(nodes[a].begin(), nodes[a].end(), nodes[b].begin(), nodes[b].end());
+    };
+    std::stable_sort(order.begin(), order.end(), less);
+    std::vector<int> first(nodes.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && !less(order[i - 1], order[i]);
+        first[order[i]] = same ? first[order[i - 1]] : order[i];
+    }
+    return first;
+}
+
 bool share_node(const std::array<int, 3>& a, const std::array<int, 3>& b) {
     return std::any_of(a.begin(), a.end(), [&](int node) { return std::find(b.begin(), b.end(), node) != b.end(); });
 }
@@ -42,55 +61,108 @@ CrackFinder::CrackFinder(const SolidModel& model) {
     for (const std::array<int, 4>& tet : model.coarse.tets) {
         rest_.push_back(rest_tet(points_of(model.coarse.nodes, tet)));
     }
-    const std::vector<std::array<int, 4>> neighbours = face_neighbours(model.coarse.tets);
+    first_ = first_at_place(model.coarse.nodes);
+    for (std::array<int, 4> tet : model.coarse.tets) {
+        for (int& node : tet) {
+            node = first_[node];
+        }
+        together_.push_back(tet);
+    }
+    find_faces(model);
+}
+
+void CrackFinder::find_faces(const SolidModel& model) {
+    const std::vector<std::array<int, 4>> neighbours = face_neighbours(together_);
     for (int t = 0; t < static_cast<int>(neighbours.size()); ++t) {
         for (std::size_t k = 0; k < 4; ++k) {
             const int other = neighbours[t][k];
-            if (other <= t) {
+            if (other >= 0 && other <= t) {
                 continue;
             }
-            const std::array<int, 4>& tet = model.coarse.tets[t];
-            Face face;
+            CrackFace face;
             face.tets = {t, other};
-            face.nodes = {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
-            const std::vector<Vec3>& x = model.coarse.nodes;
-            const Vec3 area = (x[face.nodes[1]] - x[face.nodes[0]]).cross(x[face.nodes[2]] - x[face.nodes[0]]);
-            face.normal = area.normalized();
-            face.height = 3.0 * (rest_[t].volume + rest_[other].volume) / area.norm();
+            face.nodes = {together_[t][tet_faces[k][0]], together_[t][tet_faces[k][1]], together_[t][tet_faces[k][2]]};
+            face.area = 3.0 * rest_[t].volume * rest_[t].gradient[k].norm();
+            face.normal = -rest_[t].gradient[k].normalized();
+            face.height = other < 0 ? 0.0 : 1.5 * (rest_[t].volume + rest_[other].volume) / face.area;
             faces_.push_back(face);
         }
     }
-    std::sort(faces_.begin(), faces_.end(), [](const Face& a, const Face& b) { return a.tets < b.tets; });
+    std::sort(faces_.begin(), faces_.end(), [](const CrackFace& a, const CrackFace& b) {
+        return std::pair(a.tets[1] < 0, a.tets) < std::pair(b.tets[1] < 0, b.tets);
+    });
+    for (const CrackFace& face : faces_) {
+        const auto [t, other] = face.tets;
+        int shared = 0;
+        for (const int node : model.coarse.tets[t]) {
+            shared += other >= 0 && has(model.coarse.tets[other], node) ? 1 : 0;
+        }
+        apart_.push_back(shared < 3 ? 1 : 0);
+    }
 }
 
-void CrackFinder::find_stress(const SolidModel& model, const SolidState& state) {
-    const std::size_t tets = model.coarse.tets.size();
-    shear_.assign(tets, Mat3::Zero());
-    theta_.assign(tets, 0.0);
+void CrackFinder::find_states(const SolidState& state) {
+    states_.assign(faces_.size(), FaceState::none);
+    auto next = state.broken.begin();  // both are ascending
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+        const auto [t, other] = faces_[f].tets;
+        const bool here = state.present[t] != 0;
+        const bool there = other >= 0 && state.present[other] != 0;
+        while (other >= 0 && next != state.broken.end() && *next < faces_[f].tets) {
+            ++next;
+        }
+        if (here && there && next != state.broken.end() && *next == faces_[f].tets) {
+            states_[f] = FaceState::broken;
+        } else if (here && there && apart_[f] == 0) {
+            states_[f] = FaceState::whole;
+        } else if (here || there) {
+            states_[f] = FaceState::surface;
+        }
+    }
+}
+
+/// Changes of volume, averaged over the tetrahedra around each node, then over the nodes of each tetrahedron.
+void CrackFinder::average_pressure(const SolidModel& model, const SolidState& state) {
     mean_.assign(model.coarse.nodes.size(), 0.0);
     std::vector<double> volume(model.coarse.nodes.size(), 0.0);
-    for (std::size_t t = 0; t < tets; ++t) {
+    for (std::size_t t = 0; t < rest_.size(); ++t) {
         if (state.present[t] == 0) {
             continue;
         }
-        const std::array<int, 4>& tet = model.coarse.tets[t];
-        const Material& material = model.materials[model.coarse.region[t]];
-        const CorotationalPoint point = corotational_point(tet_gradient(rest_[t], points_of(state.position, tet)));
-        const Mat3 stretch = point.rotation.transpose() * point.gradient;
-        shear_[t] = lame(material.young_modulus, material.poisson_ratio).mu *
-                    (stretch + stretch.transpose() - 2.0 * Mat3::Identity());
-        theta_[t] = point.trace - 3.0;
-        for (const int node : tet) {
-            mean_[node] += rest_[t].volume * theta_[t];
+        for (const int node : model.coarse.tets[t]) {
+            mean_[node] += rest_[t].volume * stress_[t].strain.trace();
             volume[node] += rest_[t].volume;
         }
     }
     for (std::size_t n = 0; n < mean_.size(); ++n) {
         mean_[n] = volume[n] > 0.0 ? mean_[n] / volume[n] : 0.0;
     }
-    for (std::size_t t = 0; t < tets; ++t) {
+}
+
+void CrackFinder::find_stress(const SolidModel& model, const SolidState& state) {
+    stress_.resize(rest_.size());
+    for (std::size_t t = 0; t < rest_.size(); ++t) {
+        if (state.present[t] != 0) {
+            const CorotationalPoint point =
+                corotational_point(tet_gradient(rest_[t], points_of(state.position, model.coarse.tets[t])));
+            stress_[t].rotation = point.rotation;
+            stress_[t].strain = point.rotation.transpose() * point.gradient - Mat3::Identity();
+        }
+    }
+    average_pressure(model, state);
+    for (std::size_t t = 0; t < rest_.size(); ++t) {
+        if (state.present[t] == 0) {
+            continue;
+        }
         const std::array<int, 4>& tet = model.coarse.tets[t];
-        theta_[t] = 0.25 * (mean_[tet[0]] + mean_[tet[1]] + mean_[tet[2]] + mean_[tet[3]]);
+        const Material& material = model.materials[model.coarse.region[t]];
+        const Lame moduli = lame(material.young_modulus, material.poisson_ratio);
+        const double swelling = 0.25 * (mean_[tet[0]] + mean_[tet[1]] + mean_[tet[2]] + mean_[tet[3]]);
+        TetStress& own = stress_[t];
+        const Mat3 even = (swelling - own.strain.trace()) / 3.0 * Mat3::Identity();
+        const Mat3 strain = 0.5 * (own.strain + own.strain.transpose()) + even;
+        own.stress = 2.0 * moduli.mu * strain + moduli.lambda * swelling * Mat3::Identity();
+        own.energy = 0.5 * own.stress.cwiseProduct(strain).sum();
     }
 }
 
@@ -99,19 +171,16 @@ void CrackFinder::find_stress(const SolidModel& model, const SolidState& state) 
 void CrackFinder::mark_touched(const SolidModel& model, const ContactSet& contacts, int solid) {
     touched_.assign(model.coarse.tets.size(), 0);
     std::vector<std::array<int, 2>> pressed;
-    std::vector<char> node_pressed(model.coarse.nodes.size(), 0);
+    pressed_.assign(model.coarse.nodes.size(), 0);
     for (const Contact& contact : contacts) {
         if (contact.solid == solid && contact.partner == ContactPartner::tool) {
             pressed.push_back({contact.nodes[0], contact.nodes[1] < 0 ? contact.nodes[0] : contact.nodes[1]});
-            node_pressed[pressed.back()[0]] = node_pressed[pressed.back()[1]] = 1;
+            pressed_[first_[pressed.back()[0]]] = pressed_[first_[pressed.back()[1]]] = 1;
         }
     }
-    const auto has = [](const std::array<int, 4>& tet, int node) {
-        return std::find(tet.begin(), tet.end(), node) != tet.end();
-    };
     for (std::size_t t = 0; t < touched_.size(); ++t) {
         const std::array<int, 4>& tet = model.coarse.tets[t];
-        if (std::none_of(tet.begin(), tet.end(), [&](int node) { return node_pressed[node] != 0; })) {
+        if (std::none_of(tet.begin(), tet.end(), [&](int node) { return pressed_[first_[node]] != 0; })) {
             continue;
         }
         touched_[t] =
@@ -122,30 +191,47 @@ void CrackFinder::mark_touched(const SolidModel& model, const ContactSet& contac
     }
 }
 
-void CrackFinder::look(const SolidModel& model, const SolidState& state, const ContactSurface& surface,
-                       const ContactSet& contacts, int solid) {
-    find_stress(model, state);
-    mark_touched(model, contacts, solid);
-    open_.assign(model.coarse.nodes.size(), 0);
+void CrackFinder::mark_open(const ContactSurface& surface) {
+    open_.assign(first_.size(), 0);
     for (const SurfaceVertex& vertex : surface.vertices()) {
         if (vertex.nodes[1] < 0) {
-            open_[vertex.nodes[0]] = 1;
+            open_[first_[vertex.nodes[0]]] = 1;
         }
     }
-    ratios_.assign(faces_.size(), 0.0);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-        if (std::binary_search(state.broken.begin(), state.broken.end(), faces_[f].tets)) {
+        if (states_[f] == FaceState::broken) {
             for (const int node : faces_[f].nodes) {
                 open_[node] = 1;
             }
         }
     }
+}
+
+double CrackFinder::tension_energy(const CrackFace& face, double modulus) const {
+    const auto [a, b] = face.tets;
+    const double share = rest_[a].volume / (rest_[a].volume + rest_[b].volume);
+    const auto across = [&](int tet) { return face.normal.dot(stress_[tet].stress * face.normal); };
+    const double tension = std::max(0.0, share * across(a) + (1.0 - share) * across(b));
+    return crack_factor * tension * tension * face.height / (2.0 * modulus);
+}
+
+void CrackFinder::look(const SolidModel& model, const SolidState& state, const ContactSurface& surface,
+                       const ContactSet& contacts, int solid) {
+    find_stress(model, state);
+    find_states(state);
+    mark_touched(model, contacts, solid);
+    mark_open(surface);
+    front_.find(faces_, states_, state.present, first_.size());
+    if (!front_.empty()) {
+        front_.measure(model.coarse.nodes);
+        front_.pull(together_, rest_, stress_, state.present, pressed_);
+    }
+    ratios_.assign(faces_.size(), 0.0);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-        const Face& face = faces_[f];
-        const int open = open_[face.nodes[0]] + open_[face.nodes[1]] + open_[face.nodes[2]];
+        const CrackFace& face = faces_[f];
         const auto [a, b] = face.tets;
-        if (open < 2 || touched_[a] != 0 || touched_[b] != 0 || state.present[a] == 0 || state.present[b] == 0 ||
-            std::binary_search(state.broken.begin(), state.broken.end(), face.tets)) {
+        const int open = open_[face.nodes[0]] + open_[face.nodes[1]] + open_[face.nodes[2]];
+        if (states_[f] != FaceState::whole || open < 2 || touched_[a] != 0 || touched_[b] != 0) {
             continue;
         }
         const Material& first = model.materials[model.coarse.region[a]];
@@ -154,14 +240,10 @@ void CrackFinder::look(const SolidModel& model, const SolidState& state, const C
         if (!(toughness > 0.0)) {
             continue;
         }
-        const double share = rest_[a].volume / (rest_[a].volume + rest_[b].volume);
-        const auto tension = [&](int t, const Material& material) {
-            return face.normal.dot(shear_[t] * face.normal) +
-                   lame(material.young_modulus, material.poisson_ratio).lambda * theta_[t];
-        };
-        const double pull = share * tension(a, first) + (1.0 - share) * tension(b, second);
+        const bool near_front =
+            std::any_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return front_.near(node); });
         const double modulus = std::min(first.young_modulus, second.young_modulus);
-        ratios_[f] = pull > 0.0 ? crack_factor * pull * pull * face.height / (2.0 * modulus * toughness) : 0.0;
+        ratios_[f] = (near_front ? front_.energy(face, model.coarse.nodes) : tension_energy(face, modulus)) / toughness;
     }
 }
 

@@ -28,7 +28,7 @@ constexpr double newton_tolerance =
     1e-7;                            ///< relative residual that ends a step when there are no forces to compare with
 constexpr double acceptable = 10.0;  ///< times the tolerance: a residual force above it has a step redone
 constexpr double largest_advance = 0.5;  ///< of a tool within a substep, in radii of its thinnest end
-constexpr double sound_share = 0.4;     ///< a tetrahedron with less of it left may invert
+constexpr double sound_share = 0.4;      ///< a tetrahedron with less of it left may invert
 
 /// Force per coarse node; empty if there is none.
 std::vector<Vec3> node_forces(const StepTask& task, int solid) {

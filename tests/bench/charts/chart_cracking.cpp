@@ -6,9 +6,11 @@
 #include <memory>
 #include <numbers>
 
+#include "base/rng.hpp"
 #include "bench/charts/equations.hpp"
 #include "bench/charts/models.hpp"
 #include "bench/timing.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/solid/crack.hpp"
 
@@ -36,10 +38,12 @@ using ArmMatrix = Eigen::SparseMatrix<double>;
 /// A double cantilever, one cell wide, held so that its sides stay plane; nodes of the crack are there twice.
 class DoubleCantilever {
 public:
-    DoubleCantilever(double cell, double crack) : cell_(cell), crack_(crack) {
+    DoubleCantilever(double cell, double crack, double askew) : cell_(cell), crack_(crack) {
         model_.coarse = bar(static_cast<int>(std::lround(arm_length / cell)), 1,
                             static_cast<int>(std::lround(2.0 * arm_height / cell)), cell);
+        find_broken();
         cut_open();
+        disarrange(askew);
         model_.fine = subdivide(model_.coarse);
         Material material;
         material.young_modulus = arm_modulus;
@@ -55,6 +59,7 @@ public:
             rest_.push_back(rest_tet(points));
         }
         state_ = rest_state(model_);
+        state_.broken = broken_;
         solve();
         finder_ = std::make_shared<CrackFinder>(model_);
         surface_ = std::make_shared<ContactSurface>(model_);
@@ -110,11 +115,11 @@ public:
     [[nodiscard]] const std::vector<RestTet>& rest() const { return rest_; }
 
     /// The kernel's look: greatest of the faces at the tip; in_plane: only those in the plane of the crack.
-    [[nodiscard]] double energy_by_tension(bool in_plane) const {
+    [[nodiscard]] double energy_by_kernel(bool in_plane) const {
         finder_->look(model_, state_, *surface_, {}, 0);
         double most = 0.0;
         for (std::size_t f = 0; f < finder_->faces().size(); ++f) {
-            const CrackFinder::Face& face = finder_->faces()[f];
+            const CrackFace& face = finder_->faces()[f];
             Vec3 centre = Vec3::Zero();
             for (const int node : face.nodes) {
                 centre += model_.coarse.nodes[node] / 3.0;
@@ -128,27 +133,59 @@ public:
     }
 
 private:
+    [[nodiscard]] Vec3 centre(int tet) const {
+        Vec3 sum = Vec3::Zero();
+        for (const int node : model_.coarse.tets[tet]) {
+            sum += 0.25 * model_.coarse.nodes[node];
+        }
+        return sum;
+    }
+    [[nodiscard]] bool above(int tet) const { return centre(tet).z() > arm_height; }
+
+    void find_broken() {
+        const std::vector<std::array<int, 4>> neighbours = face_neighbours(model_.coarse.tets);
+        for (int t = 0; t < static_cast<int>(neighbours.size()); ++t) {
+            for (const int other : neighbours[t]) {
+                if (other > t && above(t) != above(other) && centre(t).x() < crack_) {
+                    broken_.push_back({t, other});
+                }
+            }
+        }
+        std::sort(broken_.begin(), broken_.end());
+    }
+
     /// Tetrahedra above the crack get nodes of their own.
     void cut_open() {
         TetMesh& mesh = model_.coarse;
-        std::vector<int> above(mesh.nodes.size(), -1);
-        for (int node = 0; node < static_cast<int>(above.size()); ++node) {
+        std::vector<int> twin(mesh.nodes.size(), -1);
+        for (int node = 0; node < static_cast<int>(twin.size()); ++node) {
             const Vec3 place = mesh.nodes[node];
             if (std::abs(place.z() - arm_height) < 1e-9 && place.x() < crack_ - 1e-9) {
-                above[node] = static_cast<int>(mesh.nodes.size());
+                twin[node] = static_cast<int>(mesh.nodes.size());
                 mesh.nodes.push_back(place);
             }
         }
-        const std::size_t before = above.size();
-        for (std::array<int, 4>& tet : mesh.tets) {
-            double height = 0.0;
-            for (const int node : tet) {
-                height += 0.25 * mesh.nodes[node].z();
+        for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
+            if (!above(t)) {
+                continue;
             }
-            for (int& node : tet) {
-                if (height > arm_height && node < static_cast<int>(before) && above[node] >= 0) {
-                    node = above[node];
-                }
+            for (int& node : mesh.tets[t]) {
+                node = node < static_cast<int>(twin.size()) && twin[node] >= 0 ? twin[node] : node;
+            }
+        }
+    }
+
+    /// Moves nodes inside at random, but none of the crack and its tip, so that no row of faces goes on from it.
+    void disarrange(double share) {
+        Rng rng(1, "askew cantilever");
+        const auto off = [&] { return share * cell_ * (2.0 * rng.uniform() - 1.0); };
+        for (Vec3& node : model_.coarse.nodes) {
+            const bool inside = node.x() > 1e-9 && node.x() < arm_length - 1e-9 && node.z() > 1e-9 &&
+                                node.z() < 2.0 * arm_height - 1e-9;
+            const bool of_crack = std::abs(node.z() - arm_height) < 1e-9 && node.x() < crack_ + 1e-9;
+            if (inside && !of_crack) {
+                const double along = off();
+                node += Vec3(along, 0.0, off());
             }
         }
     }
@@ -223,6 +260,7 @@ private:
     double crack_;
     SolidModel model_;
     SolidState state_;
+    std::vector<BrokenFace> broken_;
     std::vector<RestTet> rest_;
     std::shared_ptr<CrackFinder> finder_;
     std::shared_ptr<ContactSurface> surface_;
@@ -306,47 +344,54 @@ struct TipEnergy {
     std::string name;
     std::function<double(const DoubleCantilever&)> of;  ///< [uN/mm]
     bool is_default = false;
+    bool on_any_mesh = false;
 };
 
 /// What a look at the cracks costs and finds.
-TipEnergy by_tension(const std::string& name, bool in_plane, bool is_default) {
-    return {name, [in_plane](const DoubleCantilever& arms) { return arms.energy_by_tension(in_plane); }, is_default};
+TipEnergy by_kernel(const std::string& name, bool in_plane, bool is_default) {
+    return {name, [in_plane](const DoubleCantilever& arms) { return arms.energy_by_kernel(in_plane); }, is_default,
+            !in_plane};
 }
 
 std::vector<TipEnergy> tip_energies() {
-    return {by_tension("kernel: the first face that breaks at the tip", false, true),
-            by_tension("kernel: faces in the crack's plane", true, false),
+    return {by_kernel("kernel: the first face that breaks at the tip", false, true),
+            by_kernel("kernel: faces in the crack's plane", true, false),
             {"virtual crack closure", energy_by_closure},
             {"pull of the tip's nodes on the material",
-             [](const DoubleCantilever& arms) { return energy_by_pull(arms, 1.1 * arms.cell()); }},
+             [](const DoubleCantilever& arms) { return energy_by_pull(arms, 1.1 * arms.cell()); }, false, true},
             {"opening behind the tip", energy_by_opening}};
+}
+
+void measure_cells(double cell, double askew, const ChartOptions& options, std::vector<ChartPoint>& points) {
+    std::vector<DoubleCantilever> all;
+    for (const double crack : crack_lengths) {
+        all.emplace_back(cell, crack, askew);
+    }
+    char setting[24];
+    std::snprintf(setting, sizeof setting, askew > 0.0 ? "%g mm askew" : "%g mm", cell);
+    for (const TipEnergy& way : tip_energies()) {
+        const bool is_default = way.is_default && cell == lens_cell && askew == 0.0;
+        if ((options.only_default && !is_default) || (askew > 0.0 && !way.on_any_mesh)) {
+            continue;
+        }
+        Curves forces(1);  // at which the crack goes on, as a share of that at which it should
+        for (const DoubleCantilever& arms : all) {
+            forces[0].push_back(std::sqrt(energy_freed(arms.tip().x()) / way.of(arms)));
+        }
+        points.push_back(point_of(way.name, setting, is_default,
+                                  rms_share(forces[0], std::vector<double>(forces[0].size(), 1.0)),
+                                  time_interleaved({[&] { way.of(all[0]); }}, options.repeats)[0].seconds));
+    }
 }
 
 std::vector<ChartPoint> measure_cracking(const ChartOptions& options) {
     std::vector<ChartPoint> points;
     const std::vector<TipEnergy> ways = tip_energies();
-    for (const double cell : {1.0, 0.5, 0.25, 0.125}) {
-        if (options.only_default && cell != lens_cell) {
-            continue;
-        }
-        std::vector<DoubleCantilever> all;
-        for (const double crack : crack_lengths) {
-            all.emplace_back(cell, crack);
-        }
-        char setting[16];
-        std::snprintf(setting, sizeof setting, "%g mm", cell);
-        for (const TipEnergy& way : ways) {
-            const bool is_default = way.is_default && cell == lens_cell;
-            if (options.only_default && !is_default) {
-                continue;
+    for (const double askew : {0.0, 0.2}) {
+        for (const double cell : {1.0, 0.5, 0.25, 0.125}) {
+            if (!options.only_default || (cell == lens_cell && askew == 0.0)) {
+                measure_cells(cell, askew, options, points);
             }
-            Curves forces(1);  // at which the crack goes on, as a share of that at which it should
-            for (const DoubleCantilever& arms : all) {
-                forces[0].push_back(std::sqrt(energy_freed(arms.tip().x()) / way.of(arms)));
-            }
-            points.push_back(point_of(way.name, setting, is_default,
-                                      rms_share(forces[0], std::vector<double>(forces[0].size(), 1.0)),
-                                      time_interleaved({[&] { way.of(all[0]); }}, options.repeats)[0].seconds));
         }
     }
     std::stable_sort(points.begin(), points.end(), [&](const ChartPoint& a, const ChartPoint& b) {
