@@ -12,8 +12,8 @@ end
 -- Sinks the tip into the front of the lens without ultrasound and drives it away from the surgeon.
 local function push(t)
     come_to_lens(t)
-    t.phaco:move_to({ 0, -1.5, 0.7 }, { speed = 2, motion = "even" })
-    t.phaco:move_to({ 0, 2.4, 0.5 }, { speed = 2, motion = "even", stop = "lens.displacement_mm > 0.52" })
+    t.phaco:move_to({ 0, -1.5, 0.3 }, { speed = 2, motion = "even" })
+    t.phaco:move_to({ 0, 2.4, 0.1 }, { speed = 2, motion = "even", stop = "lens.displacement_mm > 0.52" })
     t:expect_event("Pushing the lens")
 end
 
@@ -39,8 +39,8 @@ return scenarios {
         near = "lens.displacement_mm > 0.36",
         function(t)
             come_to_lens(t)
-            t.phaco:move_to({ 0, -1.5, 0.7 }, { speed = 2, motion = "even" })
-            t.phaco:move_to({ 0, 2.4, 0.5 }, { speed = 2, motion = "even", stop = "lens.displacement_mm > 0.37" })
+            t.phaco:move_to({ 0, -1.5, 0.3 }, { speed = 2, motion = "even" })
+            t.phaco:move_to({ 0, 2.4, 0.1 }, { speed = 2, motion = "even", stop = "lens.displacement_mm > 0.37" })
             t.phaco:pedal(3)
             t:wait(1)
             t:expect("lens.displacement_mm < 0.3")

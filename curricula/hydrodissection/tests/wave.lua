@@ -26,8 +26,8 @@ return scenarios {
             t.saline_cannula:enter()
             under_rim(t, 90)
             t:expect("hydro.under_rim")
-            t.saline_cannula:jaw(0.28)
-            t:wait_until("hydro.wave_share > 0.95", 7)
+            t.saline_cannula:jaw(0.34)
+            t:wait_until("hydro.wave_share > 0.95", 10)
             t.saline_cannula:jaw(0)
             t:wait(0.3)
             t:expect("hydro.freed_share > 0.9 and hydro.injected_ml < 1 and not hydro.burst")
@@ -59,7 +59,7 @@ return scenarios {
             t.saline_cannula:move_to({ 0, 1, 2.8 }, { speed = 10 })
             turn(t, 0, 90, 3)
             t:expect("bag.slip_deg < 10")
-            t:expect_event("No wave or no rotation", { recovered = false, within = 4 })
+            t:expect_event("No wave or no rotation", { recovered = false, within = 6 })
         end },
 
     scenario "a little less in vain" {

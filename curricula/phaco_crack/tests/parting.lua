@@ -13,16 +13,16 @@ local function enter(t)
     t:wait(0.5)
 end
 
-local function both(t, right, left, speed)
-    t:together(function() t.phaco:move_to(right, { speed = speed, motion = "even" }) end,
-        function() t.spatula:move_to(left, { speed = speed, motion = "even" }) end)
+local function both(t, right, left, speed, stop)
+    t:together(function() t.phaco:move_to(right, { speed = speed, motion = "even", stop = stop }) end,
+        function() t.spatula:move_to(left, { speed = speed, motion = "even", stop = stop }) end)
 end
 
--- Both tips down at y, to a height, and apart by a way each.
-local function part(t, y, z, way)
+-- Both tips down at y, to a height, and apart by a way each, or until something is so.
+local function part(t, y, z, way, stop)
     both(t, { 0.3, y, 2.4 }, { -0.3, y, 2.4 }, 20)
     both(t, { 0.3, y, z }, { -0.3, y, z }, 10)
-    both(t, { 0.3 + way, y, z }, { -0.3 - way, y, z }, 1.5)
+    both(t, { 0.3 + way, y, z }, { -0.3 - way, y, z }, 1.5, stop)
 end
 
 -- Back together and up.
@@ -31,8 +31,8 @@ local function close(t, y, z)
     both(t, { 0.3, y, 2.4 }, { -0.3, y, 2.4 }, 20)
 end
 
-local function split(t, y, z, way)
-    part(t, y, z, way)
+local function split(t, y, z, way, stop)
+    part(t, y, z, way, stop)
     close(t, y, z)
 end
 
@@ -64,8 +64,8 @@ return scenarios {
         near = "crack.bridge_share > 0.08 and crack.bridge_share < 0.12 and " .. crack_events.both_out,
         function(t)
             enter(t)
-            split(t, 1.6, -1.55, 1.3)
-            split(t, -1.5, -1.45, 1.3)
+            split(t, 1.6, -1.55, 1.5, "crack.bridge_share < 0.12")
+            split(t, -1.5, -1.55, 1.5, "crack.bridge_share < 0.12")
             t:wait(4)
         end },
 

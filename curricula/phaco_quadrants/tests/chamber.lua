@@ -8,7 +8,7 @@ local coarse = { patient = { tetrahedra = 1000 } }
 local risky = { patient = { tetrahedra = 1000 },
     machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 600, bottle_cm = 40 } }
 local careful = { patient = { tetrahedra = 1000 },
-    machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 300, bottle_cm = 80 } }
+    machine = { tubing_mm3_mmhg = 0.8, vacuum_mmhg = 350, bottle_cm = 90 } }
 
 local function come_in(t) quarter_hand.come_in(t, 20, 20) end
 

@@ -12,8 +12,8 @@ local function come_in(t)
     t.phaco:move_to({ 0, 0, 0.2 }, { speed = 8 })
 end
 
--- The far left quarter on the tip.
-local function hold(t)
+-- The tip at the far left quarter.
+local function reach(t)
     t.phaco:pedal(2)
     t.phaco:move_to({ -0.85, 0.85, 0.2 }, { speed = 2 })
     t.phaco:pedal(2.1)
@@ -21,13 +21,12 @@ local function hold(t)
     t.phaco:pedal(1.75)
     t.phaco:move_to({ -1.9, 1.9, -0.4 }, { speed = 1, motion = "even" })
     t:wait(0.8)
-    t:expect("phaco.hold_mN > 10")
 end
 
 -- It is pushed through the hole while nothing keeps the chamber up.
 local function drop(t)
     come_in(t)
-    hold(t)
+    reach(t)
     t:set { ["machine.bottle_cm"] = 0 }
     t.phaco:move_to({ 0, 0, 0 }, { speed = 2 })
     t.phaco:move_to({ 0, 0, -5 }, { speed = 1, motion = "even", stop = "fragments.sunk_mm > 2" })
@@ -59,19 +58,19 @@ return scenarios {
             t:expect_event("Dropped piece", { recovered = false, within = 6 })
         end },
 
-    scenario "piece led behind the capsule while the bottle is low, held, and drawn up with the bottle" {
+    scenario "a tip that aspirates over the hole while the bottle is down, and leaves the pieces alone" {
         start = "torn",
         set = coarse,
         silent_twin_of = "Dropped piece",
-        near = "fragments.sunk_mm > 0.1",
+        near = "capsule.hole_mm2 > 0 and phaco.aspirating and phaco.tip_posterior_mm < 2.5",
         function(t)
             come_in(t)
-            hold(t)
-            t:set { ["machine.bottle_cm"] = 14 }
-            t.phaco:move_to({ 0, 0, 0 }, { speed = 4 })
-            t.phaco:move_to({ 0, 0, -4.5 }, { speed = 2, motion = "even", stop = "fragments.sunk_mm > 0.1" })
-            t.phaco:move_to({ 0, 0, 1 }, { speed = 2.5 })
+            t.phaco:pedal(1.5)
+            t:set { ["machine.bottle_cm"] = 20 }
+            t.phaco:move_to({ 0, 0, -0.6 }, { speed = 1 })
+            t:wait(0.5)
             t:set { ["machine.bottle_cm"] = 95 }
+            t.phaco:move_to({ 0, 0, 1 }, { speed = 4 })
             t:wait(0.5)
             t:expect("fragments.sunk_mm <= 0")
         end },

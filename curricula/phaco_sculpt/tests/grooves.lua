@@ -106,7 +106,7 @@ return scenarios {
         near = "groove_2.length_mm >= 3 and grooves.angle_deg < 83",
         function(t)
             come_in(t)
-            layers(t, 79, 0.9)
+            layers(t, 81, 0.9)
             t:wait(1.5)
             t:expect("groove_2.length_mm >= 3 and grooves.angle_deg > 80")
         end },

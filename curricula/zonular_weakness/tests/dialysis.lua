@@ -39,7 +39,7 @@ return scenarios {
             t:set { ["machine.bottle_cm"] = 35 }
             t.phaco:withdraw({ speed = 20 })
             hand.cover(t)
-            t:expect("zonules.unsupported_deg > 50")
+            t:expect("zonules.unsupported_deg > 40")
             hand.set_hook(t)
             t:expect_event("Zonular dialysis", { recovered = true, within = 2 })
         end },
