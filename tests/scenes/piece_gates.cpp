@@ -64,11 +64,11 @@ Gates gates_of_suction(bool) {
                                         std::pair{Suction::on_and_off, "on and off"}}) {
         const Grip found = draw_up(suction);
         const std::string id = std::string("T25 ") + name;
-        gates.push_back({id, "force on the tip over what suction holds", found.most, 2.5});
+        gates.push_back({id, "force on the tip over what suction holds", found.most, 1.3});
         gates.push_back(
             {id, "energy beyond the work of the tip, over what suction does in a tenth of a mm", found.gain, 1.5});
         if (suction == Suction::ample) {
-            gates.push_back({id, "way of the tip against that of the cube, relative", std::abs(found.led - 1.0), 0.3});
+            gates.push_back({id, "way of the tip against that of the cube, relative", std::abs(found.led - 1.0), 0.5});
         }
         gates.push_back({id, "energy left half a second after it is let go, over the largest", found.left, 1e-3});
         gates.push_back({id, unsolved, whole(found.failures), 0.0});

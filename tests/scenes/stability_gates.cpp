@@ -68,8 +68,9 @@ std::span<const GateGroup> stability_gates() {
         {"T24", "faces that break at random to the last, and a crack that runs",
          "Crumbs push each other apart where they broke, as pieces do.", gates_of_cracks},
         {"T25", "suction that holds, slips and comes and goes",
-         "Suction bears what it holds twice, at the patch before the mouth and at the surface that touches it: at most "
-         "2.3 times. Drawing tissue onto the mouth is work that suction does, not the tip.",
+         "The grip leads the patch before the mouth as far as suction holds: a soft cube lags behind the tip by up to "
+         "half "
+         "of the way. Drawing tissue onto the mouth is work that suction does, not the tip.",
          gates_of_suction},
         {"T26", "an implant that is pushed into its bag and settles",
          "Where the optic slips out of the nozzle decides for seconds where it lies, by half a millimetre.",

@@ -16,9 +16,8 @@ namespace {
 constexpr double travel_in_thicknesses = 0.5;  // of shell and partner in a step
 constexpr double sag = 0.05;  // of the thickness: how far a partner may sink in between samples, if they are rigid
 constexpr int finest_level = 3;
-constexpr double through = 0.5;      // of the thickness: what is so deep when it is first met is on the other side
-constexpr double told_apart = 1e-9;  // more than that of a gap [mm]
-constexpr double smooth = 1.0;  // radius of partners without an edge, against which the shell's own bend counts [mm]
+constexpr double through = 0.5;  // of the thickness: what is so deep when it is first met is on the other side
+constexpr double smooth = 1.0;   // radius of partners without an edge, against which the shell's own bend counts [mm]
 
 auto rank(const ShellTouch& touch) {
     return std::tuple(static_cast<int>(touch.partner), touch.index, touch.sample, touch.front);
@@ -228,7 +227,6 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     if (partners.sheet != nullptr) {
         start_.insert(start_.end(), partners.sheet->position.begin(), partners.sheet->position.end());
     }
-    first_.clear();
     set_iterate(start_);
     points_of_ = nullptr;
     const auto meet_all = [this](ContactPartner partner, std::size_t count) {
@@ -253,39 +251,6 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
 void ShellContacts::set_iterate(const std::vector<Vec3>& points) {
     now_ = &points;
     pose_.set(state_->rotation, points);
-    const std::size_t shell = 2 * state_->position.size();
-    double moved = 0.0;
-    double turned = 0.0;
-    for (std::size_t i = 0; i < first_.size(); ++i) {
-        double& most = i < shell && i % 2 == 1 ? turned : moved;
-        most = std::max(most, (points[i] - first_[i]).squaredNorm());
-    }
-    moved_ = std::sqrt(moved);
-    turned_ = std::sqrt(turned);
-}
-
-/// A turn's numbers change by no less than the angle.
-ShellContacts::Known ShellContacts::known_of(const Contact& contact, double gap) const {
-    Known known{gap, 0.0, contact.lever.norm() + contact.foot_lever.norm()};
-    for (const ShellPlace* own : {&place(contact), &contact.foot}) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            known.by_move += std::abs(own->weights[k]);
-            known.by_turn += own->arms[k].norm();
-        }
-    }
-    return known;
-}
-
-/// Where it is at the iterate, if it pushes or holds there. What was far from that at the first iterate is not looked
-/// at again.
-std::optional<ShellContacts::Meeting> ShellContacts::touching(const Contact& contact) const {
-    const Known& known = contact.known;
-    if (is_flat(contact) &&
-        is_apart(contact, known.gap - known.by_move * moved_ - known.by_turn * turned_ - told_apart)) {
-        return std::nullopt;
-    }
-    const Meeting now = meeting(contact);
-    return is_apart(contact, now.gap) ? std::nullopt : std::optional(now);
 }
 
 std::vector<std::array<int, 2>> ShellContacts::pairs(ContactPartner partner, double gap) const {
@@ -467,17 +432,10 @@ void ShellContacts::terms(const std::vector<Vec3>& points, std::vector<ContactTe
         return;
     }
     set_iterate(points);
-    if (first_.empty()) {
-        first_ = points;
-        for (Contact& contact : list_) {
-            if (is_flat(contact)) {
-                contact.known = known_of(contact, meeting(contact).gap);
-            }
-        }
-    }
     for (const Contact& contact : list_) {
-        if (const std::optional<Meeting> now = touching(contact)) {
-            fill(contact, *now, respond(contact, *now), terms.emplace_back());
+        const Meeting now = meeting(contact);
+        if (!is_apart(contact, now.gap)) {
+            fill(contact, now, respond(contact, now), terms.emplace_back());
         }
     }
 }
@@ -502,13 +460,12 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
     std::vector<ShellTouch> kept;
     for (std::size_t i = 0; i < list_.size(); ++i) {
         Contact& contact = list_[i];
-        const std::optional<Meeting> met = touching(contact);
+        const Meeting now = meeting(contact);
         contact.force.setZero();
-        if (!met) {
+        if (is_apart(contact, now.gap)) {
             work_.lost += settings_.accounts ? at_start_[i].energy : 0.0;
             continue;
         }
-        const Meeting& now = *met;
         const Vec3 from_anchor = offset(contact, now.point);
         const SpringResponse pushed = respond(contact, now);
         const Vec3 tangential = is_held(contact) ? from_anchor : across(from_anchor, now.normal);

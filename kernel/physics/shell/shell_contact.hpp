@@ -74,10 +74,10 @@ public:
     /// No node may go farther in a step, or something may have been missed [mm].
     [[nodiscard]] double most_travel() const { return most_travel_; }
 
-    /// Pairs of nodes that layers nearer than a gap [mm] may tie in the step, ascending.
-    [[nodiscard]] std::vector<std::array<int, 2>> links(double gap) const;
+    /// Pairs of nodes that layers may tie in the step, ascending: all, or of those nearer than a gap [mm].
+    [[nodiscard]] std::vector<std::array<int, 2>> links(double gap = HUGE_VAL) const;
     /// The same of nodes of the shell and of the membrane, in that order.
-    [[nodiscard]] std::vector<std::array<int, 2>> ties(double gap) const;
+    [[nodiscard]] std::vector<std::array<int, 2>> ties(double gap = HUGE_VAL) const;
 
     /// Forces and stiffness at an iterate. points: as of ShellBody, turns since the state's rotations.
     void terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms);
@@ -95,12 +95,6 @@ public:
 
 private:
     static constexpr int level_of_layers = 1;  ///< of the samples that meet layers, a membrane and jaws
-    /// Of a layer or a membrane at the first iterate of a step, and how it can change since.
-    struct Known {
-        double gap = -HUGE_VAL;  ///< [mm]
-        double by_move = 0.0;    ///< at most, per movement of any node
-        double by_turn = 0.0;    ///< and per turn [mm]
-    };
     struct Contact {
         ShellTouch touch;
         const ShellSamples* on = nullptr;
@@ -116,7 +110,6 @@ private:
         Vec3 normal = Vec3::Zero();
         double gap = 0.0;           ///< [mm]
         Vec3 force = Vec3::Zero();  ///< on the shell at the end
-        Known known;
     };
     /// Where a contact is at an iterate.
     struct Meeting {
@@ -169,14 +162,10 @@ private:
     }
     [[nodiscard]] SurfaceDistance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
     [[nodiscard]] Meeting meeting(const Contact& contact, double share = 1.0) const;
-    std::array<Layer, 2> nearest_layers(const ShellSamples& on, std::size_t sample,
-                                        std::span<ShellLayers::Candidate> near);
     [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle, double reach) const;
     [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point, double share = 1.0) const;
     [[nodiscard]] Vec3 foot_of(const Contact& contact) const;
     void set_iterate(const std::vector<Vec3>& points);
-    [[nodiscard]] Known known_of(const Contact& contact, double gap) const;
-    [[nodiscard]] std::optional<Meeting> touching(const Contact& contact) const;
     /// Whether where it touches stays as it was at the start of the step.
     static bool is_flat(const Contact& contact) {
         return contact.touch.partner == ContactPartner::layer || contact.touch.partner == ContactPartner::sheet;
@@ -221,15 +210,11 @@ private:
     // scratch
     const ShellState* state_ = nullptr;
     const std::vector<Vec3>* now_ = nullptr;   ///< the iterate
-    std::vector<Vec3> first_;                  ///< iterate of the step, at which gaps are known; or empty
-    double moved_ = 0.0;                       ///< any node since then, at most [mm]
-    double turned_ = 0.0;                      ///< likewise
     std::vector<Vec3> points_;                 ///< of samples at the start,
     const ShellSamples* points_of_ = nullptr;  ///< of these; null: of none
     std::vector<Vec3> start_;
-    std::vector<Ball> facets_;                           ///< about those of the samples of layers
-    std::vector<Ball> around_;                           ///< about all facets of a triangle
-    std::vector<std::pair<double, std::size_t>> order_;  ///< of candidates, by squared distance
+    std::vector<Ball> facets_;  ///< about those of the samples of layers
+    std::vector<Ball> around_;  ///< about all facets of a triangle
     std::vector<Before> at_start_;
 };
 

@@ -29,22 +29,18 @@ public:
     };
     /// Triangles whose surface may come within that gap of a sample's before the next search, ascending; but none that
     /// is near it along the surface: closer than one and a half times its thickness, by edges, or of the same nodes.
-    [[nodiscard]] std::span<Candidate> near(std::size_t sample) {
+    [[nodiscard]] std::span<const Candidate> near(std::size_t sample) const {
         return {candidates_.data() + first_[sample], candidates_.data() + first_[sample + 1]};
     }
-    /// Whether it may be within that gap now.
-    [[nodiscard]] bool may_meet(const Candidate& candidate) const { return candidate.spare <= closed_; }
-    /// It is no nearer than that now: until both have come nearer by what it is beyond the gap, it is of no use.
-    void learn(Candidate& candidate, double apart) const;
+    /// No two samples have come nearer to each other since the last search by more than that [mm].
+    [[nodiscard]] double closed() const { return closed_; }
     /// Half the thickness of a triangle where it is thickest, of the last search [mm].
     [[nodiscard]] double half(int triangle) const { return halves_[static_cast<std::size_t>(triangle)]; }
 
 private:
     void find_near(const std::vector<std::vector<std::pair<int, double>>>& edges);
     [[nodiscard]] double closed_since(const std::vector<Vec3>& points) const;
-    void bound(const ShellSamples& on);
-    void find_around();
-    void find(const Vec3& point, const ShellSamples::Sample& sample);
+    void find(const Vec3& point, const ShellPlace& place);
     [[nodiscard]] bool is_near(int triangle, const ShellPlace& place) const;
 
     const ShellModel* model_;
@@ -58,8 +54,7 @@ private:
     double gap_ = 0.0;
     std::vector<int> first_;  ///< per sample and one more: into candidates_
     std::vector<Candidate> candidates_;
-    double closed_ = 0.0;  ///< no two samples have come nearer to each other since by more than that [mm]
-    std::vector<std::vector<int>> around_;  ///< per triangle: what may be near any place of it, ascending
+    double closed_ = 0.0;
     BoxGrid grid_;
 };
 

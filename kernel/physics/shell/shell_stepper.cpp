@@ -71,8 +71,8 @@ void ShellStepper::tie(const ShellContacts* contacts, const ShellWall* wall) {
         anew = anew ||
                static_cast<double>(missing.size()) > missing_share * static_cast<double>(links.size() + ties.size());
         if (anew) {
-            links_ = contacts->links(HUGE_VAL);
-            ties_ = contacts->ties(HUGE_VAL);
+            links_ = contacts->links();
+            ties_ = contacts->ties();
         }
     }
     if (anew) {

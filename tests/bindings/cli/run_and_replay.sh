@@ -22,7 +22,7 @@ expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --seed 2 --out "$wo
 
 # Replay.
 expect 0 "" "$rhexis" replay "$work/a" --verify
-says "identical: all 600 steps"
+says "identical: all 300 steps"
 expect 0 "" "$rhexis" replay "$work/a" --verify --threads 2
 says "identical"
 expect 0 "" "$rhexis" replay "$work/a" --score-with groove --json
@@ -38,7 +38,7 @@ before=$(sha256sum <"$work/a/report.json")
 expect 0 "" "$rhexis" replay "$work/a" --score-with rubrics/ico_oscar.lua --json
 says '"rubric": "ICO-OSCAR"'
 says '"simulated_from_step": 0'
-says '"judged_steps": 600'
+says '"judged_steps": 300'
 says '"id": "P9"'
 expect 0 "" "$rhexis" replay "$work/a" --score-with rubrics/ico_oscar.lua
 says "ICO-OSCAR"
@@ -52,7 +52,7 @@ expect 2 "item P20, measure P20.time" "$rhexis" replay "$work/a" --score-with "$
 # Also what somebody did who was told not to react.
 expect 0 "" "$rhexis" run groove "${small[@]}" --no-pictures --set surgeon.recovery=0 --set goal.length_mm=3 --out "$work/d"
 expect 0 "" "$rhexis" replay "$work/d" --score-with groove --json
-says '"judged_steps": 600'
+says '"judged_steps": 300'
 
 # Cut short: used up to its last whole step. Damaged: said, and status 2.
 size=$(stat -c %s "$work/a/recording.rhx")

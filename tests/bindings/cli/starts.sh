@@ -24,7 +24,7 @@ for file in half end at; do [ -s $file.rhxs ] || fail "no $file.rhxs"; done
 expect 0 "" "$rhexis" run groove "${small[@]}" --limit 1 --surgeon none --start half.rhxs --out from --json
 says '"start": "half.rhxs"'
 expect 0 "" "$rhexis" replay from --verify
-says "identical: all 100 steps"
+says "identical: all 50 steps"
 expect 0 "" "$rhexis" run groove "${small[@]}" --limit 1 --surgeon none --out fresh --json
 [ "$(hash_of from)" != "$(hash_of fresh)" ] || fail "the state made no difference"
 head -c $(($(stat -c %s from/recording.rhx) - 3000)) from/recording.rhx >cut.rhx
@@ -104,9 +104,9 @@ expect 0 "" "$rhexis" run mine "${small[@]}" --limit 0.5 --surgeon none --start 
 [ "$(made)" != "$before" ] || fail "a damaged state was kept"
 expect 0 "" "$rhexis" replay from_name --verify
 expect 0 "" "$rhexis" run mine "${small[@]}" --limit 5 --start begun --out by_expert
-"$rhexis" replay by_expert | grep -q '500 steps' || fail "an expert who starts from a state did not begin to operate"
+"$rhexis" replay by_expert | grep -q '250 steps' || fail "an expert who starts from a state did not begin to operate"
 expect 0 "" "$rhexis" replay by_expert --verify --score-with mine
-says "identical: all 500 steps"
+says "identical: all 250 steps"
 expect 2 "there is no start 'begin' (did you mean begun?)" "$rhexis" run mine "${small[@]}" --start begin
 expect 0 "" "$rhexis" run mine "${small[@]}" --limit 0.1 --surgeon none --start by_hand --out from_hand
 expect 2 "mine/starts.lua:12: expected \"lens.removed_mm3 > 0.01\", seen: lens.removed_mm3 = 0" "$rhexis" run mine \
