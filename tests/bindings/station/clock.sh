@@ -48,5 +48,5 @@ got=$?
 grep -q "rhexis train --resume $work/gone" "$work/stderr" || fail "nothing says how to go on: $(head -c 300 "$work/stderr")"
 expect 0 "" "$rhexis" train --resume "$work/gone" --by d --limit 6 --width 160 --height 120
 expect 0 "" "$rhexis" replay "$work/gone" --verify
-says "all 600 steps"
+says "all 300 steps"
 finished

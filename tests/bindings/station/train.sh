@@ -95,7 +95,7 @@ kill_when_recorded "$work/killed" $!
 expect 0 "" "$rhexis" train --resume "$work/killed" --width 160 --height 120 "${limit[@]}" --by d
 [ -e "$work/killed/left_1.rhx" ] || fail "what was recorded before is gone"
 expect 0 "" "$rhexis" replay "$work/killed" --verify
-says "all 600 steps"
+says "all 300 steps"
 
 # A disk that fills up.
 expect 2 "recording.rhx.part: cannot write" bash -c 'limited 1000 "$@"' _ "$rhexis" train groove "${small[@]}" --limit 30 --by d --picture-every 100 --out "$work/full"
