@@ -22,4 +22,16 @@ function quarter_hand.press_on_piece(t)
     t.phaco:move_to({ 2.3, 2.3, -0.6 }, { speed = 1, motion = "even", stop = "phaco.occlusion > 0.9" })
 end
 
+--- The tip, aspirating, down to a hole in the posterior capsule and up again, while the bottle is low and then as high
+--- as `bottle_cm` again; it touches nothing.
+function quarter_hand.look_into_hole(t, bottle_cm)
+    t.phaco:pedal(1.5)
+    t:set { ["machine.bottle_cm"] = 20 }
+    t.phaco:move_to({ 0, 0, -0.6 }, { speed = 1 })
+    t:wait(0.5)
+    t:set { ["machine.bottle_cm"] = bottle_cm }
+    t.phaco:move_to({ 0, 0, 1 }, { speed = 4 })
+    t:wait(0.5)
+end
+
 return quarter_hand

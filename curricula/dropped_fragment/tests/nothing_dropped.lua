@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- An eye from which nothing has fallen yet.
 
+local quarter_hand = require "quarter_hand"
+
 return scenarios {
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
 
@@ -13,13 +15,7 @@ return scenarios {
             t.phaco:pedal(1)
             t.phaco:move_to({ 0, 0, 3 }, { speed = 20 })
             t.phaco:move_to({ 0, 0, 0.2 }, { speed = 8 })
-            t.phaco:pedal(1.5)
-            t:set { ["machine.bottle_cm"] = 20 }
-            t.phaco:move_to({ 0, 0, -0.6 }, { speed = 1 })
-            t:wait(0.5)
-            t:set { ["machine.bottle_cm"] = 50 }
-            t.phaco:move_to({ 0, 0, 1 }, { speed = 4 })
-            t:wait(0.5)
+            quarter_hand.look_into_hole(t, 50)
             t:expect("capsule.open and fragments.sunk_mm <= 0")
         end },
 }

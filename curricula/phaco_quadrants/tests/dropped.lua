@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- A piece that goes through a hole in the posterior capsule.
 
+local quarter_hand = require "quarter_hand"
+
 local coarse = { patient = { tetrahedra = 1000 } }
 
 -- The capsule is torn: to the middle of the lens with irrigation.
@@ -65,13 +67,7 @@ return scenarios {
         near = "capsule.hole_mm2 > 0 and phaco.aspirating and phaco.tip_posterior_mm < 2.5",
         function(t)
             come_in(t)
-            t.phaco:pedal(1.5)
-            t:set { ["machine.bottle_cm"] = 20 }
-            t.phaco:move_to({ 0, 0, -0.6 }, { speed = 1 })
-            t:wait(0.5)
-            t:set { ["machine.bottle_cm"] = 95 }
-            t.phaco:move_to({ 0, 0, 1 }, { speed = 4 })
-            t:wait(0.5)
+            quarter_hand.look_into_hole(t, 95)
             t:expect("fragments.sunk_mm <= 0")
         end },
 }

@@ -74,17 +74,9 @@ void tools_at(const Bound& bound, double spacing, std::span<const ToolReach> rea
 
 /// What a fine tetrahedron takes up, and all its points with it.
 Ball ball_of(const SolidModel& model, const SolidState& state, int fine) {
-    const int nodes = static_cast<int>(model.coarse.nodes.size());
     std::array<Vec3, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const int corner = model.fine.tets[fine][k];
-        if (corner < nodes) {
-            corners[k] = state.position[corner];
-        } else {
-            const std::array<int, 2>& ends = model.fine.edges[corner - nodes];
-            corners[k] = 0.5 * (state.position[ends[0]] + state.position[ends[1]]);
-        }
-    }
+    std::transform(model.fine.tets[fine].begin(), model.fine.tets[fine].end(), corners.begin(),
+                   [&](int node) { return fine_point(model.fine, state.position, node); });
     Ball ball;
     ball.centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
     double square = 0.0;

@@ -144,6 +144,23 @@ void free_cortex(const HydrodissectionModel& own, const HydrodissectionState& hy
     }
 }
 
+/// What syringes give, the wave and what comes out, one after the other.
+void advance_trapped(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
+    const HydrodissectionModel& own = *model.hydrodissection;
+    HydrodissectionState& hydro = *state.hydrodissection;
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (model.tools[i].kind == ToolKind::cannula && tools[i].present) {
+            give_saline(model, model.tools[i], tools[i], dt, state);
+        }
+    }
+    const double press = press_of(model, state);
+    const double pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
+    advance_wave(own, pressure, dt, hydro);
+    let_out(own, open_way(model, tools, state), press, dt, hydro);
+    hydro.pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
+    hydro.peak_pressure = std::max(hydro.peak_pressure, hydro.pressure);
+}
+
 void burst(const WorldModel& model, WorldState& state) {
     HydrodissectionState& hydro = *state.hydrodissection;
     const BagShape& bag = model.bags[0].shape;
@@ -171,27 +188,6 @@ double trapped_strain(const WorldModel& model, double pressure) {
     return model.hydrodissection->wall_share * pressure * wall_radius * (1.0 - capsule.poisson_ratio) /
            (2.0 * capsule.membrane_stiffness);
 }
-
-namespace {
-
-/// What syringes give, the wave and what comes out, one after the other.
-void advance_trapped(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
-    const HydrodissectionModel& own = *model.hydrodissection;
-    HydrodissectionState& hydro = *state.hydrodissection;
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-        if (model.tools[i].kind == ToolKind::cannula && tools[i].present) {
-            give_saline(model, model.tools[i], tools[i], dt, state);
-        }
-    }
-    const double press = press_of(model, state);
-    const double pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
-    advance_wave(own, pressure, dt, hydro);
-    let_out(own, open_way(model, tools, state), press, dt, hydro);
-    hydro.pressure = trapped_pressure(own, hydro.trapped) + (hydro.trapped > 0.0 ? press : 0.0);
-    hydro.peak_pressure = std::max(hydro.peak_pressure, hydro.pressure);
-}
-
-}  // namespace
 
 void hydrodissect(const WorldModel& model, std::span<const ToolState> tools, double dt, WorldState& state) {
     state.hydrodissection->under_rim = false;

@@ -79,7 +79,7 @@ expect 2 "no_such_run" "$rhexis" replay "$work/run" --window --seconds 1 --ghost
  [ "$failures" = 0 ]) || fail "no display"
 
 # Sound through SDL's disk driver: its pitch is where the power of the phaco tip puts it. And none at all.
-SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=$work/sound.raw "$rhexis" train surge --by d --seed 101 --live --limit 12 \
+SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=$work/sound.raw "$rhexis" train surge --by d --seed 101 --live --limit 14 \
     --width 160 --height 120 --out "$work/heard" >"$work/heard.txt" 2>&1 || fail "with sound: $(cat "$work/heard.txt")"
 python3 "$(dirname "$0")/pitches.py" "$work/sound.raw" "$work/heard/series.json" || fail "the pitch is not that of the power"
 (export SDL_AUDIODRIVER=nothing_of_the_kind

@@ -8,6 +8,7 @@
 #include "trial/accuracy_notes.hpp"
 #include "trial/course_errors.hpp"
 #include "trial/differing_grip.hpp"
+#include "trial/told_errors.hpp"
 
 using namespace rhexis;
 
@@ -76,6 +77,23 @@ TEST_SUITE("measured accuracy") {
         CHECK(errors.at("volume") == doctest::Approx(0.1));
         CHECK(errors.at("depth") == doctest::Approx(0.1));
         CHECK_FALSE(errors.contains("pressure"));
+    }
+
+    TEST_CASE("what an implant's steps tell of themselves: the largest overlap and residual; without one nothing") {
+        Result<Session> made = Session::create(SceneDescription{}, 1);
+        REQUIRE(made.ok());
+        ToldErrors told;
+        StepOutcome outcome;
+        CHECK(told.stepped({made.value(), {}, {}, outcome}).ok());
+        CHECK(told.largest().empty());
+        for (const auto& [deepest, residual] : {std::pair{0.01, 2e-4}, {0.04, 1e-4}, {0.02, 5e-5}}) {
+            ShellStepReport report;
+            report.deepest = deepest;
+            report.residual = residual;
+            outcome.shells = {report};
+            CHECK(told.stepped({made.value(), {}, {}, outcome}).ok());
+        }
+        CHECK(told.largest() == std::map<std::string, double>{{"balance", 2e-4}, {"overlap", 0.04}});
     }
 
     TEST_CASE("twice the resolution halves edges and step, as far as they may be") {
