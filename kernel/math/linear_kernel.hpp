@@ -14,6 +14,7 @@ namespace rhexis::linear_kernel {
 inline constexpr int row_block = 64;   ///< rows of a panel that a solve takes together
 inline constexpr int row_unit = 8;     ///< rows of a solve are padded to a multiple of this
 inline constexpr int front_unit = 16;  ///< column length of fronts is padded to a multiple of this
+inline constexpr int many = 8;         ///< vectors side by side: all of the first number, then all of the next
 
 /// A panel of a packed factor L: the inverse of its triangle, by columns of its width rounded up to row_unit, then the
 /// rows below, by columns of `leading`; padded with zeros. Vectors hold 4 numbers per node, the fourth 0.
@@ -71,6 +72,13 @@ struct Kernel {
     void (*solve)(const Panel* panels, int count, const float* values, const int* nodes, float* x, float* work);
     /// y = A x, 3 numbers per row; both arrays with one number of padding at the end.
     void (*multiply)(const Blocks& matrix, const double* x, double* y);
+    /// The same of `many` vectors side by side.
+    void (*multiply_many)(const Blocks& matrix, const double* x, double* y);
+    /// Of `many` vectors of n numbers side by side: products of each of x with each of y (by rows of x) and with b.
+    void (*products_many)(const double* x, const double* y, const double* b, std::size_t n, double* with_y,
+                          double* with_b);
+    /// The sum of `many` vectors of n numbers side by side, each times its factor.
+    void (*combine_many)(const double* x, const double* factors, std::size_t n, double* sum);
     /// Sum of products in a fixed order.
     double (*dot)(const double* a, const double* b, std::size_t n);
 };

@@ -608,6 +608,52 @@ void multiply(const Blocks& matrix, const double* x, double* y) {
     }
 }
 
+typedef double Many __attribute__((vector_size(8 * many)));
+
+void multiply_many(const Blocks& matrix, const double* x, double* y) {
+    for (int i = 0; i < matrix.rows; ++i) {
+        Many sum[3] = {};
+        const int end = matrix.first[i + 1];
+        for (int slot = matrix.first[i]; slot < end; ++slot) {
+            const double* const block = matrix.value + std::ptrdiff_t{9} * slot;
+            const double* const part = x + std::ptrdiff_t{3} * many * matrix.column[slot];
+            for (int c = 0; c < 3; ++c) {
+                const Many own = load<Many>(part + many * c);
+                for (int r = 0; r < 3; ++r) {
+                    sum[r] += own * block[3 * c + r];
+                }
+            }
+        }
+        for (int r = 0; r < 3; ++r) {
+            store(y + many * (std::ptrdiff_t{3} * i + r), sum[r]);
+        }
+    }
+}
+
+void products_many(const double* x, const double* y, const double* b, std::size_t n, double* with_y, double* with_b) {
+    Many sums[many] = {};
+    Many sum = {};
+    for (std::size_t i = 0; i < n; ++i) {
+        const Many own = load<Many>(y + many * i);
+        for (int k = 0; k < many; ++k) {
+            sums[k] += own * x[many * i + k];
+        }
+        sum += load<Many>(x + many * i) * b[i];
+    }
+    for (int k = 0; k < many; ++k) {
+        store(with_y + many * k, sums[k]);
+    }
+    store(with_b, sum);
+}
+
+void combine_many(const double* x, const double* factors, std::size_t n, double* sum) {
+    const Many own = load<Many>(factors);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Many all = load<Many>(x + many * i) * own;
+        sum[i] = ((all[0] + all[4]) + (all[2] + all[6])) + ((all[1] + all[5]) + (all[3] + all[7]));
+    }
+}
+
 double dot(const double* a, const double* b, std::size_t n) {
     Node even = {};
     Node odd = {};

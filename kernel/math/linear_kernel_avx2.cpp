@@ -8,7 +8,8 @@
 namespace rhexis::linear_kernel {
 namespace {
 #include "math/linear_kernel.ipp"
-constexpr Kernel kernel{"avx2", gather, extend, eliminate, invert, solve, multiply, dot};
+constexpr Kernel kernel{"avx2",   gather,        extend,        eliminate,    invert, solve,
+                        multiply, multiply_many, products_many, combine_many, dot};
 }  // namespace
 const Kernel* avx2() { return &kernel; }
 }  // namespace rhexis::linear_kernel

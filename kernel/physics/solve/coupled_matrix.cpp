@@ -111,21 +111,37 @@ void CoupledMatrix::add_shares(const ContactTerm& contact, const Mat3& stiffness
     }
 }
 
-void CoupledMatrix::multiply(std::span<const double> x, std::span<double> y) const {
-    kernel_->multiply({pattern_->rows(), pattern_->first.data(), pattern_->column.data(), solid_.data()}, x.data(),
-                      y.data());
+linear_kernel::Blocks CoupledMatrix::blocks() const {
+    return {pattern_->rows(), pattern_->first.data(), pattern_->column.data(), solid_.data()};
+}
+
+/// y += of links and ties, and the bodies' own; vectors side by side are columns' rows.
+template <int vectors>
+void CoupledMatrix::add_coupling(std::span<const double> x, std::span<double> y) const {
+    using Columns = Eigen::Matrix<double, vectors, Eigen::Dynamic>;
+    const Eigen::Index n = static_cast<Eigen::Index>(size());
+    const Eigen::Map<const Columns> in(x.data(), vectors, n);
+    Eigen::Map<Columns> out(y.data(), vectors, n);
     for (const Link& link : links_) {
-        Eigen::Map<Vec3>(y.data() + 3 * at(link.a)) += link.block * Eigen::Map<const Vec3>(x.data() + 3 * at(link.b));
+        out.template middleCols<3>(3 * link.a) += in.template middleCols<3>(3 * link.b) * link.block.transpose();
     }
-    const std::size_t first = solid_size();
-    const Eigen::Map<const VecX> rigid_x(x.data() + first, rigid_.rows());
-    Eigen::Map<VecX> rigid_y(y.data() + first, rigid_.rows());
-    rigid_y = rigid_ * rigid_x;
+    out.rightCols(rigid_.rows()) = in.rightCols(rigid_.rows()) * rigid_;
+    const Eigen::Index first = n - rigid_.rows();
     for (const Tie& tie : ties_) {
-        const Eigen::Map<const Vec3> node_x(x.data() + 3 * at(tie.node));
-        Eigen::Map<Vec3>(y.data() + 3 * at(tie.node)) += tie.block * rigid_x.segment<6>(6 * tie.body);
-        rigid_y.segment<6>(6 * tie.body) += tie.block.transpose() * node_x;
+        const Eigen::Index body = first + 6 * tie.body;
+        out.template middleCols<3>(3 * tie.node) += in.template middleCols<6>(body) * tie.block.transpose();
+        out.template middleCols<6>(body) += in.template middleCols<3>(3 * tie.node) * tie.block;
     }
+}
+
+void CoupledMatrix::multiply(std::span<const double> x, std::span<double> y) const {
+    kernel_->multiply(blocks(), x.data(), y.data());
+    add_coupling<1>(x, y);
+}
+
+void CoupledMatrix::multiply_many(std::span<const double> x, std::span<double> y) const {
+    kernel_->multiply_many(blocks(), x.data(), y.data());
+    add_coupling<linear_kernel::many>(x, y);
 }
 
 BlockValues CoupledMatrix::solid_within_pattern() const {

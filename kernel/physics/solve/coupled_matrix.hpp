@@ -44,6 +44,9 @@ public:
     void add(const ContactTerm& contact, double scale, std::span<const std::uint8_t> moves);
 
     void multiply(std::span<const double> x, std::span<double> y) const;
+    /// The same of linear_kernel::many vectors side by side.
+    void multiply_many(std::span<const double> x, std::span<double> y) const;
+    [[nodiscard]] const linear_kernel::Kernel& kernel() const { return *kernel_; }
     /// A with every link between nodes that share no element moved to the diagonal: no less than A, and in its pattern.
     [[nodiscard]] BlockValues solid_within_pattern() const;
     [[nodiscard]] bool has_links() const { return !links_.empty(); }
@@ -65,6 +68,9 @@ private:
     void add_shares(const ContactTerm& contact, const Mat3& stiffness, std::span<const std::uint8_t> moves);
     void add_pair(int a, int b, const Mat3& block, const Mat3& bound);
     void add_tie(int node, int body, const Mat36& block);
+    template <int vectors>
+    void add_coupling(std::span<const double> x, std::span<double> y) const;
+    [[nodiscard]] linear_kernel::Blocks blocks() const;
 
     const BlockPattern* pattern_;
     const linear_kernel::Kernel* kernel_;

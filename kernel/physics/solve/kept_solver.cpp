@@ -16,6 +16,7 @@ constexpr int longest_wait = 32;  // solves for which no earlier factor is tried
 
 void KeptSolver::drop() {
     factor_.drop();
+    past_.forget();
     due_ = true;
     wait_ = waiting_ = 0;
 }
@@ -58,6 +59,10 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
     };
     const bool known = !due(matrix);
     if (known && waiting_ == 0) {
+        if (past_.any(b.size())) {
+            past_.project(matrix, b, x);
+            started = true;
+        }
         // an old factor that does far worse than when it was new is given up on the way
         attempt(first_ + std::max(4, static_cast<int>(factor_.cost_in_iterations())));
         wait_ = result.converged || !seldom_ ? 0 : std::min(2 * wait_ + 1, longest_wait);
@@ -78,6 +83,7 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
         }
         first_ = result.iterations;
     }
+    past_.keep(x);
     ++solves_;
     last_ = outcome.iterations;
     iterations_ += last_;

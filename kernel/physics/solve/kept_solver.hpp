@@ -7,6 +7,7 @@
 
 #include "math/pcg.hpp"
 #include "physics/solve/factor_preconditioner.hpp"
+#include "physics/solve/past_solutions.hpp"
 
 namespace rhexis {
 
@@ -46,6 +47,7 @@ private:
                   std::span<double> x, bool started);
 
     FactorPreconditioner factor_;
+    PastSolutions past_;
     PcgWork work_;
     bool due_ = true;
     int solves_ = 0;      ///< with the kept factor
