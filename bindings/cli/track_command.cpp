@@ -164,6 +164,7 @@ void add_measure(CLI::App& track, Context& context) {
         ->check(CLI::Range(10, 1000000))
         ->capture_default_str();
     command->add_flag("--network", given->network_only, "Only those");
+    command->add_flag("--chart", given->chart_only, "Only the chart of detectors")->excludes("--network");
     command->add_flag("--json", given->json, "As JSON");
     command->add_option("--keep", given->keep,
                         "Folder for each part of each seed: what is there is not measured again");

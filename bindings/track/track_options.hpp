@@ -77,6 +77,7 @@ struct MeasureOptions {
     bool chart = true;
     int poses = 6000;           ///< told over the network, each way
     bool network_only = false;  ///< nothing but that
+    bool chart_only = false;    ///< nothing but detectors, cameras and markers against compute
     bool json = false;
     std::string keep;  ///< folder for what each part of each seed gave; empty: it is not kept
 };

@@ -30,17 +30,24 @@ struct PcgResult {
 /// Sum of products in a fixed order: eight running sums, then their sum.
 double dot(std::span<const double> a, std::span<const double> b);
 
-/// Solves A x = b from the given x until |b - A x| <= tolerance (absolute); `started`: x is not zero. multiply(in,
-/// out): out = A in, A symmetric positive definite; precondition(in, out): out ~ A^-1 in. Flexible form [Notay2000].
+enum class PcgStart {
+    zero,        ///< whatever x holds
+    from_x,      ///< at x
+    with_image,  ///< at x, and A x is in the work's image
+};
+
+/// Solves A x = b until |b - A x| <= tolerance (absolute). multiply(in, out): out = A in, A symmetric positive
+/// definite; precondition(in, out): out ~ A^-1 in. Flexible form [Notay2000].
 template <typename Multiply, typename Precondition>
 PcgResult pcg(std::span<const double> b, double tolerance, int max_iterations, const Multiply& multiply,
-              const Precondition& precondition, std::span<double> x, bool started, PcgWork& work) {
+              const Precondition& precondition, std::span<double> x, PcgStart start, PcgWork& work) {
     const std::size_t n = b.size();
     work.resize(n);
     PcgResult result;
-    if (started) {
+    if (start == PcgStart::from_x) {
         multiply(x, work.image);
     }
+    const bool started = start != PcgStart::zero;
     for (std::size_t i = 0; i < n; ++i) {
         work.residual[i] = started ? b[i] - work.image[i] : b[i];
         x[i] = started ? x[i] : 0.0;

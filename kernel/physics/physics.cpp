@@ -449,11 +449,13 @@ StepOutcome Physics::advance(const WorldState& state, std::span<const ToolState>
     if (next.beads) {
         move_beads(*s.model, tools, dt, *next.beads);
     }
-    const ProfileScope scope(profile, "sculpt");
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-        const int tool = static_cast<int>(i);
-        const double spare = sculpt(*s.model, tool, tools[i], s.zones[i], dt, next);
-        aspirate(*s.model, tool, tools[i], s.probes[i], spare, dt, next);
+    if (!next.solids.empty()) {
+        const ProfileScope scope(profile, "sculpt");
+        for (std::size_t i = 0; i < tools.size(); ++i) {
+            const int tool = static_cast<int>(i);
+            const double spare = sculpt(*s.model, tool, tools[i], s.zones[i], dt, next);
+            aspirate(*s.model, tool, tools[i], s.probes[i], spare, dt, next);
+        }
     }
     next.time_s = state.time_s + dt;
     return outcome;

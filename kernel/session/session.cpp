@@ -375,6 +375,9 @@ void Session::Parts::follow_model() {
 }
 
 void Session::Parts::change_topology(const StepOutcome& outcome) {
+    if (world->solids.empty() && world->membranes.empty()) {
+        return;
+    }
     const ProfileScope scope(profile, "topology");
     for (std::size_t i = 0; outcome.failure == StepFailure::none && i < outcome.membranes.size(); ++i) {
         carry_out(world->membranes[i], outcome.membranes[i], state.membranes[i]);

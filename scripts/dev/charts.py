@@ -7,7 +7,6 @@
   scripts/dev/charts.py --draw       only draw and list again what was measured before
   scripts/dev/charts.py --list       name them
 
-Tracking is measured by scripts/dev/tracking_chart.sh; here it is only listed and drawn.
 Needs a Release build (./demo.sh makes one) and, to draw, the Debian package gnuplot-nox. Figures go to
 docs/data/charts/NAME.csv, pictures to docs/pictures/charts/NAME.svg.
 """
@@ -34,15 +33,14 @@ PAGE = ROOT / "docs/accuracy.md"
 BEGIN, END = "<!-- charts: written by scripts/dev/charts.py -->\n", "<!-- end of charts -->\n"
 FIELDS = ["way", "setting", "default", "cost", "error", "failure"]
 COLOURS = ["#1b9e5a", "#4a90d9", "#e08214", "#7a5195", "#888888", "#b0632a", "#d4608f", "#3d7f86"]
-TRACKING = [
-    "title: Tips of tracked instruments, at rest, by ways to find spots, cameras and markers",
-    "cost: CPU seconds for one exposure",
-    "error: tip, 95 % within, share of 1 mm",
-    "answer: the synthetic rig: what stood before its cameras is known exactly (docs/tracking.md)",
-    "outside: no",
-    "machine: not noted (scripts/dev/tracking_chart.sh)",
-    "minutes: 60",
-]
+TRACKING = {  # measured by the program that tracks, not by `rhexis bench`, which loads no camera's libraries
+    "chart": "tracking",
+    "title": "Tips of tracked instruments, at rest, by ways to find spots, cameras and markers",
+    "cost": "CPU seconds for one exposure",
+    "error": "tip, 95 % within, share of 1 mm",
+    "answer": "the synthetic rig: what stood before its cameras is known exactly (docs/tracking.md)",
+    "outside": False,
+}
 REAL_TIME = "CPU seconds per simulated second"
 YARDSTICK = "product/3000"  # a row of the benchmark "product", measured in the same run
 
@@ -56,15 +54,29 @@ def rhexis():
 
 def known():
     told = json.loads(subprocess.run([rhexis(), "bench", "--list", "--json"], capture_output=True, check=True).stdout)
-    return {entry["about"]["chart"]: entry["about"] for entry in told if "about" in entry}
+    charts = {entry["about"]["chart"]: entry["about"] for entry in told if "about" in entry}
+    return charts | {TRACKING["chart"]: TRACKING}
+
+
+def told_by(*command):
+    done = subprocess.run([rhexis(), *command, "--json"], stdout=subprocess.PIPE, check=True)
+    return json.loads(done.stdout)
+
+
+def tracking_rows():
+    for row in told_by("track", "measure", "--chart", "--first-seed", "301")["chart"]:
+        if row["markers"] == 4 or row["detector"] == "fitted outlines":
+            yield {"name": f"{row['detector']}, {row['markers']} markers", "setting": f"{row['cameras']} cameras",
+                   "default": (row["detector"], row["cameras"], row["markers"]) == ("fitted outlines", 6, 4),
+                   "cost": row["detect_p50_s"] + row["track_p50_s"], "error": row["of_95_mm"]}
 
 
 def measure(about):
     began = time.time()
-    found = subprocess.run([rhexis(), "bench", "chart_" + about["chart"], "product", "--json"], stdout=subprocess.PIPE,
-                           check=True)
-    told = json.loads(found.stdout)
+    told = told_by("bench", *([] if about is TRACKING else ["chart_" + about["chart"]]), "product")
     unit = next(row for row in told["cases"] if row["name"] == YARDSTICK)
+    rows = [row for row in told["cases"] if not row["name"].startswith("product/")]
+    rows = list(tracking_rows()) if about is TRACKING else rows
     text = io.StringIO()
     for key in ("title", "cost", "error", "answer"):
         print(f"# {key}: {about[key]}", file=text)
@@ -74,30 +86,11 @@ def measure(about):
     print(f"# minutes: {(time.time() - began) / 60:.1f}", file=text)
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(FIELDS)
-    for row in (row for row in told["cases"] if not row["name"].startswith("product/")):
+    for row in rows:
         writer.writerow([row["name"], row["setting"], "yes" if row.get("default") else "", f"{row['cost']:.4g}",
                          f"{row['error']:.6g}" if "error" in row else "", row.get("failure", "")])
     DATA.mkdir(parents=True, exist_ok=True)
     (DATA / (about["chart"] + ".csv")).write_text(text.getvalue(), encoding="utf-8")
-
-
-def list_tracking():
-    """What scripts/dev/tracking_chart.sh measured within an hour, in the form of the other charts."""
-    with (ROOT / "docs/data/tracking_chart.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    text = io.StringIO()
-    for line in TRACKING:
-        print("# " + line, file=text)
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(FIELDS)
-    for row in rows:
-        if row["markers"] != "4" and row["detector"] != "fitted outlines":
-            continue
-        usual = (row["detector"], row["cameras"], row["markers"]) == ("fitted outlines", "6", "4")
-        writer.writerow([f"{row['detector']}, {row['markers']} markers", f"{row['cameras']} cameras",
-                         "yes" if usual else "", f"{1e-3 * float(row['cpu_ms']):.4g}",
-                         f"{1e-3 * float(row['of_95_um']):.6g}", ""])
-    (DATA / "tracking.csv").write_text(text.getvalue(), encoding="utf-8")
 
 
 def read(path):
@@ -229,10 +222,9 @@ def main():
         for number, about in enumerate(wanted, 1):
             print(f"[{number}/{len(wanted)}] {about['chart']}: {about['title']}", flush=True)
             measure(about)
-    list_tracking()
     drawn = [read(path) for path in sorted(DATA.glob("*.csv"))]
     for chart in drawn:
-        if not given.name or chart["name"] in [*given.name, "tracking"]:
+        if not given.name or chart["name"] in given.name:
             draw(chart)
     write_between(PAGE, BEGIN, END, table(drawn))
     print(f"{DATA.relative_to(ROOT)}, {PICTURES.relative_to(ROOT)}, {PAGE.relative_to(ROOT)}")

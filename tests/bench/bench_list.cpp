@@ -13,7 +13,6 @@
 #include "bench/bench_membrane.hpp"
 #include "bench/bench_memory.hpp"
 #include "bench/bench_phaco.hpp"
-#include "bench/bench_picture.hpp"
 #include "bench/bench_random_tears.hpp"
 #include "bench/bench_render.hpp"
 #include "bench/bench_rotation.hpp"
@@ -58,7 +57,6 @@ std::vector<BenchCase> bench_cases() {
     add(phaco_cases());
     add(rotation_cases());
     add(render_cases());
-    add(picture_cases());
     add(memory_cases());
     add(chart_cases());
     return cases;

@@ -157,12 +157,12 @@ nlohmann::json newton_row(const BenchOptions& options) {
     PcgWork work;
     int iterations = 0;
     const auto solve = [&](FactorPreconditioner& with) {
-        iterations =
-            pcg(
-                right, tolerance, 500,
-                [&](std::span<const double> in, std::span<double> out) { system.matrix.multiply(in, out); },
-                [&](std::span<const double> r, std::span<double> z) { with.apply(r, z); }, solution, false, work)
-                .iterations;
+        iterations = pcg(
+                         right, tolerance, 500,
+                         [&](std::span<const double> in, std::span<double> out) { system.matrix.multiply(in, out); },
+                         [&](std::span<const double> r, std::span<double> z) { with.apply(r, z); }, solution,
+                         PcgStart::zero, work)
+                         .iterations;
         return iterations;
     };
     Cholesky simplicial(system.body.pattern(), CholeskyKind::simplicial);

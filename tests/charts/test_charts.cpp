@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/chart.hpp"
+#include "tracking/measure/detector_chart.hpp"
 
 using namespace rhexis;
 
@@ -52,6 +53,9 @@ std::vector<Kept> kept_defaults(const std::string& name) {
     return found;
 }
 
+/// What is beyond rounding may not move.
+void check_error(double error, const Kept& kept) { CHECK(std::abs(error - kept.error) <= 0.01 * kept.error + 1e-9); }
+
 }  // namespace
 
 TEST_CASE("each model's default is as far from the answer as its chart says") {
@@ -71,8 +75,20 @@ TEST_CASE("each model's default is as far from the answer as its chart says") {
         CHECK(point.failure == "");
         CHECK(point.way == kept[0].way);
         CHECK(point.setting == kept[0].setting);
-        // What is beyond rounding may not move.
-        CHECK(std::abs(point.error - kept[0].error) <= 0.01 * kept[0].error + 1e-9);
+        check_error(point.error, kept[0]);
     }
     CHECK_FALSE(names.empty());
+}
+
+TEST_CASE("tracked tips are as far from the true ones as their chart says") {
+    const std::vector<Kept> kept = kept_defaults("tracking");
+    REQUIRE(kept.size() == 1);
+    const Result<tracking::Setting> setting = tracking::setting_of({}, 301);
+    REQUIRE(setting.ok());
+    const Result<tracking::Numbers> numbers = tracking::measure_detectors(setting.value());
+    REQUIRE(numbers.ok());
+    const tracking::ChartRow row = tracking::chart_rows(numbers.value()).front();
+    CHECK(row.detector + ", " + std::to_string(row.markers) + " markers" == kept[0].way);
+    CHECK(std::to_string(row.cameras) + " cameras" == kept[0].setting);
+    check_error(row.tip.of_95, kept[0]);
 }

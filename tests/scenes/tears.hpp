@@ -27,7 +27,7 @@ struct MiddleCrack {
     std::unique_ptr<HeldSheet> sheet;  ///< at rest under the pull, tips of the crack in its state
     double half_length = 0.0;          ///< [mm]
     double release = 0.0;              ///< by the domain integral, mean of the two tips [uN/mm]
-    double expected = 0.0;             ///< sigma^2 pi a / E sec(pi a / 2 b) with its polynomial [uN/mm]
+    double expected = 0.0;             ///< sigma^2 pi a / E sec(pi a / 2 b) with its polynomial [Tada1973] [uN/mm]
 };
 /// A square of 10 mm with a straight crack of 2 mm across the pull in its middle, at small strain.
 MiddleCrack middle_crack(int triangles);

@@ -41,27 +41,28 @@ bool KeptSolver::renew(const CoupledMatrix& matrix, Precision precision, bool si
 }
 
 PcgResult KeptSolver::run(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
-                          std::span<double> x, bool started) {
+                          std::span<double> x, PcgStart start) {
     const auto multiply = [&matrix](std::span<const double> in, std::span<double> out) { matrix.multiply(in, out); };
     const auto precondition = [this](std::span<const double> r, std::span<double> z) { factor_.apply(r, z); };
-    return pcg(b, tolerance, max_iterations, multiply, precondition, x, started, work_);
+    return pcg(b, tolerance, max_iterations, multiply, precondition, x, start, work_);
 }
 
 KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance,
                                       int max_iterations, std::span<double> x, bool single_only) {
     Outcome outcome;
     PcgResult result;
-    bool started = false;
+    PcgStart start = PcgStart::zero;
     const auto attempt = [&](int limit) {
-        result = run(matrix, b, tolerance, std::min(limit, max_iterations - outcome.iterations), x, started);
+        result = run(matrix, b, tolerance, std::min(limit, max_iterations - outcome.iterations), x, start);
         outcome.iterations += result.iterations;
-        started = true;
+        start = PcgStart::from_x;
     };
     const bool known = !due(matrix);
     if (known && waiting_ == 0) {
         if (past_.any(b.size())) {
-            past_.project(matrix, b, x);
-            started = true;
+            work_.resize(b.size());
+            past_.project(matrix, b, x, work_.image);
+            start = PcgStart::with_image;
         }
         // an old factor that does far worse than when it was new is given up on the way
         attempt(first_ + std::max(4, static_cast<int>(factor_.cost_in_iterations())));
@@ -70,14 +71,14 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
     } else if (known) {
         --waiting_;
     }
-    if (!started || (!result.converged && result.finite)) {
+    if (start == PcgStart::zero || (!result.converged && result.finite)) {
         if (renew(matrix, Precision::single, single_only, outcome)) {
             attempt(factor_.precision() == Precision::single ? patience : max_iterations);
             if (!single_only && !result.converged && result.finite && factor_.precision() == Precision::single &&
                 renew(matrix, Precision::twofold, single_only, outcome)) {
                 attempt(max_iterations);
             }
-        } else if (!started) {
+        } else if (start == PcgStart::zero) {
             std::fill(x.begin(), x.end(), 0.0);
             result.residual = std::sqrt(dot(b, b));
         }

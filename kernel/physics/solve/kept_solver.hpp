@@ -44,7 +44,7 @@ private:
     bool renew(const CoupledMatrix& matrix, FactorPreconditioner::Precision precision, bool single_only,
                Outcome& outcome);
     PcgResult run(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
-                  std::span<double> x, bool started);
+                  std::span<double> x, PcgStart start);
 
     FactorPreconditioner factor_;
     PastSolutions past_;

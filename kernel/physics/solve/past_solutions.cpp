@@ -54,7 +54,8 @@ Factors independent_solution(const Gram& gram, const Factors& right, const std::
 
 }  // namespace
 
-void PastSolutions::project(const CoupledMatrix& matrix, std::span<const double> b, std::span<double> x) {
+void PastSolutions::project(const CoupledMatrix& matrix, std::span<const double> b, std::span<double> x,
+                            std::span<double> image) {
     RHEXIS_ASSERT(any(b.size()));
     matrix.multiply_many(solutions_, images_);
     Gram gram;
@@ -66,6 +67,7 @@ void PastSolutions::project(const CoupledMatrix& matrix, std::span<const double>
     }
     const Factors factors = independent_solution(gram, right, order);
     matrix.kernel().combine_many(solutions_.data(), factors.data(), size_, x.data());
+    matrix.kernel().combine_many(images_.data(), factors.data(), size_, image.data());
 }
 
 void PastSolutions::keep(std::span<const double> x) {

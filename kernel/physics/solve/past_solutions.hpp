@@ -18,8 +18,9 @@ public:
     [[nodiscard]] bool any(std::size_t size) const { return count_ > 0 && size_ == size; }
 
     /// x: what minimises the energy of the error of A x = b among all sums of the solutions kept. Of one that adds too
-    /// little to later ones, or on which A is not positive definite, nothing is taken. Only if any(b.size()).
-    void project(const CoupledMatrix& matrix, std::span<const double> b, std::span<double> x);
+    /// little to later ones, or on which A is not positive definite, nothing is taken. image: A x. Only if
+    /// any(b.size()).
+    void project(const CoupledMatrix& matrix, std::span<const double> b, std::span<double> x, std::span<double> image);
     /// Keeps a solution, instead of the oldest if there are linear_kernel::many; one of another size instead of all.
     void keep(std::span<const double> x);
 

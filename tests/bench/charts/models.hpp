@@ -6,6 +6,9 @@
 
 namespace rhexis::bench {
 
+Chart chart_lens();
+Chart chart_anterior_capsule();
+Chart chart_shell();
 Chart chart_chamber();
 Chart chart_surge();
 Chart chart_wounds();
@@ -22,5 +25,6 @@ Chart chart_posterior_capsule();
 Chart chart_suction_grip();
 Chart chart_piece_contact();
 Chart chart_implant_bag();
+Chart chart_picture();
 
 }  // namespace rhexis::bench

@@ -62,7 +62,7 @@ public:
         const PcgResult result = pcg(
             system.b, tolerance * size, 100,
             [&](std::span<const double> in, std::span<double> out) { system.matrix.multiply(in, out); },
-            [&](std::span<const double> r, std::span<double> z) { factor_.solve(r, z); }, x, false, work_);
+            [&](std::span<const double> r, std::span<double> z) { factor_.solve(r, z); }, x, PcgStart::zero, work_);
         report.solve_s = thread_cpu_seconds() - factored;
         report.factor_s = factored - start;
         report.iterations = result.iterations;

@@ -62,7 +62,8 @@ SplitSolver::Report KeptSplitSolver::solve(const SplitSystem& system, double tol
         const PcgResult result = pcg(
             system.b, target, limit,
             [&](std::span<const double> in, std::span<double> out) { system.matrix.multiply(in, out); },
-            [&](std::span<const double> r, std::span<double> z) { precondition(r, z); }, x, started, work_);
+            [&](std::span<const double> r, std::span<double> z) { precondition(r, z); }, x,
+            started ? PcgStart::from_x : PcgStart::zero, work_);
         report.solve_s += thread_cpu_seconds() - start;
         report.iterations += result.iterations;
         return result.converged;

@@ -47,7 +47,7 @@ int iterate(const SplitSystem& system, double tolerance, FactorPreconditioner& f
     return pcg(
                system.b, tolerance * size, 1000,
                [&](std::span<const double> in, std::span<double> out) { system.matrix.multiply(in, out); },
-               [&](std::span<const double> r, std::span<double> z) { factor.apply(r, z); }, x, false, work)
+               [&](std::span<const double> r, std::span<double> z) { factor.apply(r, z); }, x, PcgStart::zero, work)
         .iterations;
 }
 

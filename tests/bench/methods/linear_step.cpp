@@ -260,8 +260,8 @@ LinearStep::Report LinearStep::advance() {
     const double size = std::sqrt(dot(p.b, p.b));
     const int limit = p.method == StepMethod::matrix_free_cg_25 ? 25 : 5000;
     const PcgResult result = pcg(
-        p.b, p.tolerance * size, limit, [&p](View u, Out y) { p.multiply(u, y); }, p.preconditioner(), p.change, false,
-        p.work);
+        p.b, p.tolerance * size, limit, [&p](View u, Out y) { p.multiply(u, y); }, p.preconditioner(), p.change,
+        PcgStart::zero, p.work);
     for (int row = 0; row < p.elastic.rows(); ++row) {
         const std::size_t node = at(p.elastic.node_of()[at(row)]);
         p.state.velocity[node] += Eigen::Map<const Vec3>(p.change.data() + 3 * row);

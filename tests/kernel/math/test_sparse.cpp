@@ -322,16 +322,20 @@ TEST_SUITE("math") {
         };
         VecX x(b.size());
         PcgWork work;
-        const PcgResult cold = pcg({b.data(), n}, 1e-10, 500, product(values), nothing, {x.data(), n}, false, work);
+        const PcgResult cold =
+            pcg({b.data(), n}, 1e-10, 500, product(values), nothing, {x.data(), n}, PcgStart::zero, work);
         CHECK(cold.converged);
         CHECK((dense(pattern, values) * x - b).norm() < 1.1e-10);
-        const PcgResult warm = pcg({b.data(), n}, 2e-10, 500, product(values), nothing, {x.data(), n}, true, work);
+        const PcgResult warm =
+            pcg({b.data(), n}, 2e-10, 500, product(values), nothing, {x.data(), n}, PcgStart::from_x, work);
         CHECK(warm.iterations == 0);
         const BlockValues indefinite = random_matrix(pattern, 0.1, 8);
-        const PcgResult odd = pcg({b.data(), n}, 1e-10, 500, product(indefinite), nothing, {x.data(), n}, false, work);
+        const PcgResult odd =
+            pcg({b.data(), n}, 1e-10, 500, product(indefinite), nothing, {x.data(), n}, PcgStart::zero, work);
         CHECK_FALSE(odd.converged);
         CHECK_FALSE(odd.definite);
         x[3] = std::numeric_limits<double>::quiet_NaN();
-        CHECK_FALSE(pcg({b.data(), n}, 1e-10, 500, product(values), nothing, {x.data(), n}, true, work).finite);
+        CHECK_FALSE(
+            pcg({b.data(), n}, 1e-10, 500, product(values), nothing, {x.data(), n}, PcgStart::from_x, work).finite);
     }
 }

@@ -131,6 +131,7 @@ TEST_SUITE("past solutions") {
         CHECK_FALSE(past.any(n));
         std::vector<double> sum(n, 0.0);
         std::vector<double> x(n);
+        std::vector<double> image(n);
         for (int k = 0; k < 5; ++k) {
             const std::vector<double> one = some(n, random);
             past.keep(one);
@@ -142,10 +143,14 @@ TEST_SUITE("past solutions") {
         CHECK(past.any(n));
         CHECK_FALSE(past.any(n - 3));
         const std::vector<double> b = product(chain.matrix, sum);
-        past.project(chain.matrix, b, x);
+        past.project(chain.matrix, b, x, image);
         CHECK(left_of(chain.matrix, b, x) < 1e-10);
         const std::vector<double> other = some(n, random);
-        past.project(chain.matrix, other, x);
+        past.project(chain.matrix, other, x, image);
+        const std::vector<double> its = product(chain.matrix, x);
+        for (std::size_t i = 0; i < n; ++i) {
+            CHECK(image[i] == doctest::Approx(its[i]).epsilon(1e-9));
+        }
         CHECK(left_of(chain.matrix, other, x) > 0.1);
         past.keep(some(n - 3, random));
         CHECK_FALSE(past.any(n));

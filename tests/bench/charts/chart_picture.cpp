@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/bench_picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/clock.hpp"
+#include "bench/charts/models.hpp"
 #include "render/renderer.hpp"
 #include "scenes/pictures.hpp"
 
@@ -16,7 +15,8 @@ using namespace rhexis::testing;
 
 constexpr int shown_width = 640;  ///< of the window in which pictures are compared
 constexpr int shown_height = 480;
-constexpr int finer = 3;  ///< times as many pixels each way has what they are compared with
+constexpr int finer = 3;        ///< times as many pixels each way has what they are compared with
+constexpr int first_timed = 3;  ///< textures have been painted, light is kept
 
 /// Linear light that a value from 0 to 255 stands for. Sizes are changed in light.
 double light_of(double value) { return std::pow(value / 255.0, 2.2); }
@@ -82,48 +82,58 @@ Frame moved(Frame frame, int picture) {
     return frame;
 }
 
-nlohmann::json run_picture_chart(const BenchOptions& options) {
-    const int width = finer * shown_width;
-    Result<Renderer> finest = Renderer::create(width, finer * shown_height);
+ChartPoint point_of_size(Light light, int columns, const Frame& frame, const Camera& camera, int last,
+                         const Pixels& truth) {
+    Renderer renderer = std::move(Renderer::create(columns, columns * 3 / 4, light)).value();
+    std::vector<double> times;
+    Image picture;
+    for (int i = 0; i <= last; ++i) {
+        const double start = process_cpu_seconds();
+        picture = renderer.draw(moved(frame, i), camera);
+        if (i >= first_timed) {
+            times.push_back(process_cpu_seconds() - start);
+        }
+    }
+    std::sort(times.begin(), times.end());
+    const bool kept = light == Light::kept;
+    char setting[32];
+    std::snprintf(setting, sizeof setting, "%d x %d", columns, columns * 3 / 4);
+    return point_of(kept ? "kernel: light kept" : "kernel: all drawn anew", setting, kept && columns == shown_width,
+                    rms_apart(scaled(picture), truth) / 255.0, times[times.size() / 2]);
+}
+
+std::vector<ChartPoint> measure_picture(const ChartOptions& options) {
+    Result<Renderer> finest = Renderer::create(finer * shown_width, finer * shown_height);
     if (!finest.ok()) {
-        return nlohmann::json::array({{{"name", "picture_chart"}, {"skipped", finest.error().text()}}});
+        ChartPoint point = point_of("kernel: light kept", "640 x 480", true, 0.0, 0.0);
+        point.failure = finest.error().text();
+        return {point};
     }
     const Frame frame = sculpted_frame(3.0, 0.2, true);
     const Camera camera = microscope_camera(frame);
-    const int last = options.quick ? 4 : 4 + 2 * options.repeats;
+    const int last = first_timed + 1 + 2 * options.repeats;
     const Pixels truth = averaged(finest.value().draw(moved(frame, last), camera));
-    nlohmann::json rows = nlohmann::json::array();
-    for (const Light light : {Light::anew, Light::kept}) {
+    std::vector<ChartPoint> points;
+    for (const Light light : {Light::kept, Light::anew}) {
         for (const int columns : {160, 240, 320, 480, 640, 960}) {
-            Renderer renderer = std::move(Renderer::create(columns, columns * 3 / 4, light)).value();
-            std::vector<double> times;
-            Image picture;
-            for (int i = 0; i <= last; ++i) {
-                const double start = process_cpu_seconds();
-                picture = renderer.draw(moved(frame, i), camera);
-                if (i >= 3) {  // textures have been painted, light is kept
-                    times.push_back(1e3 * (process_cpu_seconds() - start));
-                }
+            if (!options.only_default || (light == Light::kept && columns == shown_width)) {
+                points.push_back(point_of_size(light, columns, frame, camera, last, truth));
             }
-            std::sort(times.begin(), times.end());
-            rows.push_back({{"name", std::string("picture/") + (light == Light::anew ? "anew " : "kept ") +
-                                         std::to_string(columns)},
-                            {"pixels", columns * (columns * 3 / 4)},
-                            {"cpu_ms", times[times.size() / 2]},
-                            {"error", rms_apart(scaled(picture), truth)},
-                            {"error_kind", "grey levels, RMS, against a picture three times as fine, averaged"}});
         }
     }
-    return rows;
+    return points;
 }
 
 }  // namespace
 
-std::vector<BenchCase> picture_cases() {
-    return {{"picture_chart",
-             "error against CPU ms of a picture that is shown at 640 x 480, by its own size, drawn anew and with kept "
-             "light",
-             run_picture_chart}};
+Chart chart_picture() {
+    return {"picture",
+            "A picture of a groove with moving instruments, shown at 640 x 480, by the size it is drawn in",
+            "CPU seconds for one picture",
+            "grey levels, rms, as a share of white",
+            "our picture of 1920 x 1440, averaged: what lies there is what it draws (docs/picture.md)",
+            false,
+            measure_picture};
 }
 
 }  // namespace rhexis::bench
