@@ -312,12 +312,6 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
         if (!report.converged && !(report.force <= acceptable * settings.force_tolerance)) {
             result.failure = StepFailure::not_converged;
         }
-        // a step of the equations knows places and velocities only
-        result.solid.fraction = from.fraction;
-        result.solid.spent = from.spent;
-        result.solid.present = from.present;
-        result.solid.broken = from.broken;
-        result.solid.splits = from.splits;
     }
     result.report.substeps = count;
     result.report.stable_step_s = rest_step_;
