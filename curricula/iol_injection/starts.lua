@@ -2,8 +2,8 @@
 -- States of this exercise to start from. They are made when they are asked for. torn: the bag's opening is the one
 -- that the expert tears. In the others the implant has been let out: before the capsule; in the bag upside down; in the
 -- bag on its side, its front to the back, or nearly so; in the bag but for its trailing haptic, which the injector has
--- drawn out again because it left at once; in the bag, of a sticky material: with both haptics folded on the optic,
--- tilted by 7 degrees for 20 s, and with haptics that stick as well on an optic that is about to lie flat.
+-- drawn out again because it left at once; in the bag, of a sticky material: with a haptic folded on the optic, tilted
+-- by 7 degrees for 20 s, and with one that sticks as well on an optic that comes to lie flat within two seconds.
 
 local implant_hand = require "implant_hand"
 
@@ -31,5 +31,5 @@ return starts {
     on_its_side = let_out({ 0, -1.0, 0.9 }, 70),
     nearly_over = let_out({ 0, -1.0, 0.9 }, 31),
     stuck = led_in(implant_hand.sticky(10), 0.6, 24),
-    settles = led_in(implant_hand.sticky(50), 0.6, 9.5),
+    settles = led_in(implant_hand.sticky(50), 0.6, 6.5),
 }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- A lens whose surfaces stick to each other: its haptics stay folded on the optic, which tilts. Those that raise the
--- error begin when it has lasted its 20 s already.
+-- A lens whose surfaces stick to each other: one haptic or both stay folded on the optic, which tilts. Those that raise
+-- the error begin when it has lasted its 20 s already.
 
 local implant_hand = require "implant_hand"
 
@@ -36,13 +36,13 @@ return scenarios {
         function(t)
             t:wait(0.2)
             t:expect_event("Haptic stuck to the optic")
-            t:expect("implant.haptics_on_optic >= 2 and implant.tilt_deg > 6.5")
+            t:expect(stuck)
             t.hook:enter({ speed = 20 })
             draw_off(t, { -0.1, -1.3 }, { 2.2, -2.2 }, -1.3)
             draw_off(t, { 0, 1.4 }, { -1.9, 1.9 }, -1.1)
             t.hook:withdraw({ speed = 20 })
             t:expect_event("Haptic stuck to the optic", { recovered = true })
-            t:expect("implant.haptics_in_bag >= 2 and implant.tilt_deg < 4 and bag.rim_peak_stretch < 1.1")
+            t:expect("implant.haptics_in_bag >= 2 and implant.tilt_deg < 5 and bag.rim_peak_stretch < 1.1")
         end },
 
     scenario "haptic before the rim and on the optic, lifted off with forceps and put into the bag" {
@@ -55,7 +55,7 @@ return scenarios {
             t:expect_event("Haptic stuck to the optic", { recovered = true, within = 8 })
         end },
 
-    scenario "haptics that stick to the optic, which comes to lie flat all the same" {
+    scenario "a haptic that sticks to the optic, which comes to lie flat all the same" {
         hold_within_s = 4,
         set = implant_hand.sticky(50),
         start = "settles",
@@ -64,6 +64,6 @@ return scenarios {
         function(t)
             t.cannula:enter({ speed = 20 })
             t:wait(5)
-            t:expect("implant.haptics_on_optic >= 2 and implant.tilt_deg < 5")
+            t:expect("implant.haptics_on_optic >= 1 and implant.tilt_deg < 5")
         end },
 }

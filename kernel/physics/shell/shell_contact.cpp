@@ -215,8 +215,9 @@ void ShellContacts::meet_tools() {
     }
 }
 
-void ShellContacts::look(const ShellState& state, const ShellPartners& partners) {
+void ShellContacts::look(const ShellState& state, const ShellPartners& partners, std::vector<double> ways) {
     partners_ = partners;
+    ways_ = std::move(ways);
     state_ = &state;
     list_.clear();
     start_.resize(2 * state.position.size());
@@ -227,6 +228,7 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     if (partners.sheet != nullptr) {
         start_.insert(start_.end(), partners.sheet->position.begin(), partners.sheet->position.end());
     }
+    first_.clear();
     set_iterate(start_);
     points_of_ = nullptr;
     const auto meet_all = [this](ContactPartner partner, std::size_t count) {
@@ -246,11 +248,6 @@ void ShellContacts::look(const ShellState& state, const ShellPartners& partners)
     if (partners.sheet != nullptr) {
         meet_sheet();
     }
-}
-
-void ShellContacts::set_iterate(const std::vector<Vec3>& points) {
-    now_ = &points;
-    pose_.set(state_->rotation, points);
 }
 
 std::vector<std::array<int, 2>> ShellContacts::pairs(ContactPartner partner, double gap) const {
@@ -432,10 +429,17 @@ void ShellContacts::terms(const std::vector<Vec3>& points, std::vector<ContactTe
         return;
     }
     set_iterate(points);
+    if (first_.empty()) {
+        first_ = points;
+        for (Contact& contact : list_) {
+            if (is_flat(contact)) {
+                contact.known = known_of(contact, meeting(contact).gap);
+            }
+        }
+    }
     for (const Contact& contact : list_) {
-        const Meeting now = meeting(contact);
-        if (!is_apart(contact, now.gap)) {
-            fill(contact, now, respond(contact, now), terms.emplace_back());
+        if (const std::optional<Meeting> now = touching(contact)) {
+            fill(contact, *now, respond(contact, *now), terms.emplace_back());
         }
     }
 }
@@ -460,12 +464,13 @@ void ShellContacts::settle(const std::vector<Vec3>& points, std::vector<ShellTou
     std::vector<ShellTouch> kept;
     for (std::size_t i = 0; i < list_.size(); ++i) {
         Contact& contact = list_[i];
-        const Meeting now = meeting(contact);
+        const std::optional<Meeting> met = touching(contact);
         contact.force.setZero();
-        if (is_apart(contact, now.gap)) {
+        if (!met) {
             work_.lost += settings_.accounts ? at_start_[i].energy : 0.0;
             continue;
         }
+        const Meeting& now = *met;
         const Vec3 from_anchor = offset(contact, now.point);
         const SpringResponse pushed = respond(contact, now);
         const Vec3 tangential = is_held(contact) ? from_anchor : across(from_anchor, now.normal);

@@ -68,16 +68,19 @@ public:
     /// The model must outlive this and pass check_shell.
     explicit ShellContacts(const ShellModel& model, const ShellContactSettings& settings = {});
 
-    /// What can touch in a step from a state. The partners must outlive the calls that follow.
-    void look(const ShellState& state, const ShellPartners& partners);
+    /// What can touch in a step from a state. The partners must outlive the calls that follow. ways: how far each node
+    /// may go in it beyond what all of them go, as far as layers are concerned [mm]; or empty: most_travel().
+    void look(const ShellState& state, const ShellPartners& partners, std::vector<double> ways = {});
+    /// Whether a node went farther than that, so that layers may have been missed.
+    [[nodiscard]] bool went_too_far(const std::vector<Vec3>& from, const std::vector<Vec3>& to) const;
     [[nodiscard]] bool empty() const { return list_.empty(); }
     /// No node may go farther in a step, or something may have been missed [mm].
     [[nodiscard]] double most_travel() const { return most_travel_; }
 
-    /// Pairs of nodes that layers may tie in the step, ascending: all, or of those nearer than a gap [mm].
-    [[nodiscard]] std::vector<std::array<int, 2>> links(double gap = HUGE_VAL) const;
+    /// Pairs of nodes that layers nearer than a gap [mm] may tie in the step, ascending.
+    [[nodiscard]] std::vector<std::array<int, 2>> links(double gap) const;
     /// The same of nodes of the shell and of the membrane, in that order.
-    [[nodiscard]] std::vector<std::array<int, 2>> ties(double gap = HUGE_VAL) const;
+    [[nodiscard]] std::vector<std::array<int, 2>> ties(double gap) const;
 
     /// Forces and stiffness at an iterate. points: as of ShellBody, turns since the state's rotations.
     void terms(const std::vector<Vec3>& points, std::vector<ContactTerm>& terms);
@@ -95,6 +98,12 @@ public:
 
 private:
     static constexpr int level_of_layers = 1;  ///< of the samples that meet layers, a membrane and jaws
+    /// Of a layer or a membrane at the first iterate of a step, and how it can change since.
+    struct Known {
+        double gap = -HUGE_VAL;  ///< [mm]
+        double by_move = 0.0;    ///< at most, per movement of any node
+        double by_turn = 0.0;    ///< and per turn [mm]
+    };
     struct Contact {
         ShellTouch touch;
         const ShellSamples* on = nullptr;
@@ -110,6 +119,7 @@ private:
         Vec3 normal = Vec3::Zero();
         double gap = 0.0;           ///< [mm]
         Vec3 force = Vec3::Zero();  ///< on the shell at the end
+        Known known;
     };
     /// Where a contact is at an iterate.
     struct Meeting {
@@ -151,6 +161,7 @@ private:
     void take(int tool, const ShellSamples& on, std::size_t sample);
     [[nodiscard]] std::vector<std::size_t> between_jaws(int tool, const ShellSamples& on) const;
     [[nodiscard]] bool holds(int tool) const;
+    void find_ways();
     void bound_facets(const ShellSamples& on);
     void meet_layers();
     void meet_sheet();
@@ -162,10 +173,14 @@ private:
     }
     [[nodiscard]] SurfaceDistance distance(ContactPartner partner, int index, double share, const Vec3& point) const;
     [[nodiscard]] Meeting meeting(const Contact& contact, double share = 1.0) const;
+    std::array<Layer, 2> nearest_layers(const ShellSamples& on, std::size_t sample,
+                                        std::span<ShellLayers::Candidate> near);
     [[nodiscard]] Layer nearest_layer(const ShellSamples& on, std::size_t sample, int triangle, double reach) const;
     [[nodiscard]] Vec3 offset(const Contact& contact, const Vec3& point, double share = 1.0) const;
     [[nodiscard]] Vec3 foot_of(const Contact& contact) const;
     void set_iterate(const std::vector<Vec3>& points);
+    [[nodiscard]] Known known_of(const Contact& contact, double gap) const;
+    [[nodiscard]] std::optional<Meeting> touching(const Contact& contact) const;
     /// Whether where it touches stays as it was at the start of the step.
     static bool is_flat(const Contact& contact) {
         return contact.touch.partner == ContactPartner::layer || contact.touch.partner == ContactPartner::sheet;
@@ -207,14 +222,20 @@ private:
     ShellContactWork work_;
     double deepest_ = 0.0;
     int touching_ = 0;
+    std::vector<double> ways_;           ///< of nodes in the step, beyond what all go [mm]; or empty: most_travel_
+    std::vector<double> triangle_ways_;  ///< likewise
     // scratch
     const ShellState* state_ = nullptr;
     const std::vector<Vec3>* now_ = nullptr;   ///< the iterate
+    std::vector<Vec3> first_;                  ///< iterate of the step, at which gaps are known; or empty
+    double moved_ = 0.0;                       ///< any node since then, at most [mm]
+    double turned_ = 0.0;                      ///< likewise
     std::vector<Vec3> points_;                 ///< of samples at the start,
     const ShellSamples* points_of_ = nullptr;  ///< of these; null: of none
     std::vector<Vec3> start_;
-    std::vector<Ball> facets_;  ///< about those of the samples of layers
-    std::vector<Ball> around_;  ///< about all facets of a triangle
+    std::vector<Ball> facets_;                           ///< about those of the samples of layers
+    std::vector<Ball> around_;                           ///< about all facets of a triangle
+    std::vector<std::pair<double, std::size_t>> order_;  ///< of candidates, by squared distance
     std::vector<Before> at_start_;
 };
 

@@ -10,8 +10,9 @@
 namespace rhexis {
 namespace {
 
-constexpr double beside = 1e-9;       // farther than a bound says: more than its rounding [mm]
-constexpr double edge_spacing = 0.6;  // of samples that meet a membrane, in thicknesses: it sinks in by a twentieth
+constexpr double beside = 1e-9;         // farther than a bound says: more than its rounding [mm]
+constexpr std::size_t tried_first = 4;  // of the triangles near a sample, those whose middles are nearest
+constexpr double edge_spacing = 0.6;    // of samples that meet a membrane, in thicknesses: it sinks in by a twentieth
 
 }  // namespace
 
@@ -40,37 +41,67 @@ void ShellContacts::bound_facets(const ShellSamples& on) {
     }
 }
 
+void ShellContacts::find_ways() {
+    triangle_ways_.assign(model_->mesh.triangles.size(), most_travel_);
+    for (std::size_t t = 0; t < triangle_ways_.size() && !ways_.empty(); ++t) {
+        const std::array<int, 3>& n = model_->mesh.triangles[t];
+        triangle_ways_[t] = std::max({ways_[at(n[0])], ways_[at(n[1])], ways_[at(n[2])]});
+    }
+}
+
+/// Behind a sample and before it, with what is nearest tried first: the others are then told by balls about them.
+std::array<ShellContacts::Layer, 2> ShellContacts::nearest_layers(const ShellSamples& on, std::size_t sample,
+                                                                  std::span<ShellLayers::Candidate> near) {
+    const Vec3 forward = front(on, sample).normalized();
+    const double own = 0.5 * on.samples[sample].place.thickness;
+    const double own_way = triangle_ways_[at(on.samples[sample].triangle)];
+    order_.clear();
+    for (std::size_t c = 0; c < near.size(); ++c) {
+        if (layers_.may_meet(sample, near[c], own_way + triangle_ways_[at(near[c].triangle)])) {
+            order_.emplace_back((points_[sample] - around_[at(near[c].triangle)].middle).squaredNorm(), c);
+        }
+    }
+    const std::size_t first = std::min(tried_first, order_.size());
+    std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(first), order_.end());
+    std::array<Layer, 2> nearest;
+    for (const auto& [square, c] : order_) {
+        const Ball& ball = around_[at(near[c].triangle)];
+        const double height = forward.dot(ball.middle - points_[sample]);
+        const bool one_side = std::abs(height) > ball.radius + beside;
+        const double other = std::max(nearest[0].gap, nearest[1].gap);
+        // what is no nearer than that is of no use
+        const double most = own_way + triangle_ways_[at(near[c].triangle)];
+        const double within = std::min(most, one_side ? nearest[height > 0.0 ? 1 : 0].gap : other);
+        const double reach = own + layers_.half(near[c].triangle) + within + beside;
+        if (square > (reach + ball.radius) * (reach + ball.radius)) {
+            layers_.learn(sample, near[c], std::sqrt(square) - ball.radius - own - layers_.half(near[c].triangle));
+            continue;
+        }
+        const Layer layer = nearest_layer(on, sample, near[c].triangle, reach);
+        layers_.learn(sample, near[c], std::min(within, layer.gap));
+        const std::size_t side = forward.dot(layer.normal) < 0.0 ? 1 : 0;
+        const Layer& known = nearest[side];
+        // of two that are as near the first of the mesh, whichever was tried first
+        if (layer.gap < most && (layer.gap < known.gap || (layer.gap == known.gap && layer.facet < known.facet))) {
+            nearest[side] = layer;
+        }
+    }
+    return nearest;
+}
+
 /// Every sample with what is nearest before it and behind it.
 void ShellContacts::meet_layers() {
     const ShellSamples& on = samples_at(level_of_layers);
     find_points(on);
     layers_.look(on, points_, 2.0 * most_travel_);
     bound_facets(on);
+    find_ways();
     for (std::size_t i = 0; i < on.samples.size(); ++i) {
-        const std::span<const ShellLayers::Candidate> near = layers_.near(i);
+        const std::span<ShellLayers::Candidate> near = layers_.near(i);
         if (near.empty()) {
             continue;
         }
-        const Vec3 forward = front(on, i);
-        const double own = 0.5 * on.samples[i].place.thickness;
-        std::array<Layer, 2> nearest;        // behind, before
-        double within = 2.0 * most_travel_;  // what is no nearer than that is of no use
-        for (const ShellLayers::Candidate& candidate : near) {
-            if (candidate.spare > layers_.closed()) {
-                continue;
-            }
-            const double reach = own + layers_.half(candidate.triangle) + within + beside;
-            const Ball& ball = around_[at(candidate.triangle)];
-            if ((points_[i] - ball.middle).squaredNorm() > (reach + ball.radius) * (reach + ball.radius)) {
-                continue;
-            }
-            const Layer layer = nearest_layer(on, i, candidate.triangle, reach);
-            const std::size_t side = forward.dot(layer.normal) < 0.0 ? 1 : 0;
-            if (layer.gap < std::min(2.0 * most_travel_, nearest[side].gap)) {
-                nearest[side] = layer;
-                within = std::min(within, std::max(nearest[0].gap, nearest[1].gap));
-            }
-        }
+        const std::array<Layer, 2> nearest = nearest_layers(on, i, near);
         for (const bool before : {false, true}) {
             if (nearest[before ? 1 : 0].gap < HUGE_VAL) {
                 add_layer(on, i, before, nearest[before ? 1 : 0]);

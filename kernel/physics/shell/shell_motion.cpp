@@ -19,6 +19,8 @@ constexpr int most_own = 4;           // steps for that
 constexpr int pieces = 2;             // of one that is redone
 constexpr int most_pieces = 4;        // of one that balances, and goes too far
 constexpr int most_cuts = 4;          // of one into pieces, and of those
+constexpr double least_way = 0.25;    // of what contact allows, that a node may go beyond what all go,
+constexpr double more_way = 2.0;      // and as much more than if it went on as it does
 /// What is left over the forces of contact that finer steps are worth while for, and Newton iterations in all of a step
 /// after which none are: a lens that jams can cost twenty times as much by them and come no nearer to balance.
 constexpr double near_balance = 1e-2;
@@ -151,6 +153,23 @@ ImplicitSettings settings_of(const Run& run) {
     return own;
 }
 
+/// How far each node may go beyond what all go: layers that are pushed along together come no nearer to each other.
+std::vector<double> ways_of(const Run& run, double dt, const ShellPartners& partners, const ShellState& state) {
+    const double most = run.contacts.most_travel();
+    const std::vector<Vec3> carried = carried_velocity(state, partners, dt);
+    const auto goes = [&](std::size_t n) { return carried.empty() ? state.velocity[n] : carried[2 * n]; };
+    const std::size_t nodes = state.position.size();
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t n = 0; n < nodes; ++n) {
+        mean += goes(n) / static_cast<double>(nodes);
+    }
+    std::vector<double> ways(nodes);
+    for (std::size_t n = 0; n < nodes; ++n) {
+        ways[n] = std::min(most, least_way * most + more_way * dt * (goes(n) - mean).norm());
+    }
+    return ways;
+}
+
 /// One solve from share `from` of the step to share `to`; `now` goes there.
 ImplicitReport solve(Run& run, double from, double to, const ShellPartners& partners, Bodies& now) {
     const double dt = (to - from) * run.task.dt;
@@ -175,6 +194,13 @@ ImplicitReport solve(Run& run, double from, double to, const ShellPartners& part
     return one;
 }
 
+ImplicitReport solve_counted(Run& run, double from, double to, const ShellPartners& partners, Bodies& now) {
+    const ImplicitReport one = solve(run, from, to, partners, now);
+    run.report.newton_iterations += one.newton_iterations;
+    run.report.linear_iterations += one.linear_iterations;
+    return one;
+}
+
 /// Of one step: whether it balances and goes no farther than contact allows, or is worth keeping as it is.
 struct Try {
     bool good = false;
@@ -195,11 +221,16 @@ Try step_once(Run& run, double from, double to, Bodies& now) {
         partners.sheet = &now.wall;
         partners.sheet_model = &run.task.wall->world.membranes[static_cast<std::size_t>(run.task.wall->membrane)];
     }
-    run.contacts.look(now.shell, partners);
     const Bodies before = now;
-    const ImplicitReport one = solve(run, from, to, partners, now);
-    run.report.newton_iterations += one.newton_iterations;
-    run.report.linear_iterations += one.linear_iterations;
+    const std::size_t found = run.found.size();
+    run.contacts.look(now.shell, partners, ways_of(run, (to - from) * run.task.dt, partners, now.shell));
+    ImplicitReport one = solve_counted(run, from, to, partners, now);
+    if (run.contacts.went_too_far(before.shell.position, now.shell.position)) {
+        now = before;
+        run.found.resize(found);
+        run.contacts.look(now.shell, partners);
+        one = solve_counted(run, from, to, partners, now);
+    }
     const double residual = std::min(one.newton_residual, one.over_contact);
     const double way = std::max(farthest(before.shell.position, now.shell.position),
                                 farthest(before.wall.position, now.wall.position));

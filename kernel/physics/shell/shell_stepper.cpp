@@ -15,7 +15,8 @@
 namespace rhexis {
 namespace {
 
-constexpr double tied_share = 0.5;      // of a step's way: layers nearer than that are about to touch
+constexpr double tied_share = 0.25;     // of a step's way: layers nearer than that are about to touch
+constexpr double room_share = 0.5;      // likewise: those that a new pattern has room for
 constexpr double missing_share = 0.02;  // of what is about to touch
 
 }  // namespace
@@ -71,8 +72,9 @@ void ShellStepper::tie(const ShellContacts* contacts, const ShellWall* wall) {
         anew = anew ||
                static_cast<double>(missing.size()) > missing_share * static_cast<double>(links.size() + ties.size());
         if (anew) {
-            links_ = contacts->links();
-            ties_ = contacts->ties();
+            const double room = room_share * contacts->most_travel();
+            links_ = contacts->links(room);
+            ties_ = contacts->ties(room);
         }
     }
     if (anew) {

@@ -191,9 +191,31 @@ TEST_SUITE("shell contact forces") {
             kept.terms(points_of(flat(state)), of_kept);
             anew.terms(points_of(flat(state)), of_new);
             REQUIRE(of_new.size() > 50);
-            CHECK(kept.links() == anew.links());
+            CHECK(kept.links(HUGE_VAL) == anew.links(HUGE_VAL));
             CHECK(forces_of(of_kept, 2 * state.position.size()) == forces_of(of_new, 2 * state.position.size()));
         }
+    }
+
+    TEST_CASE("where nodes go little, layers are met that are near, and a node that goes farther is told") {
+        const ShellModel model = scenes::flat_strip(12.0, 1.0, 0.2, 40, 2);
+        const ShellState state = scenes::rolled_strip(model, 0.8, 0.19);
+        constexpr double way = 0.02;
+        ShellContacts all(model);
+        ShellContacts near(model);
+        all.look(state, ShellPartners{});
+        near.look(state, ShellPartners{}, std::vector<double>(state.position.size(), way));
+        REQUIRE(all.links(2.0 * way).size() > 50);
+        CHECK(near.links(2.0 * way) == all.links(2.0 * way));
+        CHECK(near.links(HUGE_VAL) == near.links(2.0 * way));
+        CHECK(all.links(HUGE_VAL).size() > near.links(HUGE_VAL).size());
+        std::vector<Vec3> gone = state.position;
+        for (Vec3& place : gone) {
+            place += Vec3(0.09, 0.0, 0.05);  // as a whole
+        }
+        CHECK_FALSE(near.went_too_far(state.position, gone));
+        gone[7].z() += 1.2 * way;
+        CHECK(near.went_too_far(state.position, gone));
+        CHECK_FALSE(all.went_too_far(state.position, gone));
     }
 
     TEST_CASE("an edge that comes sideways meets a plane with its face, whatever the mesh") {
