@@ -11,9 +11,9 @@ namespace rhexis {
 FactorPreconditioner::FactorPreconditioner(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
     : pattern_(&pattern), packed_(pattern, kernel), single_(4 * static_cast<std::size_t>(pattern.rows()), 0.0F) {}
 
-void FactorPreconditioner::follow(const BlockPattern& pattern) {
+void FactorPreconditioner::follow(const BlockPattern& pattern, std::span<const int> row_now) {
     pattern_ = &pattern;
-    packed_.follow(pattern);
+    packed_.follow(pattern, row_now);
     exact_.reset();
     single_.assign(4 * at(pattern.rows()), 0.0F);
     coupling_.resize(0, 0);
@@ -44,7 +44,8 @@ bool FactorPreconditioner::factor_solid(const BlockValues& values, Precision pre
 }
 
 bool FactorPreconditioner::factor(const CoupledMatrix& matrix, Precision precision, bool single_only) {
-    kept_ = factor_solid(matrix.has_links() ? matrix.solid_within_pattern() : matrix.solid(), precision, single_only);
+    kept_ = matrix.has_links() ? factor_solid(matrix.solid_within_pattern(), precision, single_only)
+                               : factor_solid(matrix.solid(), precision, single_only);
     if (!kept_) {
         return false;
     }
