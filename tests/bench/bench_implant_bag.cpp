@@ -3,6 +3,7 @@
 // step.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "base/clock.hpp"
@@ -88,6 +89,7 @@ nlohmann::json row(const char* name, const Case& own, const Injected& run) {
             {"rim_stretch", run.rim},
             {"redone", run.redone},
             {"residual", run.residual},
+            {"iterations", std::accumulate(run.iterations.begin(), run.iterations.end(), 0.0)},
             {"iterations_p50", rank(run.iterations, 0.5)},
             {"iterations_p99", rank(run.iterations, 0.99)},
             {"cpu_s_per_s", run.cpu},

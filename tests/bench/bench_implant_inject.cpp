@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/clock.hpp"
@@ -139,6 +140,7 @@ nlohmann::json row(const Push& push) {
             {"rough", pushed.rough},
             {"steps", pushed.steps},
             {"tries", pushed.tries},
+            {"iterations", std::accumulate(pushed.iterations.begin(), pushed.iterations.end(), 0.0)},
             {"iterations_p50", rank(0.5)},
             {"iterations_p99", rank(0.99)},
             {"cpu_s_per_s", pushed.cpu_s / (pushed.steps * dt)},
