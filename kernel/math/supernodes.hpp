@@ -26,7 +26,8 @@ struct Supernodes {
     }
 };
 
-/// pattern: rows in the order of elimination, postordered (elimination_order gives one). Small panels are merged with
+/// pattern: rows in an order of elimination; a postordered one (elimination_order gives one) has fewer and wider
+/// panels. Small panels are merged with
 /// their parents where that adds few zeros [Davis2006].
 Supernodes find_supernodes(const BlockPattern& pattern);
 

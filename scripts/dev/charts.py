@@ -35,7 +35,7 @@ FIELDS = ["way", "setting", "default", "cost", "error", "failure"]
 COLOURS = ["#1b9e5a", "#4a90d9", "#e08214", "#7a5195", "#888888", "#b0632a", "#d4608f", "#3d7f86"]
 TRACKING = {  # measured by the program that tracks, not by `rhexis bench`, which loads no camera's libraries
     "chart": "tracking",
-    "title": "Tips of tracked instruments, at rest, by ways to find spots, cameras and markers",
+    "title": "Tips of tracked instruments, at rest, by ways to find spots, cameras and markers (seed 301)",
     "cost": "CPU seconds for one exposure",
     "error": "tip, 95 % within, share of 1 mm",
     "answer": "the synthetic rig: what stood before its cameras is known exactly (docs/tracking.md)",

@@ -52,6 +52,7 @@ public:
 private:
     void make();
     [[nodiscard]] std::vector<int> changed_triangles(const MembraneSheet& now) const;
+    [[nodiscard]] bool ties_known(const TriMesh& mesh, const std::vector<int>& changed) const;
     std::optional<std::vector<int>> grow(const std::shared_ptr<const MembraneSheet>& sheet);
     void renumber(const std::vector<std::uint8_t>& touched, const std::vector<int>& row_now);
     void find_moving();

@@ -43,9 +43,10 @@ void ShellContacts::bound_facets(const ShellSamples& on) {
 
 void ShellContacts::find_ways() {
     triangle_ways_.assign(model_->mesh.triangles.size(), most_travel_);
+    const double pulls = tack_.traction > 0.0 ? std::min(most_travel_, 0.5 * tack_.range) : 0.0;  // what sticks is met
     for (std::size_t t = 0; t < triangle_ways_.size() && !ways_.empty(); ++t) {
         const std::array<int, 3>& n = model_->mesh.triangles[t];
-        triangle_ways_[t] = std::max({ways_[at(n[0])], ways_[at(n[1])], ways_[at(n[2])]});
+        triangle_ways_[t] = std::max({pulls, ways_[at(n[0])], ways_[at(n[1])], ways_[at(n[2])]});
     }
 }
 

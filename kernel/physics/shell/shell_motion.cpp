@@ -223,9 +223,13 @@ Try step_once(Run& run, double from, double to, Bodies& now) {
     }
     const Bodies before = now;
     const std::size_t found = run.found.size();
-    run.contacts.look(now.shell, partners, ways_of(run, (to - from) * run.task.dt, partners, now.shell));
+    std::vector<double> ways;
+    if (partners.layers) {
+        ways = ways_of(run, (to - from) * run.task.dt, partners, now.shell);
+    }
+    run.contacts.look(now.shell, partners, std::move(ways));
     ImplicitReport one = solve_counted(run, from, to, partners, now);
-    if (run.contacts.went_too_far(before.shell.position, now.shell.position)) {
+    if (std::isfinite(one.newton_residual) && run.contacts.went_too_far(before.shell.position, now.shell.position)) {
         now = before;
         run.found.resize(found);
         run.contacts.look(now.shell, partners);

@@ -284,6 +284,7 @@ void SolidStepper::run_implicit(const StepTask& task, int divisions, StepTry& re
     settings.tolerance = settings_.max_newton > 1 ? linear_tolerance : settings_.tolerance;
     settings.max_newton = settings_.max_newton * (divisions > 1 ? 2 : 1);
     settings.newton_tolerance = newton_tolerance;
+    settings.foretell = true;
     settings.force_tolerance = settings_.tolerance * all_forces(task, solid_, result.candidates);
     PartnerPoses poses;
     set_bag_poses(result.bags, poses);

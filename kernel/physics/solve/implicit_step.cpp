@@ -336,6 +336,7 @@ bool ImplicitStep::Parts::solve(const Task& task, Mode mode, ImplicitReport& rep
     const double size = norm(residual);
     const double target = std::max(task.settings.tolerance * size, 0.1 * rounding);
     solver.try_seldom(task.settings.seldom_again);
+    solver.foretell(task.settings.foretell);
     if (task.settings.new_factors) {
         solver.expect_change();
     }

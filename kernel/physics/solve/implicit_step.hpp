@@ -47,6 +47,7 @@ struct ImplicitSettings {
         false;  ///< linearised first where the velocities lead; more than one iteration; not of bodies with K0 damping
     bool new_factors = false;   ///< one per linear solve: pays where the matrix changes much from each to the next
     bool seldom_again = false;  ///< a kept factor that did not serve is tried ever more seldom: likewise
+    bool foretell = false;      ///< solves begin from what earlier solutions span: pays where it changes little
     /// Tangents with the stress that the last iteration predicted, whole iterations whatever the residual does between:
     /// for shells, which turn far while they strain little.
     bool predict_stress = false;

@@ -59,7 +59,7 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
     };
     const bool known = !due(matrix);
     if (known && waiting_ == 0) {
-        if (past_.any(b.size())) {
+        if (foretells_ && past_.any(b.size())) {
             work_.resize(b.size());
             past_.project(matrix, b, x, work_.image);
             start = PcgStart::with_image;
@@ -84,7 +84,11 @@ KeptSolver::Outcome KeptSolver::solve(const CoupledMatrix& matrix, std::span<con
         }
         first_ = result.iterations;
     }
-    past_.keep(x);
+    if (foretells_ && result.finite) {
+        past_.keep(x);
+    } else {
+        past_.forget();
+    }
     ++solves_;
     last_ = outcome.iterations;
     iterations_ += last_;

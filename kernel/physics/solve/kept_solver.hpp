@@ -34,6 +34,8 @@ public:
     }
     /// Whether a factor that did not serve is tried ever more seldom: pays where few of them do.
     void try_seldom(bool seldom) { seldom_ = seldom; }
+    /// Whether solves with a kept factor begin from what earlier solutions span: pays where each is like the last.
+    void foretell(bool foretells) { foretells_ = foretells; }
     /// Forgets the factor and what was learned of its use: the next solve is as that of a new solver.
     void drop();
     /// The next solve makes a new factor.
@@ -55,6 +57,7 @@ private:
     int last_ = 0;        ///< in the last one
     int first_ = 0;       ///< in the first one
     bool seldom_ = false;
+    bool foretells_ = false;
     int wait_ = 0;     ///< solves without trying an earlier factor, after the last that did not serve
     int waiting_ = 0;  ///< of these still to come
 };

@@ -44,7 +44,7 @@ Factors independent_solution(const Gram& gram, const Factors& right, const std::
         if (lower(i, i) > 0.0) {
             double sum = forward[i];
             for (int k = i + 1; k < static_cast<int>(many); ++k) {
-                sum -= lower(k, i) * result[order[at(k)]] * (lower(k, k) > 0.0 ? 1.0 : 0.0);
+                sum -= lower(k, k) > 0.0 ? lower(k, i) * result[order[at(k)]] : 0.0;
             }
             result[order[at(i)]] = sum / lower(i, i);
         }

@@ -15,7 +15,8 @@ using namespace rhexis::testing;
 
 constexpr int shown_width = 640;  ///< of the window in which pictures are compared
 constexpr int shown_height = 480;
-constexpr int finer = 3;        ///< times as many pixels each way has what they are compared with
+constexpr int finer = 3;  ///< times as many pixels each way has what they are compared with
+constexpr int last_picture = 14;
 constexpr int first_timed = 3;  ///< textures have been painted, light is kept
 
 /// Linear light that a value from 0 to 255 stands for. Sizes are changed in light.
@@ -82,12 +83,11 @@ Frame moved(Frame frame, int picture) {
     return frame;
 }
 
-ChartPoint point_of_size(Light light, int columns, const Frame& frame, const Camera& camera, int last,
-                         const Pixels& truth) {
+ChartPoint point_of_size(Light light, int columns, const Frame& frame, const Camera& camera, const Pixels& truth) {
     Renderer renderer = std::move(Renderer::create(columns, columns * 3 / 4, light)).value();
     std::vector<double> times;
     Image picture;
-    for (int i = 0; i <= last; ++i) {
+    for (int i = 0; i <= last_picture; ++i) {
         const double start = process_cpu_seconds();
         picture = renderer.draw(moved(frame, i), camera);
         if (i >= first_timed) {
@@ -111,13 +111,12 @@ std::vector<ChartPoint> measure_picture(const ChartOptions& options) {
     }
     const Frame frame = sculpted_frame(3.0, 0.2, true);
     const Camera camera = microscope_camera(frame);
-    const int last = first_timed + 1 + 2 * options.repeats;
-    const Pixels truth = averaged(finest.value().draw(moved(frame, last), camera));
+    const Pixels truth = averaged(finest.value().draw(moved(frame, last_picture), camera));
     std::vector<ChartPoint> points;
     for (const Light light : {Light::kept, Light::anew}) {
         for (const int columns : {160, 240, 320, 480, 640, 960}) {
             if (!options.only_default || (light == Light::kept && columns == shown_width)) {
-                points.push_back(point_of_size(light, columns, frame, camera, last, truth));
+                points.push_back(point_of_size(light, columns, frame, camera, truth));
             }
         }
     }

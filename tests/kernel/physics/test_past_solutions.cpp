@@ -93,6 +93,7 @@ const std::vector<const char*> sets{"baseline", "avx2", "avx512"};
 TEST_SUITE("past solutions") {
     TEST_CASE("many vectors at once are multiplied as each alone, with the same bits on every instruction set") {
         std::vector<std::vector<double>> images;
+        std::vector<std::vector<double>> guesses;
         for (const char* const set : sets) {
             const linear_kernel::Kernel* const kernel = linear_kernel::choose(set);
             if (kernel == nullptr) {
@@ -116,10 +117,19 @@ TEST_SUITE("past solutions") {
                 }
             }
             images.push_back(image);
+            PastSolutions past;
+            past.keep(some(n, random));
+            past.keep(some(n, random));
+            std::vector<double> guess(2 * n);
+            past.project(chain.matrix, some(n, random), {guess.data(), n}, {guess.data() + n, n});
+            guesses.push_back(guess);
         }
         REQUIRE_FALSE(images.empty());
         for (const std::vector<double>& image : images) {
             CHECK(image == images.front());
+        }
+        for (const std::vector<double>& guess : guesses) {
+            CHECK(guess == guesses.front());
         }
     }
 
@@ -158,10 +168,29 @@ TEST_SUITE("past solutions") {
         CHECK_FALSE(past.any(n - 3));
     }
 
+    TEST_CASE("a solution that ran away is taken for nothing") {
+        const Chain chain(*linear_kernel::choose());
+        const std::size_t n = chain.matrix.size();
+        Rng random(17);
+        PastSolutions past;
+        std::vector<double> wild = some(n, random);
+        wild[7] = 1e200;
+        past.keep(wild);
+        const std::vector<double> good = some(n, random);
+        past.keep(good);
+        std::vector<double> x(n);
+        std::vector<double> image(n);
+        past.project(chain.matrix, product(chain.matrix, good), x, image);
+        for (std::size_t i = 0; i < n; ++i) {
+            CHECK(x[i] == doctest::Approx(good[i]).epsilon(1e-6));
+        }
+    }
+
     TEST_CASE("a load that goes on smoothly takes fewer iterations than one that leaps, and both are solved") {
-        const auto iterations = [](bool leaps) {
+        const auto iterations = [](bool leaps, bool foretells) {
             Chain chain(*linear_kernel::choose());
             KeptSolver solver(chain.pattern, *linear_kernel::choose());
+            solver.foretell(foretells);
             const std::size_t n = chain.matrix.size();
             Rng random(13);
             const std::vector<double> sine = some(n, random);
@@ -184,6 +213,7 @@ TEST_SUITE("past solutions") {
             }
             return sum;
         };
-        CHECK(iterations(false) < 0.8 * iterations(true));
+        CHECK(iterations(false, true) < 0.8 * iterations(true, true));
+        CHECK(iterations(false, true) < 0.8 * iterations(false, false));
     }
 }
