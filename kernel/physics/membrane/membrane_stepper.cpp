@@ -103,15 +103,16 @@ void MembraneStepper::follow(const MembraneState& state) {
     if (step_ && body_->sheet() == state.sheet) {
         return;
     }
+    const MembraneBody* const before = step_ && solves_ < new_order_pays ? body_ : nullptr;
+    std::unique_ptr<MembraneBody> body =
+        std::make_unique<MembraneBody>(*model_, state.sheet, before, *membrane_kernel::choose(kernel_->name));
+    body_ = body.get();
+    solves_ = 0;
     if (step_) {
-        step_->follow(body_->follow(state.sheet, solves_ < new_order_pays));
+        step_->follow(std::move(body));
     } else {
-        std::unique_ptr<MembraneBody> body =
-            std::make_unique<MembraneBody>(*model_, state.sheet, *membrane_kernel::choose(kernel_->name));
-        body_ = body.get();
         step_.emplace(std::move(body), *kernel_);
     }
-    solves_ = 0;
 }
 
 ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const Vec3> external, double dt,
