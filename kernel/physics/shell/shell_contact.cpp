@@ -326,11 +326,6 @@ double ShellContacts::stuck_area(const Contact& contact) const {
     return sticks ? 0.5 * contact.stiffness * place(contact).thickness / (settings_.stiffer * modulus_) : 0.0;
 }
 
-/// Neither pushed nor held.
-bool ShellContacts::is_apart(const Contact& contact, double gap) const {
-    return !is_held(contact) && !(gap < (contact.stuck > 0.0 ? tack_.range : 0.0));
-}
-
 /// Pushed apart, or held together without friction. Where the pull falls with the gap its stiffness is left at nothing,
 /// so that it stays positive semidefinite.
 SpringResponse ShellContacts::respond(const Contact& contact, const Meeting& now) const {

@@ -13,6 +13,11 @@ constexpr double told_apart = 1e-9;  // more than that of a gap [mm]
 
 }  // namespace
 
+/// Neither pushed nor held.
+bool ShellContacts::is_apart(const Contact& contact, double gap) const {
+    return !is_held(contact) && !(gap < (contact.stuck > 0.0 ? tack_.range : 0.0));
+}
+
 bool ShellContacts::went_too_far(const std::vector<Vec3>& from, const std::vector<Vec3>& to) const {
     Vec3 mean = Vec3::Zero();
     for (std::size_t n = 0; n < ways_.size(); ++n) {
