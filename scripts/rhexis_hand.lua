@@ -24,24 +24,26 @@ end
 local beside = rhexis_hand.beside
 
 -- A function that tells places before the end of the tear, along a circle: so far ahead [mm], at a height. And the
--- angle about the circle's middle at which the tear ends [degrees].
-local function before_end(t, circle)
+-- angle about the circle's middle at which the tear ends in the capsule at rest [degrees], which changes as it tears
+-- and not as the needle stretches it. farther_out: than where it ends now [mm]; or nil: towards the circle.
+local function before_end(t, circle, farther_out)
     local aside, lift = circle.aside or 0, t:value("lens.lift_mm")
     local angle, radius = math.rad(t:value("rhexis.tip_angle_deg")), t:value("rhexis.tip_radius_mm")
-    local at_rest = math.sqrt((radius * math.cos(angle) - aside) ^ 2 + (radius * math.sin(angle)) ^ 2)
+    local rest_x, rest_y = radius * math.cos(angle) - aside, radius * math.sin(angle)
+    local at_rest = math.sqrt(rest_x * rest_x + rest_y * rest_y)
     local x, y = t:value("rhexis.tip_x_mm") - aside, t:value("rhexis.tip_y_mm")
     local now = math.deg(math.atan(y, x))
-    local out = math.max(-0.3, math.min(circle.outwards or 0.35, circle.radius - at_rest))
+    local out = farther_out or math.max(-0.3, math.min(circle.outwards or 0.35, circle.radius - at_rest))
     local wanted = math.sqrt(x * x + y * y) + 0.1 + out
-    return now, function(ahead, height)
+    return math.deg(math.atan(rest_y, rest_x)), function(ahead, height)
         return beside(aside, wanted, now + (circle.sense or 1) * math.deg(ahead / wanted), height, lift)
     end
 end
 
--- The needle, through the capsule anew just before the end of a tear.
-local function put_before(t, ahead)
-    t.cystotome:move_to(ahead(0.4, 0.3), { speed = 12 })
-    t.cystotome:move_to(ahead(0.4, -0.4), { speed = 4 })
+-- The needle, through the capsule anew so far before the end of a tear [mm].
+local function put_before(t, ahead, far)
+    t.cystotome:move_to(ahead(far, 0.3), { speed = 12 })
+    t.cystotome:move_to(ahead(far, -0.4), { speed = 4 })
 end
 
 -- Towards a place, no farther than a step of the way.
@@ -53,44 +55,41 @@ local function step_towards(t, goal, circle)
     return t.cystotome:move_to(to, { seconds = step / (circle.speed or 3), motion = "even", stop = circle.stop })
 end
 
---- With the needle, its point under the capsule: draws the end of the tear round along a circle by so many degrees, or
---- until a condition holds; where it stays behind, the needle is put in anew before it. circle: { radius, aside = of
---- its middle to the right of the axis [mm], sense = 1 against the clock or -1 with it, by = [degrees], stop, speed =
---- [mm/s], outwards = most that it leads outwards [mm], patience = steps without progress before the needle is put in
---- anew, longest = [s] }. Returns whether the condition holds.
+-- How much farther out the needle goes, at each try at a strip that only yields [mm]: inside, it slips over the flap.
+local farther_out = { 0.1, 0.25, 0.4 }
+
+--- With the needle, its point under the capsule: draws the end of the tear round along a circle by so many degrees,
+--- or until a condition holds; where nothing tears, the needle goes in anew behind the end of the tear and farther out.
+--- circle: { radius, aside = of its middle to the right of the axis [mm], sense = 1 against the clock or -1 with it,
+--- by = [degrees], stop, speed = [mm/s], outwards = most that it leads outwards [mm], patience = steps in which nothing
+--- tears before the needle is put in anew, longest = [s] }. Returns whether the condition holds.
 function rhexis_hand.draw_round(t, circle)
     local until_s = t:time_s() + (circle.longest or 15)
-    local gone, waits, last = 0, 0, nil
+    local gone, waits, tries, last = 0, 0, 0, nil
     while gone < circle.by and t:time_s() < until_s and t:value("rhexis.tip_radius_mm") do
-        local angle, ahead = before_end(t, circle)
+        local angle, ahead = before_end(t, circle, farther_out[tries])
         local on = last and (circle.sense or 1) * ((angle - last + 180) % 360 - 180) or 0
         gone, last, waits = gone + on, angle, math.abs(on) > 0.5 and 0 or waits + 1
+        if waits == 0 then tries = 0 end
         if waits > (circle.patience or 8) then
+            waits, tries = 1, tries % #farther_out + 1
             t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
-            put_before(t, ahead)
-            waits = 0
+            ahead = select(2, before_end(t, circle, farther_out[tries]))
+            put_before(t, ahead, -0.2)
         end
         if step_towards(t, ahead(0.6 + 0.12 * math.min(8, waits), -0.4), circle) then return true end
     end
     return false
 end
 
---- With the needle: through the capsule on a circle, at an angle about its middle, and round along it.
+--- With the needle: through the capsule on a circle, at an angle about its middle, and round along it. circle: as for
+--- draw_round, with from = that angle [degrees], 0 unless given. Returns as draw_round does.
 function rhexis_hand.cut_circle(t, circle)
     local lift = t:value("lens.lift_mm")
     local function over(height) return beside(circle.aside or 0, circle.radius, circle.from or 0, height, lift) end
     t.cystotome:enter({ speed = 20 })
     t.cystotome:move_to(over(0.5), { speed = 12 })
     t.cystotome:move_to(over(-0.4), { speed = 2 })
-    rhexis_hand.draw_round(t, circle)
-end
-
---- The needle comes to the end of a tear, and leads it on along a circle.
-function rhexis_hand.cut_on(t, circle)
-    t.cystotome:enter({ speed = 20 })
-    t.cystotome:move_to({ 0, -1, 3 }, { speed = 20 })
-    local _, ahead = before_end(t, circle)
-    put_before(t, ahead)
     return rhexis_hand.draw_round(t, circle)
 end
 
@@ -105,21 +104,28 @@ local function notch(t, angle, radius)
     t.cystotome:turn(90)  -- so that the slit runs towards the rim
     t.cystotome:move_to(place(radius, angle, 0.3, lift), { speed = 12 })
     t.cystotome:move_to(place(radius, angle, -0.4, lift), { speed = 6 })
-    local done = t.cystotome:move_to(place(radius - 1.2, angle, -0.4, lift), { speed = 2, motion = "even",
+    local done = t.cystotome:move_to(place(radius - 2, angle, -0.4, lift), { speed = 2, motion = "even",
         stop = ends_here })
     t.cystotome:turn(0)
     t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
     return done
 end
 
---- A second cut from the rim of a closed opening, round along a circle. The needle is in the eye. circle: as for
---- draw_round, with at = angle [degrees] and from = distance from the axis [mm] where the needle goes in.
+--- A second cut from the rim of a closed opening, round along a circle, and another where that did not do. The needle
+--- is in the eye. circle: as for draw_round, with at = angle [degrees] and from = distance from the axis [mm] where the
+--- needle goes in first; where the rim only yields, it tries beside that place. Returns whether the condition holds.
 function rhexis_hand.cut_anew(t, circle)
-    t.cystotome:move_to(place(circle.from, circle.at, 0.8, t:value("lens.lift_mm")), { speed = 12 })
-    if not notch(t, circle.at, circle.from) then return false end
-    local _, ahead = before_end(t, circle)
-    put_before(t, ahead)
-    return rhexis_hand.draw_round(t, circle)
+    for _, farther in ipairs { 0, 8, -8, 24, 40, -24 } do
+        local angle = circle.at + farther
+        t.cystotome:move_to(place(circle.from, angle, 0.8, t:value("lens.lift_mm")), { speed = 12 })
+        if notch(t, angle, circle.from) then
+            local _, ahead = before_end(t, circle)
+            put_before(t, ahead, 0.4)
+            if rhexis_hand.draw_round(t, circle) then return true end
+            t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
+        end
+    end
+    return false
 end
 
 --- A new cut from the other end of a tear that the needle began: it goes in outside that end, cuts from there with the

@@ -5,14 +5,6 @@ local rhexis_hand = require "rhexis_hand"
 
 local full = { ["viscoelastic.fill"] = 1 }
 
--- A circle that the needle has cut round but for the last sixty degrees. aside: of its middle from the axis [mm].
-local function nearly_round(radius, aside, speed)
-    return { set = full, function(t)
-        rhexis_hand.cut_circle(t, { radius = radius, aside = aside, from = 90, by = 300, speed = speed })
-        rhexis_hand.lift_out(t)
-    end }
-end
-
 local brittle = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = 0.2 }
 
 local shallow = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = 0.6 }
@@ -44,11 +36,5 @@ return starts {
         rhexis_hand.open_jaws(t)
         t.forceps:withdraw({ speed = 20 })
     end },
-    narrow = nearly_round(1.85, 0),
-    rather_narrow = nearly_round(2.15, 0),
-    wide = nearly_round(3.15, 0),
-    rather_wide = nearly_round(2.68, 0),
-    aside = nearly_round(2.6, 0.75),
-    rather_aside = nearly_round(2.6, 0.47),
     round = { surgeon = "expert", seed = 101, when = "rhexis.closed" },
 }

@@ -9,7 +9,7 @@ local function run_out(t)
     rhexis_hand.begin_flap(t)
     t.forceps:enter({ speed = 20 })
     for _ = 1, 8 do
-        local stopped = rhexis_hand.pull(t, 2, 1, "rhexis.tip_radius_mm > goal.radius_mm + 0.6")
+        local stopped = rhexis_hand.pull(t, 2, 1, "rhexis.tip_radius_mm > goal.radius_mm + 0.4")
         rhexis_hand.open_jaws(t)
         if stopped then break end
     end

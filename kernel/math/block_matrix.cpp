@@ -34,10 +34,12 @@ RowGroups groups_of_rows(int rows, std::span<const int> first, std::span<const i
     return result;
 }
 
-/// Rows are met in ascending order, and so are the columns of each: the mirror of a slot is the next one of its row.
+}  // namespace
+
 void find_mirrors(BlockPattern& pattern) {
     pattern.mirror.resize(pattern.column.size());
     pattern.diagonal.resize(pattern.first.size() - 1);
+    // rows are met in ascending order, and so are the columns of each: the mirror of a slot is the next one of its row
     std::vector<int> next(pattern.first.begin(), pattern.first.end() - 1);
     for (int i = 0; i < pattern.rows(); ++i) {
         for (int slot = pattern.first[at(i)]; slot < pattern.first[at(i) + 1]; ++slot) {
@@ -49,8 +51,6 @@ void find_mirrors(BlockPattern& pattern) {
         }
     }
 }
-
-}  // namespace
 
 BlockPattern permuted(const BlockPattern& pattern, std::span<const int> order, std::span<const int> place) {
     BlockPattern result;

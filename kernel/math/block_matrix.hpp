@@ -27,6 +27,9 @@ struct BlockPattern {
 /// The diagonal and, for every group of nodes, all pairs in it. groups: compressed rows as in `first`, `node`.
 BlockPattern block_pattern(int rows, std::span<const int> first, std::span<const int> node);
 
+/// Fills in diagonal and mirror of a pattern whose rows and columns are known.
+void find_mirrors(BlockPattern& pattern);
+
 /// The same pattern with other numbers: row order[k] becomes k, and place is the inverse of order.
 BlockPattern permuted(const BlockPattern& pattern, std::span<const int> order, std::span<const int> place);
 

@@ -22,9 +22,4 @@ std::vector<int> elimination_tree(const BlockPattern& pattern);
 /// Rows of the factor's columns, for the tree of the same pattern.
 FactorRows factor_rows(const BlockPattern& pattern, const std::vector<int>& tree);
 
-/// The order itself, in an equivalent arrangement: columns that share rows follow one another, and of those that lead
-/// to the same column the one with the fewest rows goes first. order: rows of the pattern, first to be eliminated
-/// first; all of them.
-std::vector<int> postordered(const BlockPattern& pattern, std::vector<int> order);
-
 }  // namespace rhexis

@@ -33,6 +33,26 @@ std::size_t triangle_size(int columns) { return at(round_up(round_up(columns, ro
 
 void copy_rows(const float* from, int rows, float*& to) { to = std::copy(from, from + rows, to); }
 
+/// Whether every panel comes right behind all that leads to it.
+bool postordered_tree(const Supernodes& tree) {
+    std::vector<int> size(at(tree.count()), 1);  // of what leads to each panel, and itself
+    std::vector<int> first(at(tree.count()));
+    for (int s = 0; s < tree.count(); ++s) {
+        first[at(s)] = s;
+    }
+    for (int s = 0; s < tree.count(); ++s) {
+        if (s - first[at(s)] + 1 != size[at(s)]) {
+            return false;
+        }
+        const int parent = tree.parent[at(s)];
+        if (parent >= 0) {
+            size[at(parent)] += size[at(s)];
+            first[at(parent)] = std::min(first[at(parent)], first[at(s)]);
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 PackedFactor::PackedFactor(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
@@ -40,10 +60,12 @@ PackedFactor::PackedFactor(const BlockPattern& pattern, const linear_kernel::Ker
     follow(pattern);
 }
 
-void PackedFactor::follow(const BlockPattern& pattern) {
+void PackedFactor::follow(const BlockPattern& pattern, std::span<const int> row_now) {
     factored_ = false;
     pattern_ = &pattern;
-    tree_ = find_supernodes(pattern);
+    if (row_now.empty() || !grow(tree_, pattern, row_now)) {
+        tree_ = find_supernodes(pattern);
+    }
     lay_out();
     find_children();
     find_places();
@@ -101,7 +123,7 @@ void PackedFactor::lay_out() {
 }
 
 /// Who hands on to whom, and how much room what is handed on takes: children end before their parent starts, so that
-/// each level's stack grows and shrinks at its end.
+/// each level's stack grows and shrinks at its end. Where other panels come between, it only grows.
 void PackedFactor::find_children() {
     const int count = tree_.count();
     first_child_.assign(at(count) + 1, 0);
@@ -123,6 +145,7 @@ void PackedFactor::find_children() {
     for (int s = count - 1; s >= 0; --s) {
         level_[at(s)] = tree_.parent[at(s)] >= 0 ? 1 - level_[at(tree_.parent[at(s)])] : 0;
     }
+    const bool shrinks = postordered_tree(tree_);
     std::array<std::size_t, 2> top{};
     std::array<std::size_t, 2> most{};
     rest_of_.resize(at(count));
@@ -131,7 +154,7 @@ void PackedFactor::find_children() {
         rest_of_[at(s)] = top[own];
         top[own] += at(round_up(3 * tree_.below(s), front_unit)) * at(3 * tree_.below(s));
         most[own] = std::max(most[own], top[own]);
-        if (first_child_[at(s)] < first_child_[at(s) + 1]) {
+        if (shrinks && first_child_[at(s)] < first_child_[at(s) + 1]) {
             top[1 - own] = rest_of_[at(children_[at(first_child_[at(s)])].panel)];
         }
     }

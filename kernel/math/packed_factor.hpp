@@ -22,11 +22,12 @@ namespace rhexis {
 
 class PackedFactor {
 public:
-    /// pattern: rows in a postordered order of elimination. It must outlive this.
+    /// pattern: rows in an order of elimination; one that is postordered takes least memory. It must outlive this.
     PackedFactor(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
 
-    /// Takes over another pattern, in the memory that is there; there is no factor then.
-    void follow(const BlockPattern& pattern);
+    /// Takes over another pattern, in the memory that is there; there is no factor then. row_now: if rows were added to
+    /// the pattern before, each behind one whose neighbours it shares, where those before are now, ascending; or empty.
+    void follow(const BlockPattern& pattern, std::span<const int> row_now = {});
 
     /// False if the matrix is not positive definite to single precision, or not finite. Entries must be within single
     /// precision's range (1e-30 to 1e30).

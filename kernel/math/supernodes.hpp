@@ -2,6 +2,7 @@
 // Which rows of a sparse Cholesky factor share a pattern: the tree of dense panels that a factorisation works through.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "math/block_matrix.hpp"
@@ -25,8 +26,14 @@ struct Supernodes {
     }
 };
 
-/// pattern: rows in the order of elimination, postordered (elimination_order gives one). Small panels are merged with
+/// pattern: rows in an order of elimination; a postordered one (elimination_order gives one) has fewer and wider
+/// panels. Small panels are merged with
 /// their parents where that adds few zeros [Davis2006].
 Supernodes find_supernodes(const BlockPattern& pattern);
+
+/// Follows a matrix to which rows were added, each to the panel of the row in front of it; rows below panels that are
+/// no more needed stay. row_now: per row before, ascending. False if there are entries that this leaves no place for:
+/// then nothing of the tree is of use.
+bool grow(Supernodes& tree, const BlockPattern& pattern, std::span<const int> row_now);
 
 }  // namespace rhexis

@@ -127,9 +127,8 @@ Status check_stars(const TriMesh& mesh, const std::string& where) {
     return success();
 }
 
-}  // namespace
-
-TriNeighbours tri_neighbours(const TriMesh& mesh) {
+/// Everything but who is across an edge.
+TriNeighbours stars_of(const TriMesh& mesh) {
     TriNeighbours result;
     result.offset.assign(mesh.nodes.size() + 1, 0);
     for (const std::array<int, 3>& triangle : mesh.triangles) {
@@ -147,12 +146,42 @@ TriNeighbours tri_neighbours(const TriMesh& mesh) {
             result.triangles[at(next[at(node)]++)] = t;
         }
     }
-    result.across.assign(mesh.triangles.size(), {-1, -1, -1});
+    return result;
+}
+
+void look_across(const TriMesh& mesh, std::size_t t, TriNeighbours& neighbours) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        neighbours.across[t][k] =
+            triangle_with(mesh, neighbours, mesh.triangles[t][(k + 2) % 3], mesh.triangles[t][(k + 1) % 3]);
+    }
+}
+
+}  // namespace
+
+TriNeighbours tri_neighbours(const TriMesh& mesh) {
+    TriNeighbours result = stars_of(mesh);
+    result.across.resize(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            result.across[t][k] =
-                triangle_with(mesh, result, mesh.triangles[t][(k + 2) % 3], mesh.triangles[t][(k + 1) % 3]);
+        look_across(mesh, t, result);
+    }
+    return result;
+}
+
+TriNeighbours tri_neighbours(const TriMesh& mesh, const TriNeighbours& before, std::span<const int> changed) {
+    TriNeighbours result = stars_of(mesh);
+    result.across = before.across;
+    result.across.resize(mesh.triangles.size(), {-1, -1, -1});
+    const auto look = [&](const std::array<int, 3>& triangles) {
+        for (const int t : triangles) {
+            if (t >= 0) {
+                look_across(mesh, at(t), result);
+            }
         }
+    };
+    for (const int t : changed) {
+        look(at(t) < before.across.size() ? before.across[at(t)] : std::array{-1, -1, -1});
+        look_across(mesh, at(t), result);
+        look(result.across[at(t)]);
     }
     return result;
 }

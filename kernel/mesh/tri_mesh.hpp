@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct TriNeighbours {
     std::vector<int> triangles;              ///< around each node, ascending: offset[n] .. offset[n + 1] - 1
 };
 TriNeighbours tri_neighbours(const TriMesh& mesh);
+/// The same of a mesh that came from another one. changed: triangles with other corners than there, and all new ones.
+TriNeighbours tri_neighbours(const TriMesh& mesh, const TriNeighbours& before, std::span<const int> changed);
 
 /// Whether any edge at the node has a triangle on one side only.
 std::vector<std::uint8_t> on_boundary(const TriMesh& mesh, const TriNeighbours& neighbours);

@@ -481,7 +481,9 @@ MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
             }
         }
     }
+    std::vector<int> changed;
     for (const SheetTriangle& change : edit.triangles) {
+        changed.push_back(change.triangle >= 0 ? change.triangle : static_cast<int>(sheet->mesh.triangles.size()));
         if (change.triangle >= 0) {
             sheet->mesh.triangles[at(change.triangle)] = change.nodes;
             continue;
@@ -491,7 +493,7 @@ MembraneState applied(const MembraneState& state, const MembraneEdit& edit) {
         sheet->thickness.push_back(state.sheet->thickness[at(change.parent)]);
         sheet->stiffness.push_back(state.sheet->stiffness[at(change.parent)]);
     }
-    sheet->neighbours = tri_neighbours(sheet->mesh);
+    sheet->neighbours = tri_neighbours(sheet->mesh, state.sheet->neighbours, changed);
     next.sheet = std::move(sheet);
     next.tips = edit.tips;
     next.torn_area += edit.torn_area;

@@ -14,7 +14,7 @@ picture=docs/pictures/factor_update.svg
 need_gnuplot
 if [ "${1:-}" != --draw ]; then
     fields=(scene elements method splits_per_factor cpu_ms ratio factor_ms solve_ms slowest_ms iterations refactored
-        entries error changed_by_motion order_ms analysis_ms numbers_ms)
+        entries error changed_by_motion body_ms analysis_ms assembly_ms numbers_ms)
     bench_to_csv factor_update "$small" "${fields[@]}"
     bench_to_csv factor_update_6000 "$large" "${fields[@]}"
 fi

@@ -6,10 +6,31 @@
 #include <algorithm>
 
 #include "base/clock.hpp"
+#include "base/index.hpp"
+#include "physics/membrane/membrane_body.hpp"
 #include "scenes/membranes.hpp"
 
 namespace rhexis::bench {
 namespace {
+
+/// Thread CPU time of forces and stiffness at a state, median [s]: what a step costs though its solve cost nothing.
+double assembly_seconds(const MembraneModel& model, const MembraneState& state, double dt) {
+    MembraneBody body(model, state.sheet);
+    std::vector<double> x(3 * at(body.rows()) + 1, 0.0);
+    for (int row = 0; row < body.rows(); ++row) {
+        Eigen::Map<Vec3>(x.data() + 3 * at(row)) = state.position[at(body.node_of()[at(row)])];
+    }
+    std::vector<double> force;
+    BlockValues stiffness = zero_values(body.pattern());
+    std::vector<double> seconds;
+    for (int i = 0; i < 101; ++i) {
+        const double start = thread_cpu_seconds();
+        body.forces_and_stiffness(x, elastic_kernel::Mode::warped, dt * dt, force, stiffness);
+        seconds.push_back(thread_cpu_seconds() - start);
+    }
+    std::nth_element(seconds.begin(), seconds.begin() + 50, seconds.end());
+    return seconds[50];
+}
 
 nlohmann::json run_pulled(bool fibrous, const BenchOptions& options) {
     const std::string name = fibrous ? "capsule_1500/fibres" : "capsule_1500/isotropic";
@@ -57,6 +78,7 @@ nlohmann::json run_pulled(bool fibrous, const BenchOptions& options) {
             {"fastest_steps_per_second", 1.0 / seconds.front()},
             {"slowest_steps_per_second", 1.0 / seconds.back()},
             {"cpu_s_per_s", median / scene.value().step_s},
+            {"assembly_share", assembly_seconds(scene.value().model, sheet.state(), scene.value().step_s) / median},
             {"iterations", iterations / steps},
             {"refactored", factored / steps},
             {"error", residual},

@@ -1,15 +1,13 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
--- The opening once its flap has come off: too small, too large, off-centre. All begin with a circle of which the needle
--- has yet to cut the last sixty degrees.
+-- The opening once its flap has come off: too small, too large, off-centre. The needle cuts all of the circle in one.
 
 local rhexis_hand = require "rhexis_hand"
 
 local full = { ["viscoelastic.fill"] = 1 }
 
--- Cuts the rest of the circle; the needle stays in the eye.
-local function finish(t, radius, aside)
-    local closed = rhexis_hand.cut_on(t, { radius = radius, aside = aside, by = 200, longest = 8, outwards = 0.2,
-        stop = "rhexis.closed" })
+-- Cuts a circle; the needle stays in the eye. aside: of its middle from the axis [mm].
+local function cut_round(t, radius, aside)
+    local closed = rhexis_hand.cut_circle(t, { radius = radius, aside = aside, by = 430, stop = "rhexis.closed" })
     if not closed then t:expect("rhexis.closed") end
     t:wait(0.05)
 end
@@ -19,12 +17,11 @@ return scenarios {
 
     scenario "too small, and enlarged by a second cut from the rim" {
         set = full,
-        start = "narrow",
         function(t)
-            finish(t, 1.85)
+            cut_round(t, 1.85)
             t:expect_event("Opening too small")
             t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
-            rhexis_hand.cut_anew(t, { at = 120, from = 2.8, radius = 2.4, by = 420, speed = 4.5,
+            rhexis_hand.cut_anew(t, { at = 120, from = 2.6, radius = 2.4, by = 420, speed = 4.5,
                 stop = "rhexis.diameter_mm > 4.5" })
             t:expect("rhexis.diameter_mm > 4.74")
             t:expect_event("Opening too small", { recovered = true, within = 0.1 })
@@ -33,27 +30,24 @@ return scenarios {
     scenario "too small, and left so" {
         recover_within_s = 3,
         set = full,
-        start = "narrow",
         function(t)
-            finish(t, 1.85)
+            cut_round(t, 1.85)
             rhexis_hand.lift_out(t)
             t:expect_event("Opening too small", { recovered = false, within = 4 })
         end },
 
     scenario "rather small" {
         set = full,
-        start = "rather_narrow",
         silent_twin_of = "Opening too small",
         near = "rhexis.diameter_mm < 4.7",
         function(t)
-            finish(t, 2.15)
+            cut_round(t, 2.15)
         end },
 
     scenario "too large, and recorded" {
         set = full,
-        start = "wide",
         function(t)
-            finish(t, 3.15)
+            cut_round(t, 3.15)
             t:expect_event("Opening too large")
             rhexis_hand.lift_out(t)
             t:request("Opening recorded")
@@ -63,27 +57,24 @@ return scenarios {
     scenario "too large, and nothing said" {
         recover_within_s = 3,
         set = full,
-        start = "wide",
         function(t)
-            finish(t, 3.15)
+            cut_round(t, 3.15)
             rhexis_hand.lift_out(t)
             t:expect_event("Opening too large", { recovered = false, within = 4 })
         end },
 
     scenario "rather large" {
         set = full,
-        start = "rather_wide",
         silent_twin_of = "Opening too large",
         near = "rhexis.diameter_mm > 5.75",
         function(t)
-            finish(t, 2.68)
+            cut_round(t, 2.68)
         end },
 
     scenario "off-centre, and enlarged on its near side" {
         set = full,
-        start = "aside",
         function(t)
-            finish(t, 2.6, 0.75)
+            cut_round(t, 2.6, 0.75)
             t:expect_event("Opening off-centre")
             t.cystotome:move_by({ 0, 0, 0.8 }, { speed = 12 })
             rhexis_hand.cut_anew(t, { at = 120, from = 3.1, radius = 2.5, by = 200, speed = 4,
@@ -94,19 +85,17 @@ return scenarios {
     scenario "off-centre, and left so" {
         recover_within_s = 3,
         set = full,
-        start = "aside",
         function(t)
-            finish(t, 2.6, 0.75)
+            cut_round(t, 2.6, 0.75)
             rhexis_hand.lift_out(t)
             t:expect_event("Opening off-centre", { recovered = false, within = 4 })
         end },
 
     scenario "a little off-centre" {
         set = full,
-        start = "rather_aside",
         silent_twin_of = "Opening off-centre",
         near = "rhexis.centre_offset_mm > 0.38",
         function(t)
-            finish(t, 2.6, 0.47)
+            cut_round(t, 2.6, 0.4)
         end },
 }

@@ -7,12 +7,17 @@
 
 #include "base/index.hpp"
 #include "math/cholesky.hpp"
-#include "math/elimination_tree.hpp"
+#include "math/grown_pattern.hpp"
+#include "physics/membrane/added_rows.hpp"
 
 namespace rhexis {
 namespace {
 
 using elastic_kernel::Mode;
+
+// of the nodes that were there when the order of elimination was made: with more, a new one has so many fewer entries
+// that it pays. Proposal: of 1.05 to 1.3, none cost tear_split 4 % less
+constexpr double most_growth = 1.1;
 
 TrianglePoints points_of(const std::vector<Vec3>& nodes, const TriMesh& mesh, int triangle) {
     const std::array<int, 3>& n = mesh.triangles[at(triangle)];
@@ -37,38 +42,6 @@ std::vector<int> inverse(const std::vector<int>& order) {
         result[at(order[at(i)])] = i;
     }
     return result;
-}
-
-/// The old order with each new node right behind the last of the old ones that it touches.
-std::vector<int> with_new_nodes(const std::vector<int>& old_order, const std::vector<int>& old_row,
-                                const TriMesh& mesh) {
-    std::vector<std::pair<int, int>> place;  // row to stand behind, node
-    for (int node = static_cast<int>(old_order.size()); node < static_cast<int>(mesh.nodes.size()); ++node) {
-        place.emplace_back(-1, node);
-    }
-    for (const std::array<int, 3>& triangle : mesh.triangles) {
-        for (const int node : triangle) {
-            if (at(node) < old_order.size()) {
-                continue;
-            }
-            int& row = place[at(node) - old_order.size()].first;
-            for (const int other : triangle) {
-                row = at(other) < old_row.size() ? std::max(row, old_row[at(other)]) : row;
-            }
-        }
-    }
-    std::stable_sort(place.begin(), place.end());
-    std::vector<int> order;
-    std::size_t next = 0;
-    for (int row = -1; row < static_cast<int>(old_order.size()); ++row) {
-        if (row >= 0) {
-            order.push_back(old_order[at(row)]);
-        }
-        for (; next < place.size() && place[next].first == row; ++next) {
-            order.push_back(place[next].second);
-        }
-    }
-    return order;
 }
 
 /// Whether a triangle is made of the same in both sheets.
@@ -156,32 +129,148 @@ Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const
 }
 
 MembraneBody::MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
-                           const MembraneBody* before, const membrane_kernel::Kernel& kernel)
+                           const membrane_kernel::Kernel& kernel)
     : ElasticBody(model.damping_mass, model.damping_stiffness),
       model_(&model),
       sheet_(std::move(sheet)),
       kernel_(&kernel) {
-    number_rows(before);
+    make();
+}
+
+void MembraneBody::make() {
+    const BlockPattern by_nodes = pattern_of(sheet_->mesh);
+    node_of_ = elimination_order(by_nodes);
+    row_of_ = inverse(node_of_);
+    pattern_ = permuted(by_nodes, node_of_, row_of_);
+    ordered_rows_ = rows();
+    triangles_ = membrane_triangles(*model_, *sheet_);
+    lay_out_lanes(0);
+    find_moving();
     hang();
-    make_triangles(before);
-    pack();
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        pack(t);
+    }
     weigh();
 }
 
-void MembraneBody::number_rows(const MembraneBody* before) {
-    const TriMesh& mesh = sheet_->mesh;
-    const BlockPattern by_nodes = pattern_of(mesh);
-    // with fewer nodes an earlier state has been gone back to, and there is no order to keep
-    if (before == nullptr || before->node_of_.size() > mesh.nodes.size()) {
-        node_of_ = elimination_order(by_nodes);
-    } else {
-        node_of_ = postordered(by_nodes, with_new_nodes(before->node_of_, before->row_of_, mesh));
+std::vector<int> MembraneBody::follow(std::shared_ptr<const MembraneSheet> sheet, bool keep_order) {
+    std::optional<std::vector<int>> row_now;
+    if (keep_order) {
+        row_now = grow(sheet);
     }
-    row_of_ = inverse(node_of_);
-    pattern_ = permuted(by_nodes, node_of_, row_of_);
-    moves_.resize(mesh.nodes.size());
-    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
-        moves_[at(row_of_[at(node)])] = is_fixed(*model_, *sheet_, node) ? 0 : 1;
+    if (row_now) {
+        return *row_now;
+    }
+    sheet_ = std::move(sheet);
+    make();
+    return {};
+}
+
+/// Triangles that are not those of the sheet before.
+std::vector<int> MembraneBody::changed_triangles(const MembraneSheet& now) const {
+    std::vector<int> changed;
+    for (std::size_t t = 0; t < now.mesh.triangles.size(); ++t) {
+        if (t >= triangles_.size() || !same_triangle(*sheet_, now, t)) {
+            changed.push_back(static_cast<int>(t));
+        }
+    }
+    return changed;
+}
+
+/// Whether changed triangles tie no two nodes of before that nothing tied: a tear never does, a state that was gone
+/// back to and torn otherwise may.
+bool MembraneBody::ties_known(const TriMesh& mesh, const std::vector<int>& changed) const {
+    return std::all_of(changed.begin(), changed.end(), [&](int t) {
+        const std::array<int, 3>& corners = mesh.triangles[at(t)];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = corners[k];
+            const int b = corners[(k + 1) % 3];
+            if (std::max(a, b) < rows() && pattern_.slot(row_of_[at(a)], row_of_[at(b)]) < 0) {
+                return false;
+            }
+        }
+        return true;
+    });
+}
+
+/// Takes over a sheet that came from the one before by tears; where the rows before are now. None, and nothing done, if
+/// the order of elimination is not worth keeping, or an earlier state was gone back to.
+std::optional<std::vector<int>> MembraneBody::grow(const std::shared_ptr<const MembraneSheet>& sheet) {
+    const TriMesh& mesh = sheet->mesh;
+    const std::size_t known = triangles_.size();
+    if (at(rows()) > mesh.nodes.size() || known > mesh.triangles.size() ||
+        static_cast<double>(mesh.nodes.size()) > most_growth * ordered_rows_) {
+        return std::nullopt;
+    }
+    const std::vector<int> changed = changed_triangles(*sheet);
+    if (!ties_known(mesh, changed)) {
+        return std::nullopt;
+    }
+    std::optional<RowsWithAdded> order = with_added_nodes(node_of_, row_of_, pattern_, mesh, changed);
+    if (!order) {
+        return std::nullopt;
+    }
+    std::vector<std::uint8_t> touched(mesh.nodes.size(), 0);  // nodes whose neighbours may be others
+    for (const int t : changed) {
+        for (const int node : mesh.triangles[at(t)]) {
+            touched[at(node)] = 1;
+        }
+        for (std::size_t k = 0; k < 3 && at(t) < known; ++k) {
+            touched[at(sheet_->mesh.triangles[at(t)][k])] = 1;
+        }
+    }
+    node_of_ = std::move(order->node_of);
+    row_of_ = std::move(order->row_of);
+    sheet_ = sheet;
+    renumber(touched, order->row_now);
+    triangles_.resize(mesh.triangles.size());
+    lay_out_lanes(known);
+    find_moving();
+    hang();
+    for (const int t : changed) {
+        triangles_[at(t)] = membrane_triangle(*model_, *sheet_, t, frame_of(mesh, t));
+        pack(at(t));
+    }
+    weigh();
+    return std::move(order->row_now);
+}
+
+/// Pattern and places of the triangles that stay.
+void MembraneBody::renumber(const std::vector<std::uint8_t>& touched, const std::vector<int>& row_now) {
+    std::vector<std::array<int, 2>> entries;
+    for (const std::array<int, 3>& corners : sheet_->mesh.triangles) {
+        for (const int node : corners) {
+            for (std::size_t k = 0; k < 3 && touched[at(node)] != 0; ++k) {
+                entries.push_back({row_of_[at(node)], row_of_[at(corners[k])]});
+            }
+        }
+    }
+    std::vector<std::uint8_t> changed(node_of_.size(), 0);
+    for (int row = 0; row < rows(); ++row) {
+        if (touched[at(node_of_[at(row)])] != 0) {
+            changed[at(row)] = 1;
+            entries.push_back({row, row});
+        }
+    }
+    GrownPattern grown = grown_pattern(pattern_, rows(), row_now, changed, std::move(entries));
+    pattern_ = std::move(grown.pattern);
+    constexpr std::size_t each = std::size_t{membrane_kernel::places} * membrane_kernel::lanes;
+    constexpr std::size_t corners = std::size_t{3} * membrane_kernel::lanes;
+    for (std::size_t first = 0; first < index_.size(); first += each) {
+        int* const group = index_.data() + first;
+        for (std::size_t i = 0; i < corners; ++i) {
+            group[i] = row_now[at(group[i])];
+        }
+        for (std::size_t i = corners; i < each; ++i) {
+            group[i] = 9 * grown.slot_now[at(group[i] / 9)];
+        }
+    }
+}
+
+void MembraneBody::find_moving() {
+    moves_.resize(node_of_.size());
+    for (int row = 0; row < rows(); ++row) {
+        moves_[at(row)] = is_fixed(*model_, *sheet_, node_of_[at(row)]) ? 0 : 1;
     }
 }
 
@@ -205,6 +294,7 @@ void MembraneBody::hang() {
             copies[at(next[at(origin[at(node)])]++)] = node;
         }
     }
+    springs_.clear();
     for (const NodeSpring& spring : model_->springs) {
         const int begin = first[at(spring.node)];
         const int end = first[at(spring.node) + 1];
@@ -212,22 +302,6 @@ void MembraneBody::hang() {
             springs_.push_back(spring);
             springs_.back().node = row_of_[at(copies[at(i)])];
             springs_.back().stiffness /= static_cast<double>(end - begin);
-        }
-    }
-}
-
-/// Those that a tear left alone are taken over.
-void MembraneBody::make_triangles(const MembraneBody* before) {
-    const MembraneSheet& now = *sheet_;
-    const std::size_t count = now.mesh.triangles.size();
-    const std::size_t known = before != nullptr && before->model_ == model_ ? before->triangles_.size() : 0;
-    triangles_.reserve(count);
-    for (std::size_t t = 0; t < count; ++t) {
-        if (t < known && same_triangle(*before->sheet_, now, t)) {
-            triangles_.push_back(before->triangles_[t]);
-        } else {
-            const int triangle = static_cast<int>(t);
-            triangles_.push_back(membrane_triangle(*model_, now, triangle, frame_of(now.mesh, triangle)));
         }
     }
 }
@@ -241,35 +315,35 @@ std::array<std::size_t, 3> MembraneBody::by_rows(std::size_t triangle) const {
     return order;
 }
 
-/// Lays the triangles out for the kernel.
-void MembraneBody::pack() {
-    const TriMesh& mesh = sheet_->mesh;
-    const std::vector<MembraneTriangle>& triangles = triangles_;
-    groups_ = static_cast<int>((triangles.size() + membrane_kernel::lanes - 1) / membrane_kernel::lanes);
-    data_.assign(at(groups_ * membrane_kernel::numbers * membrane_kernel::lanes), 0.0);
-    index_.assign(at(groups_ * membrane_kernel::places * membrane_kernel::lanes), 0);
-    volume_.clear();
-    volume_.reserve(triangles.size());
-    for (std::size_t t = 0; t < at(groups_ * membrane_kernel::lanes); ++t) {
-        const std::size_t group = t / membrane_kernel::lanes;
-        const std::size_t lane = t % membrane_kernel::lanes;
-        int* const places = index_.data() + group * membrane_kernel::places * membrane_kernel::lanes + lane;
-        if (t >= triangles.size()) {
-            for (std::size_t k = 3; k < membrane_kernel::places; ++k) {
-                places[k * membrane_kernel::lanes] = 9 * pattern_.blocks();  // dropped
-            }
-            continue;
+/// Room for all triangles in the kernel's arrays, of which the first `known` are there; lanes without one add nothing.
+void MembraneBody::lay_out_lanes(std::size_t known) {
+    constexpr std::size_t lanes = membrane_kernel::lanes;
+    groups_ = static_cast<int>((triangles_.size() + lanes - 1) / lanes);
+    data_.resize(at(groups_ * membrane_kernel::numbers) * lanes, 0.0);
+    index_.resize(at(groups_ * membrane_kernel::places) * lanes, 0);
+    for (std::size_t t = known; t < at(groups_) * lanes; ++t) {
+        double* const numbers = data_.data() + t / lanes * membrane_kernel::numbers * lanes + t % lanes;
+        int* const places = index_.data() + t / lanes * membrane_kernel::places * lanes + t % lanes;
+        for (std::size_t k = 0; k < membrane_kernel::numbers; ++k) {
+            numbers[k * lanes] = 0.0;
         }
-        const std::array<std::size_t, 3> order = by_rows(t);
-        pack_numbers(triangles[t], order,
-                     data_.data() + group * membrane_kernel::numbers * membrane_kernel::lanes + lane);
-        std::array<int, 3> rows{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            rows[a] = row_of_[at(mesh.triangles[t][order[a]])];
+        for (std::size_t k = 0; k < membrane_kernel::places; ++k) {
+            places[k * lanes] = k < 3 ? 0 : 9 * pattern_.blocks();  // dropped
         }
-        pack_places(rows, places);
-        volume_.push_back(triangles[t].volume);
     }
+}
+
+/// Lays a triangle out for the kernel.
+void MembraneBody::pack(std::size_t t) {
+    const std::size_t group = t / membrane_kernel::lanes;
+    const std::size_t lane = t % membrane_kernel::lanes;
+    const std::array<std::size_t, 3> order = by_rows(t);
+    pack_numbers(triangles_[t], order, data_.data() + group * membrane_kernel::numbers * membrane_kernel::lanes + lane);
+    std::array<int, 3> rows{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        rows[a] = row_of_[at(sheet_->mesh.triangles[t][order[a]])];
+    }
+    pack_places(rows, index_.data() + group * membrane_kernel::places * membrane_kernel::lanes + lane);
 }
 
 void MembraneBody::pack_numbers(const MembraneTriangle& triangle, const std::array<std::size_t, 3>& order, double* to) {
@@ -317,9 +391,9 @@ void MembraneBody::pack_places(const std::array<int, 3>& rows, int* to) const {
 
 void MembraneBody::weigh() {
     mass_.inertia.assign(node_of_.size(), 0.0);
-    for (std::size_t t = 0; t < volume_.size(); ++t) {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
         for (const int node : sheet_->mesh.triangles[t]) {
-            mass_.inertia[at(row_of_[at(node)])] += model_->density * volume_[t] / 3.0;
+            mass_.inertia[at(row_of_[at(node)])] += model_->density * triangles_[t].volume / 3.0;
         }
     }
     const double share = 1.0 - model_->buoyancy_density / model_->density;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "energy/membrane_triangle.hpp"
 #include "flow/membrane.hpp"
@@ -27,10 +29,14 @@ Vec3 elastic_force(const MembraneModel& model, const MembraneState& state, const
 
 class MembraneBody final : public ElasticBody {
 public:
-    /// The model must outlive this; the sheet is kept alive. before: of the sheet that this one came from, whose order
-    /// of elimination is taken over, with the nodes that are new beside those they touch; or null.
-    MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet, const MembraneBody* before,
+    /// The model must outlive this; the sheet is kept alive.
+    MembraneBody(const MembraneModel& model, std::shared_ptr<const MembraneSheet> sheet,
                  const membrane_kernel::Kernel& kernel = *membrane_kernel::choose({}));
+
+    /// Takes over another sheet of the model. keep_order: if it came from the one before by tears, the order of
+    /// elimination is kept as long as that pays, with the nodes that are new behind such as have their neighbours.
+    /// Where the rows before are now, ascending; or nothing, if the order is new.
+    std::vector<int> follow(std::shared_ptr<const MembraneSheet> sheet, bool keep_order);
 
     [[nodiscard]] const std::shared_ptr<const MembraneSheet>& sheet() const { return sheet_; }
 
@@ -44,11 +50,16 @@ public:
                               std::vector<double>& force, BlockValues& stiffness) override;
 
 private:
-    void number_rows(const MembraneBody* before);
+    void make();
+    [[nodiscard]] std::vector<int> changed_triangles(const MembraneSheet& now) const;
+    [[nodiscard]] bool ties_known(const TriMesh& mesh, const std::vector<int>& changed) const;
+    std::optional<std::vector<int>> grow(const std::shared_ptr<const MembraneSheet>& sheet);
+    void renumber(const std::vector<std::uint8_t>& touched, const std::vector<int>& row_now);
+    void find_moving();
     void hang();
-    void make_triangles(const MembraneBody* before);
+    void lay_out_lanes(std::size_t known);
     [[nodiscard]] std::array<std::size_t, 3> by_rows(std::size_t triangle) const;
-    void pack();
+    void pack(std::size_t t);
     static void pack_numbers(const MembraneTriangle& triangle, const std::array<std::size_t, 3>& order, double* to);
     [[nodiscard]] int slot_right_of_diagonal(int row, int column) const;
     void pack_places(const std::array<int, 3>& rows, int* to) const;
@@ -60,7 +71,7 @@ private:
     const membrane_kernel::Kernel* kernel_;
     std::vector<NodeSpring> springs_;  ///< of rows
     double lift_ = 0.0;                ///< of the support [mm]
-    std::vector<double> volume_;       ///< per triangle [mm^3]
+    int ordered_rows_ = 0;             ///< when the order of elimination was made
     std::vector<MembraneTriangle> triangles_;
     // as the kernel reads them; corners by ascending row
     int groups_ = 0;

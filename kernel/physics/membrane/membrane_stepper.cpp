@@ -30,9 +30,14 @@ ImplicitSettings scene_settings(const MembraneSolve& solve, bool predict) {
 }
 
 constexpr double share_of_weight = 0.1;     // residual force that leaves a sheet at rest, at most
+constexpr int finest = 16;                  // of one that is made again: so many times the substeps
 constexpr double farthest = 0.1;            // that an instrument near the sheet goes in a substep [mm],
 constexpr double farthest_of_radius = 0.5;  // and that of the radius of its thinnest end
 constexpr int most_substeps = 20;
+/// A substep that leaves more than both out of balance, of its forces and at all, is no state of the sheet: the lens
+/// that it lies on would be thrown about by it.
+constexpr double rough_residual = 0.1;
+constexpr double rough_force = 1e3;  // [uN]
 
 Box box_of(const std::vector<Vec3>& nodes) {
     Box box;
@@ -103,16 +108,15 @@ void MembraneStepper::follow(const MembraneState& state) {
     if (step_ && body_->sheet() == state.sheet) {
         return;
     }
-    const MembraneBody* const before = step_ && solves_ < new_order_pays ? body_ : nullptr;
-    std::unique_ptr<MembraneBody> body =
-        std::make_unique<MembraneBody>(*model_, state.sheet, before, *membrane_kernel::choose(kernel_->name));
-    body_ = body.get();
-    solves_ = 0;
     if (step_) {
-        step_->follow(std::move(body));
+        step_->follow(body_->follow(state.sheet, solves_ < new_order_pays));
     } else {
+        std::unique_ptr<MembraneBody> body =
+            std::make_unique<MembraneBody>(*model_, state.sheet, *membrane_kernel::choose(kernel_->name));
+        body_ = body.get();
         step_.emplace(std::move(body), *kernel_);
     }
+    solves_ = 0;
 }
 
 ImplicitReport MembraneStepper::step(const MembraneState& state, std::span<const Vec3> external, double dt,
@@ -193,8 +197,9 @@ ImplicitReport MembraneStepper::substep(const Task& task, int i, int divisions, 
     return report;
 }
 
-bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report,
-                          ContactSet& contacts) {
+MembraneStepper::Balance MembraneStepper::run(const Task& task, int divisions, MembraneState& next,
+                                              MembraneStepReport& report, ContactSet& contacts) {
+    Balance worst = Balance::good;
     report = MembraneStepReport{};
     report.substeps = divisions;
     next = task.state;
@@ -206,10 +211,13 @@ bool MembraneStepper::run(const Task& task, int divisions, MembraneState& next, 
         report.linear_iterations += one.linear_iterations;
         report.force = one.force;
         if (!std::isfinite(one.newton_residual) || !std::isfinite(one.force)) {
-            return false;
+            return Balance::not_finite;
+        }
+        if (one.newton_residual > rough_residual && one.force > rough_force) {
+            worst = Balance::rough;
         }
     }
-    return true;
+    return worst;
 }
 
 bool MembraneStepper::advance(const Task& task, MembraneState& next, MembraneStepReport& report, ContactSet& contacts,
@@ -217,13 +225,16 @@ bool MembraneStepper::advance(const Task& task, MembraneState& next, MembraneSte
     load(task.world, task.state);
     const std::size_t before = contacts.size();
     const int least = substeps_for(task);
-    for (const int finer : {1, 4, 16}) {
-        if (run(task, least * finer, next, report, contacts)) {
+    for (const int finer : {1, 4, finest}) {
+        const Balance balance = run(task, least * finer, next, report, contacts);
+        if (balance == Balance::good || (balance == Balance::rough && finer == finest)) {
             return true;
         }
         contacts.resize(before);
         ++rollbacks;
-        drop_caches();
+        if (balance == Balance::not_finite) {
+            drop_caches();
+        }
     }
     next = task.state;
     next.velocity.assign(next.velocity.size(), Vec3::Zero());

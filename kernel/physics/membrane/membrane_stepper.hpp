@@ -38,8 +38,8 @@ public:
     };
 
     /// A step with the state's loads, in contact, in as many substeps as the instruments near it are fast; redone in
-    /// smaller ones where numbers run away. False where that does not help: next is then the state at rest where it
-    /// was. Appends to `contacts`.
+    /// smaller ones where numbers run away or come nowhere near to balance. False where numbers run away in the
+    /// smallest too: next is then the state at rest where it was. Appends to `contacts`.
     bool advance(const Task& task, MembraneState& next, MembraneStepReport& report, ContactSet& contacts,
                  int& rollbacks);
 
@@ -47,11 +47,13 @@ public:
     void drop_caches() { step_.reset(); }
 
 private:
+    /// Of a step: how the worst of its substeps ended.
+    enum class Balance { good, rough, not_finite };
     MembraneStepper(const MembraneModel& model, const linear_kernel::Kernel& kernel, const MembraneSolve& solve)
         : model_(&model), kernel_(&kernel), solve_(solve) {}
     void follow(const MembraneState& state);
     void load(const WorldModel& world, const MembraneState& state);
-    bool run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report, ContactSet& contacts);
+    Balance run(const Task& task, int divisions, MembraneState& next, MembraneStepReport& report, ContactSet& contacts);
     [[nodiscard]] double finest_force() const;
     ImplicitReport substep(const Task& task, int i, int divisions, const MembraneState& from, MembraneState& next,
                            ContactSet& contacts);

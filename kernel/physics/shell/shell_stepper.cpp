@@ -49,7 +49,7 @@ void ShellStepper::build(const ShellWall* wall) {
         return;
     }
     std::unique_ptr<MembraneBody> membrane =
-        std::make_unique<MembraneBody>(wall->model, wall_sheet_, nullptr, *membrane_kernel::choose(linear_->name));
+        std::make_unique<MembraneBody>(wall->model, wall_sheet_, *membrane_kernel::choose(linear_->name));
     std::vector<std::array<int, 2>> ties;  // of places and of turns
     for (const std::array<int, 2>& tie : ties_) {
         ties.push_back({2 * tie[0], tie[1]});

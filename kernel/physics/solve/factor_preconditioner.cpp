@@ -11,9 +11,9 @@ namespace rhexis {
 FactorPreconditioner::FactorPreconditioner(const BlockPattern& pattern, const linear_kernel::Kernel& kernel)
     : pattern_(&pattern), packed_(pattern, kernel), single_(4 * static_cast<std::size_t>(pattern.rows()), 0.0F) {}
 
-void FactorPreconditioner::follow(const BlockPattern& pattern) {
+void FactorPreconditioner::follow(const BlockPattern& pattern, std::span<const int> row_now) {
     pattern_ = &pattern;
-    packed_.follow(pattern);
+    packed_.follow(pattern, row_now);
     exact_.reset();
     single_.assign(4 * at(pattern.rows()), 0.0F);
     coupling_.resize(0, 0);

@@ -19,11 +19,11 @@ namespace rhexis {
 
 class FactorPreconditioner {
 public:
-    /// The pattern must outlive this; rows in a postordered order of elimination.
+    /// The pattern must outlive this; rows in an order of elimination.
     FactorPreconditioner(const BlockPattern& pattern, const linear_kernel::Kernel& kernel);
 
-    /// Takes over another pattern, in the memory that is there; nothing is kept then.
-    void follow(const BlockPattern& pattern);
+    /// Takes over another pattern, in the memory that is there; nothing is kept then. row_now: as of PackedFactor.
+    void follow(const BlockPattern& pattern, std::span<const int> row_now);
 
     enum class Precision { single, twofold };
 

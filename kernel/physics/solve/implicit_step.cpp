@@ -527,10 +527,9 @@ ImplicitReport ImplicitStep::step(std::span<const Vec3> position, std::span<cons
     return report;
 }
 
-void ImplicitStep::follow(std::unique_ptr<ElasticBody> body) {
-    parts_->matrix.follow(body->pattern());
-    parts_->solver.follow(body->pattern());
-    parts_->body = std::move(body);
+void ImplicitStep::follow(std::span<const int> row_now) {
+    parts_->matrix.follow(parts_->body->pattern());
+    parts_->solver.follow(parts_->body->pattern(), row_now);
     parts_->last_dt = 0.0;
 }
 

@@ -87,8 +87,9 @@ public:
     ImplicitStep& operator=(ImplicitStep&&) noexcept;
 
     [[nodiscard]] ElasticBody& body();
-    /// As a new one for another body, in the memory that is there.
-    void follow(std::unique_ptr<ElasticBody> body);
+    /// As a new one, in the memory that is there, for the body whose rows are no more those that they were. row_now: as
+    /// of PackedFactor.
+    void follow(std::span<const int> row_now);
 
     /// One step of dt [s]. external: force per node without gravity [uN], or empty; gravity [mm/s^2] is applied inside.
     /// bodies: at the start of the step on entry, at its end on return. next may not be `position`, `velocity`.

@@ -26,9 +26,9 @@ public:
     Outcome solve(const CoupledMatrix& matrix, std::span<const double> b, double tolerance, int max_iterations,
                   std::span<double> x, bool single_only = false);
 
-    /// As a new solver of another pattern, in the memory that is there.
-    void follow(const BlockPattern& pattern) {
-        factor_.follow(pattern);
+    /// As a new solver of another pattern, in the memory that is there. row_now: as of PackedFactor.
+    void follow(const BlockPattern& pattern, std::span<const int> row_now) {
+        factor_.follow(pattern, row_now);
         drop();
         solves_ = iterations_ = last_ = first_ = 0;
     }

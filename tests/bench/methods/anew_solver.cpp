@@ -26,7 +26,7 @@ class InSingle final : public SplitSolver {
 public:
     Report solve(const SplitSystem& given, double tolerance, std::vector<double>& x) override {
         // the kernel would fill the matrix in its new order: that copy is not counted
-        MembraneBody body(given.model, given.state.sheet, nullptr);
+        MembraneBody body(given.model, given.state.sheet);
         const SplitSystem own = assemble(given.model, given.state, body, given.dt);
         const linear_kernel::Kernel& kernel = *linear_kernel::choose();
         Report report;

@@ -6,7 +6,6 @@
 #include "base/clock.hpp"
 #include "base/index.hpp"
 #include "bench/methods/kernel_factor.hpp"
-#include "math/elimination_tree.hpp"
 
 namespace rhexis::bench {
 namespace {
@@ -83,7 +82,6 @@ SplitSolver::Report KeptSplitSolver::solve(const SplitSystem& system, double tol
 }
 
 void EarlierFactor::make(const SplitSystem& system) {
-    postordered(node_pattern(system), system.body.node_of());
     pattern_ = system.body.pattern();
     factor_.emplace(pattern_, *linear_kernel::choose());
     factor_->factor(system.matrix, FactorPreconditioner::Precision::single);

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "base/clock.hpp"
-#include "math/elimination_tree.hpp"
 #include "math/supernodes.hpp"
 
 namespace rhexis::bench {
@@ -18,16 +16,6 @@ BlockPattern node_pattern(const SplitSystem& system) {
         first.push_back(static_cast<int>(nodes.size()));
     }
     return block_pattern(static_cast<int>(mesh.nodes.size()), first, nodes);
-}
-
-FactorParts time_parts(const SplitSystem& system) {
-    const double start = thread_cpu_seconds();
-    postordered(node_pattern(system), system.body.node_of());
-    const double ordered = thread_cpu_seconds();
-    FactorPreconditioner factor(system.body.pattern(), *linear_kernel::choose());
-    const double analysed = thread_cpu_seconds();
-    factor.factor(system.matrix, FactorPreconditioner::Precision::single);
-    return {ordered - start, analysed - ordered, thread_cpu_seconds() - analysed};
 }
 
 long factor_entries(const BlockPattern& pattern) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel's own factor as the methods of this folder use it, and what it costs to have one.
+// The kernel's own factor as the methods of this folder use it.
 #pragma once
 
 #include "bench/methods/split_system.hpp"
@@ -11,15 +11,7 @@ namespace rhexis::bench {
 /// Of the sheet's matrix, rows by nodes.
 BlockPattern node_pattern(const SplitSystem& system);
 
-/// Thread CPU time of what the kernel does for a new sheet before it can solve [s].
-struct FactorParts {
-    double order_s = 0.0;     ///< postorder of the order that was kept
-    double analysis_s = 0.0;  ///< panels of the factor and where they go
-    double numbers_s = 0.0;   ///< the factor itself
-};
-FactorParts time_parts(const SplitSystem& system);
-
-/// Numbers of the factor of a matrix whose rows are in a postordered order of elimination.
+/// Numbers of the factor of a matrix whose rows are in an order of elimination.
 long factor_entries(const BlockPattern& pattern);
 
 /// Conjugate gradients to a relative residual with the factor of this very matrix. Returns the iterations.

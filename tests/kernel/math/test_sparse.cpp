@@ -12,8 +12,10 @@
 #include "base/rng.hpp"
 #include "math/cholesky.hpp"
 #include "math/elimination_tree.hpp"
+#include "math/grown_pattern.hpp"
 #include "math/packed_factor.hpp"
 #include "math/pcg.hpp"
+#include "math/supernodes.hpp"
 
 using namespace rhexis;
 
@@ -216,7 +218,89 @@ TEST_SUITE("math") {
         }
     }
 
-    TEST_CASE("rows of the factor are where a dense one has entries, and a postorder keeps their number") {
+    TEST_CASE("a pattern and a factor that grow are those of the whole, as a tear would have them") {
+        const linear_kernel::Kernel& kernel = *linear_kernel::choose();
+        BlockPattern pattern = grid_pattern(6);
+        PackedFactor grown(pattern, kernel);
+        Supernodes tree = find_supernodes(pattern);
+        int followed = 0;
+        Rng random(3);
+        for (int round = 0; round < 40; ++round) {
+            const int behind = static_cast<int>(random.uniform() * pattern.rows());
+            const int own = behind + 1;
+            const int rows = pattern.rows() + 1;
+            std::vector<int> row_now;
+            for (int row = 0; row + 1 < rows; ++row) {
+                row_now.push_back(row <= behind ? row : row + 1);
+            }
+            std::vector<int> first{0};
+            std::vector<int> node;
+            std::vector<std::uint8_t> changed(at(rows), 0);
+            changed[at(behind)] = changed[at(own)] = 1;
+            for (int row = 0; row < pattern.rows(); ++row) {
+                for (int slot = pattern.diagonal[at(row)] + 1; slot < pattern.first[at(row) + 1]; ++slot) {
+                    int a = row_now[at(row)];
+                    int b = row_now[at(pattern.column[at(slot)])];
+                    const bool moves = (a == behind || b == behind) && (a + b) % 2 == 0;
+                    changed[at(a)] |= a == behind || b == behind ? 1 : 0;
+                    changed[at(b)] |= a == behind || b == behind ? 1 : 0;
+                    a = moves && a == behind ? own : a;
+                    b = moves && b == behind ? own : b;
+                    node.insert(node.end(), {a, b});
+                    first.push_back(static_cast<int>(node.size()));
+                }
+            }
+            const BlockPattern whole = block_pattern(rows, first, node);
+            std::vector<std::array<int, 2>> entries;
+            for (int row = 0; row < rows; ++row) {
+                for (int slot = whole.first[at(row)]; changed[at(row)] != 0 && slot < whole.first[at(row) + 1];
+                     ++slot) {
+                    entries.push_back({row, whole.column[at(slot)]});
+                }
+            }
+            GrownPattern next = grown_pattern(pattern, rows, row_now, changed, entries);
+            CHECK(next.pattern.first == whole.first);
+            CHECK(next.pattern.column == whole.column);
+            CHECK(next.pattern.diagonal == whole.diagonal);
+            CHECK(next.pattern.mirror == whole.mirror);
+            for (int row = 0; row < pattern.rows(); ++row) {
+                for (int slot = pattern.first[at(row)]; slot < pattern.first[at(row) + 1]; ++slot) {
+                    CHECK(next.slot_now[at(slot)] ==
+                          whole.slot(row_now[at(row)], row_now[at(pattern.column[at(slot)])]));
+                }
+            }
+            CHECK(next.slot_now.back() == whole.blocks());
+            pattern = std::move(next.pattern);
+            if (grow(tree, pattern, row_now)) {
+                ++followed;
+            } else {
+                tree = find_supernodes(pattern);
+            }
+            grown.follow(pattern, row_now);
+            const BlockValues values = random_matrix(pattern, 40.0, 11);
+            const VecX b = random_vector(3 * rows, 6);
+            REQUIRE(grown.factor(values));
+            std::vector<float> x = spread(b);
+            grown.solve(x);
+            CHECK(largest_error(x, dense(pattern, values).ldlt().solve(b)) < 1e-5);
+        }
+        CHECK(followed >= 30);
+    }
+
+    TEST_CASE("a tree of panels that grows has a place for every entry, and says where it has none") {
+        const BlockPattern chain = block_pattern(4, std::vector<int>{0, 2, 4, 6}, std::vector<int>{0, 1, 1, 2, 2, 3});
+        const std::vector<int> row_now{0, 2, 3, 4};  // a row behind the first
+        Supernodes tree = find_supernodes(chain);
+        const BlockPattern beside =
+            block_pattern(5, std::vector<int>{0, 2, 4, 6, 8}, std::vector<int>{0, 1, 1, 2, 2, 3, 3, 4});
+        CHECK(grow(tree, beside, row_now));
+        CHECK(tree.first.back() == 5);
+        Supernodes pairs = find_supernodes(block_pattern(4, std::vector<int>{0, 2, 4}, std::vector<int>{0, 1, 2, 3}));
+        const BlockPattern across = block_pattern(5, std::vector<int>{0, 2, 4, 6}, std::vector<int>{0, 2, 1, 4, 3, 4});
+        CHECK_FALSE(grow(pairs, across, row_now));
+    }
+
+    TEST_CASE("rows of the factor are where a dense one has entries") {
         const BlockPattern pattern = grid_pattern(4);
         const int n = pattern.rows();
         MatX has = MatX::Zero(n, n);  // elimination of the graph
@@ -245,35 +329,6 @@ TEST_SUITE("math") {
                   expected);
             CHECK(tree[at(j)] == (expected.empty() ? -1 : expected.front()));
         }
-
-        std::vector<int> order(at(n));  // not a postorder: every other row, then the rest
-        for (int k = 0; k < n; ++k) {
-            order[at(k)] = 2 * k < n + n % 2 ? 2 * k : 2 * (k - (n + n % 2) / 2) + 1;
-        }
-        const auto numbered = [&](const std::vector<int>& by) {
-            std::vector<int> place(at(n), -1);
-            for (int k = 0; k < n; ++k) {
-                place[at(by[at(k)])] = k;
-            }
-            CHECK(std::count(place.begin(), place.end(), -1) == 0);
-            return permuted(pattern, by, place);
-        };
-        const BlockPattern plain = numbered(order);
-        const std::vector<int> arranged = postordered(pattern, order);
-        const BlockPattern post = numbered(arranged);
-        const std::vector<int> post_tree = elimination_tree(post);
-        CHECK(factor_rows(post, post_tree).row.size() == factor_rows(plain, elimination_tree(plain)).row.size());
-        // what leads to a column stands right before it
-        std::vector<int> below(at(n), 1);
-        for (int j = 0; j < n; ++j) {
-            if (post_tree[at(j)] >= 0) {
-                below[at(post_tree[at(j)])] += below[at(j)];
-            }
-            for (int i = j - below[at(j)] + 1; i < j; ++i) {
-                CHECK(post_tree[at(i)] <= j);
-            }
-        }
-        CHECK(postordered(pattern, arranged) == arranged);
     }
 
     TEST_CASE("a pattern with other numbers is that of groups with other numbers") {

@@ -25,13 +25,13 @@ ToolModel ball(double radius, double friction) {
 /// A world of one membrane and one ball, stepped.
 class Scene {
 public:
-    Scene(MembraneModel membrane, const ToolModel& tool, const Vec3& place) {
+    Scene(MembraneModel membrane, const ToolModel& tool, const Vec3& place, const PhysicsSettings& settings = {}) {
         WorldModel world;
         world.gravity = Vec3::Zero();
         world.membranes.push_back(std::move(membrane));
         world.tools.push_back(tool);
         model_ = std::make_shared<const WorldModel>(std::move(world));
-        physics_.emplace(std::move(Physics::create(model_, {})).value());
+        physics_.emplace(std::move(Physics::create(model_, settings)).value());
         state = rest_state(*model_);
         tools_.resize(1);
         tools_[0].present = true;
@@ -132,6 +132,28 @@ TEST_SUITE("sheet contact") {
             }
             CHECK(lowest < z + 0.3);
             CHECK(scene.force().z() < 0.0);
+        }
+    }
+
+    TEST_CASE("a step that comes nowhere near to balance is made again in smaller ones, and one that does is not") {
+        PhysicsSettings hasty;
+        hasty.membranes.max_newton = 2;
+        for (const bool thrown : {false, true}) {
+            CAPTURE(thrown);
+            Scene scene(drum(0.1), ball(0.5, 0.0), Vec3(0.0, 0.0, 0.6), hasty);
+            for (Vec3& x : scene.state.membranes[0].position) {
+                x *= 1.1;
+            }
+            if (thrown) {
+                for (Vec3& v : scene.state.membranes[0].velocity) {
+                    v = Vec3(0.0, 0.0, 300.0);
+                }
+            }
+            const StepOutcome outcome = scene.step(Vec3(0.0, 0.0, 0.6));
+            CHECK((outcome.rollbacks > 0) == thrown);
+            CHECK((outcome.membranes[0].substeps > 1) == thrown);
+            CHECK(outcome.notes.size() == (thrown ? 1 : 0));
+            CHECK(outcome.membranes[0].force < 1e3);
         }
     }
 

@@ -122,9 +122,9 @@ TEST_SUITE("paired body") {
         const MembraneModel sheet = drum(0.5);
         const std::vector<std::array<int, 2>> ties{{0, 3}, {1, 3}, {7, 20}};
         PairedBody pair(std::make_unique<ShellBody>(shell, *shell_kernel::choose({})),
-                        std::make_unique<MembraneBody>(sheet, sheet.sheet, nullptr), ties);
+                        std::make_unique<MembraneBody>(sheet, sheet.sheet), ties);
         ShellBody first(shell, *shell_kernel::choose({}));
-        MembraneBody second(sheet, sheet.sheet, nullptr);
+        MembraneBody second(sheet, sheet.sheet);
         const std::size_t shell_points = 2 * shell.mesh.nodes.size();
         REQUIRE(pair.rows() == first.rows() + second.rows());
         Rng rng(3, "pair");

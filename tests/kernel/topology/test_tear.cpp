@@ -155,7 +155,7 @@ TEST_SUITE("tear") {
         MembraneState state = rest_state(model);
         state.loads = {{{held_node, hung}, Vec3(0.0, 0.0, 3.0)}};
         const auto forces = [&](const MembraneState& of) {
-            MembraneBody body(model, of.sheet, nullptr);
+            MembraneBody body(model, of.sheet);
             std::vector<double> position;
             for (const int node : body.node_of()) {
                 position.insert(position.end(), of.position[at(node)].begin(), of.position[at(node)].end());
