@@ -169,8 +169,8 @@ void Physics::Solvers::step_membrane(const StepTask& task, int membrane, WorldSt
         return;
     }
     if (outcome.rollbacks > before) {
-        outcome.notes.push_back(own.name + ": step far from balance, redone in steps " + std::to_string(report.substeps) +
-                                " times smaller");
+        outcome.notes.push_back(own.name + ": step far from balance, redone in steps " +
+                                std::to_string(report.substeps) + " times smaller");
     }
     report.tears = propose_tears(own, next.membranes[index]);
     report.notches = propose_notches(own, next.membranes[index]);

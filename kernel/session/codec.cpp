@@ -375,7 +375,7 @@ void shared_sheet(Writing& io, const std::shared_ptr<const MembraneSheet>& sheet
 void shared_sheet(Reading& io, std::shared_ptr<const MembraneSheet>& sheet) {
     std::shared_ptr<MembraneSheet> read = std::make_shared<MembraneSheet>();
     sheet_fields(io, *read);
-    const bool sound = io.reader.ok() && validate_tri_mesh(read->mesh).ok();
+    const bool sound = io.reader.ok() && validate_tri_mesh(read->mesh, {}, UnusedNodes::allowed).ok();
     io.limit(sound);
     if (sound) {
         read->neighbours = tri_neighbours(read->mesh);
