@@ -29,7 +29,7 @@ return starts {
     upside_down = let_out({ 0, -0.8, 0.8 }, 180),
     trailing_out = led_in(nil, 0.1, 15),
     on_its_side = let_out({ 0, -1.0, 0.9 }, 70),
-    nearly_over = let_out({ 0, -1.0, 0.9 }, 41),
+    nearly_over = let_out({ 0, -1.0, 0.9 }, 31),
     stuck = led_in(implant_hand.sticky(10), 0.6, 24),
-    settles = led_in(implant_hand.sticky(50), 0.6, 8.6),
+    settles = led_in(implant_hand.sticky(50), 0.6, 6.5),
 }

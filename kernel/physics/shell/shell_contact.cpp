@@ -189,8 +189,7 @@ void ShellContacts::meet_rigid(ContactPartner partner, int index, double radius,
         contact.touch.partner = partner;
         contact.touch.index = index;
         contact.touch.sample = static_cast<int>(i);
-        contact.stiffness =
-            (partner == ContactPartner::tool ? settings_.stiffer_tools : 1.0) * stiffness(on, i, start.normal);
+        contact.stiffness = stiffness(on, i, start.normal);
         contact.friction = friction_of(partners_, partner, index);
         contact.lever = -0.5 * own.thickness * start.normal;
         contact.anchor = partner_pose(contact, 0.0).to_body(points_[i] + contact.lever);

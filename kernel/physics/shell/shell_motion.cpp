@@ -37,7 +37,7 @@ constexpr ImplicitSettings settings{
 constexpr ImplicitSettings in_contact{.tolerance = 0.1,
                                       .max_newton = 30,
                                       .newton_tolerance = 1e-4,
-                                      .contact_tolerance = 4e-3,
+                                      .contact_tolerance = 1e-3,
                                       .predict = true,
                                       .quick_to_project = true,
                                       .search_to = 0.2};

@@ -143,7 +143,7 @@ TEST_SUITE("shell contact forces") {
             size += own.norm();
             sideways += std::abs(own.y());
         }
-        CHECK(sideways > 0.003 * size);
+        CHECK(sideways > 0.01 * size);
         CHECK(force.norm() < 1e-12 * size);
         CHECK(moment.norm() < 1e-12 * size);
     }
