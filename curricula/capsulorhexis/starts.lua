@@ -23,18 +23,24 @@ local function pulled_until(stop)
     end }
 end
 
+-- Likewise a flap of a capsule that tears at once, towards the angle of the chamber.
+local function pulled_in_brittle(stop)
+    return { set = brittle, function(t)
+        rhexis_hand.begin_flap(t)
+        t.forceps:enter({ speed = 20 })
+        rhexis_hand.lose_edge(t, stop)
+        rhexis_hand.open_jaws(t)
+        t.forceps:withdraw({ speed = 20 })
+    end }
+end
+
 return starts {
     flap = { set = full, rhexis_hand.begin_flap },
     pulled = pulled_until("rhexis.tip_radius_mm > 2.4"),
     run_out = pulled_until("rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 "
         .. "or rhexis.tip_radius_mm > 3.37"),
     brittle = { set = brittle, rhexis_hand.begin_flap },
-    lost = { set = brittle, function(t)
-        rhexis_hand.begin_flap(t)
-        t.forceps:enter({ speed = 20 })
-        rhexis_hand.lose_edge(t)
-        rhexis_hand.open_jaws(t)
-        t.forceps:withdraw({ speed = 20 })
-    end },
+    nearly_lost = pulled_in_brittle("rhexis.tip_radius_mm > 2.9"),
+    lost = pulled_in_brittle("rhexis.run_out"),
     round = { surgeon = "expert", seed = 101, when = "rhexis.closed" },
 }

@@ -129,7 +129,7 @@ return scenarios {
     scenario "one pulls on: the edge is lost" {
         recover_within_s = 3,
         set = brittle,
-        start = "brittle",
+        start = "nearly_lost",
         function(t)
             lose_edge(t)
             t:expect_event("Edge lost", { recovered = false, within = 4 })
