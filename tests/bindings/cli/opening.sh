@@ -8,7 +8,7 @@ repository=$PWD
 cd "$work" || exit 2
 
 # A capsulorhexis on a coarse sheet, kept on its way and when it has come round.
-torn=(--no-pictures --surgeon expert --seed 102 --set capsule.triangles=300)
+torn=(--no-pictures --surgeon expert --seed 103 --set capsule.triangles=300)
 capsulorhexis() { timeout 400 "$rhexis" run capsulorhexis "${torn[@]}" "$@" >said.txt 2>&1 || fail "$*: $(cat said.txt)"; }
 capsulorhexis --out whole --save-state "round.rhxs@rhexis.closed"
 capsulorhexis --out begun --save-state half.rhxs --limit 40
@@ -68,7 +68,7 @@ cp -r "$repository/curricula/capsulorhexis" tears
 cat >tears/starts.lua <<'L'
 return starts {
     shut = { set = { ["capsule.triangles"] = 300 }, function(t) t:wait(0.1) end },
-    round = { set = { ["capsule.triangles"] = 300 }, surgeon = "expert", seed = 102, when = "rhexis.closed" },
+    round = { set = { ["capsule.triangles"] = 300 }, surgeon = "expert", seed = 103, when = "rhexis.closed" },
 }
 L
 cat >mine/tests/look.lua <<'L'
