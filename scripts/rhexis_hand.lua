@@ -227,8 +227,8 @@ function rhexis_hand.pull_on(t)
     t:expect("rhexis.run_out")
 end
 
---- Pulls the tear outwards until a condition holds, or it has come to the zonules: held near its end, and led forwards
---- and towards the angle of the chamber, again and again. The forceps are in the eye.
+--- Pulls the tear outwards until a condition holds, or, where none is given, it has come to the zonules: held near its
+--- end, and led forwards and towards the angle of the chamber, again and again. The forceps are in the eye.
 function rhexis_hand.lose_edge(t, stop)
     for pull = 1, 8 do
         local radius, angle, lift = rhexis_hand.tear_end(t)
@@ -238,9 +238,7 @@ function rhexis_hand.lose_edge(t, stop)
         local to = place(4.6, angle + 30 + 10 * ((pull - 1) % 3), 0)
         local lost = t.forceps:move_to({ to[1], to[2], 2.4 }, { speed = 2, motion = "even",
             stop = stop or "rhexis.run_out" })
-        if lost then
-            break
-        end
+        if lost then break end
         rhexis_hand.open_jaws(t)
     end
 end

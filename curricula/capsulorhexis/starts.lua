@@ -9,29 +9,25 @@ local brittle = { ["viscoelastic.fill"] = 0.7, ["vitreous.pressure_mmhg"] = 20, 
 
 local shallow = { ["viscoelastic.fill"] = 0.3, ["vitreous.pressure_mmhg"] = 20, ["capsule.toughness"] = 0.6 }
 
--- A flap pulled outwards in a shallow chamber until a condition holds, and let go.
-local function pulled_until(stop)
-    return { set = shallow, function(t)
+-- A flap that was pulled at, and let go.
+local function after(set, pull)
+    return { set = set, function(t)
         rhexis_hand.begin_flap(t)
         t.forceps:enter({ speed = 20 })
-        for _ = 1, 6 do
-            if rhexis_hand.pull(t, 2, 1, stop) then break end
-            rhexis_hand.open_jaws(t)
-        end
+        pull(t)
         rhexis_hand.open_jaws(t)
         t.forceps:withdraw({ speed = 20 })
     end }
 end
 
--- Likewise a flap of a capsule that tears at once, towards the angle of the chamber.
-local function pulled_in_brittle(stop)
-    return { set = brittle, function(t)
-        rhexis_hand.begin_flap(t)
-        t.forceps:enter({ speed = 20 })
-        rhexis_hand.lose_edge(t, stop)
-        rhexis_hand.open_jaws(t)
-        t.forceps:withdraw({ speed = 20 })
-    end }
+-- Outwards in a shallow chamber until a condition holds.
+local function pulled_until(stop)
+    return after(shallow, function(t)
+        for _ = 1, 6 do
+            if rhexis_hand.pull(t, 2, 1, stop) then break end
+            rhexis_hand.open_jaws(t)
+        end
+    end)
 end
 
 return starts {
@@ -40,7 +36,7 @@ return starts {
     run_out = pulled_until("rhexis.tip_radius_mm > 3.07 and rhexis.tip_heading_deg > 30 "
         .. "or rhexis.tip_radius_mm > 3.37"),
     brittle = { set = brittle, rhexis_hand.begin_flap },
-    nearly_lost = pulled_in_brittle("rhexis.tip_radius_mm > 2.9"),
-    lost = pulled_in_brittle("rhexis.run_out"),
+    nearly_lost = after(brittle, function(t) rhexis_hand.lose_edge(t, "rhexis.tip_radius_mm > 2.9") end),
+    lost = after(brittle, rhexis_hand.lose_edge),
     round = { surgeon = "expert", seed = 101, when = "rhexis.closed" },
 }

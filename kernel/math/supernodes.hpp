@@ -27,8 +27,7 @@ struct Supernodes {
 };
 
 /// pattern: rows in an order of elimination; a postordered one (elimination_order gives one) has fewer and wider
-/// panels. Small panels are merged with
-/// their parents where that adds few zeros [Davis2006].
+/// panels. Small panels are merged with their parents where that adds few zeros [Davis2006].
 Supernodes find_supernodes(const BlockPattern& pattern);
 
 /// Follows a matrix to which rows were added, each to the panel of the row in front of it; rows below panels that are
