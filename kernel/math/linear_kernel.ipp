@@ -297,9 +297,8 @@ inline void clear(float* from, std::ptrdiff_t count) {
 /// One block of a matrix, transposed.
 inline void gather_block(const double* block, float* target, std::ptrdiff_t leading) {
     typedef double EightDoubles __attribute__((vector_size(64)));
-    typedef int EightPlaces __attribute__((vector_size(32)));
     const Eight all = __builtin_convertvector(load<EightDoubles>(block), Eight);
-    const Eight first = __builtin_shuffle(all, EightPlaces{0, 3, 6, 1, 4, 7, 2, 5});
+    const Eight first = __builtin_shufflevector(all, all, 0, 3, 6, 1, 4, 7, 2, 5);
     store(target, Two{first[0], first[1]});
     target[2] = first[2];
     store(target + leading, Two{first[3], first[4]});

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/shapes.hpp"
 
 namespace rhexis {
@@ -104,9 +105,9 @@ TriMesh jittered(TriMesh sheet, double share, std::uint64_t seed) {
     const double size = share * mean_edge(sheet);
     Rng rng(seed, "jittered sheet");
     for (std::size_t n = 0; n < sheet.nodes.size(); ++n) {
-        const Vec3 way(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 0.0);
+        const Vec2 way = 2.0 * uniform2(rng) - Vec2::Ones();
         if (edge[n] == 0) {
-            sheet.nodes[n] += size * way;
+            sheet.nodes[n].head<2>() += size * way;
         }
     }
     return sheet;

@@ -164,7 +164,7 @@ Result<std::unique_ptr<SpotSource>> open_synthetic(const SyntheticPlan& plan, co
     if (!clip) {
         return clip.error();
     }
-    const auto play = std::make_shared<Play>(std::move(rig).value(), std::move(clip).value());
+    const auto play = std::make_shared<Play>(Play{std::move(rig).value(), std::move(clip).value()});
     const double duration_s = play->clip.duration_s;
     synthetic::Stage stage;
     stage.scene = [play, duration_s](double time_s, synthetic::Scene& scene) {

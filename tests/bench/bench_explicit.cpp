@@ -4,6 +4,7 @@
 #include "base/rng.hpp"
 #include "bench/methods/matrix_free_product.hpp"
 #include "bench/timing.hpp"
+#include "math/random_vectors.hpp"
 #include "physics/solid/explicit_solid.hpp"
 #include "scenes/bodies.hpp"
 
@@ -26,7 +27,7 @@ SolidState stirred(const SolidModel& model) {
     for (std::size_t i = 0; i < state.position.size(); ++i) {
         const Vec3 x = state.position[i];
         state.position[i] += Vec3(0.03 * x.y() * x.y() / 5.0, -0.02 * x.z(), 0.04 * x.x());
-        state.velocity[i] = Vec3(rng.uniform(), rng.uniform(), rng.uniform()) - Vec3::Constant(0.5);
+        state.velocity[i] = uniform3(rng) - Vec3::Constant(0.5);
     }
     return state;
 }

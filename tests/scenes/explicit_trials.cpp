@@ -7,6 +7,7 @@
 
 #include "base/index.hpp"
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "physics/solid/stable_step.hpp"
 
 namespace rhexis::scenes {
@@ -269,7 +270,7 @@ Limit probe_limit(const SolidModel& model) {
         Rng rng(6, "kick");
         const int nodes = static_cast<int>(model.coarse.nodes.size());
         for (int i = 0; i < nodes; ++i) {
-            solid.set_velocity(i, 10.0 * Vec3(rng.uniform() - 0.5, rng.uniform() - 0.5, rng.uniform() - 0.5));
+            solid.set_velocity(i, 10.0 * (uniform3(rng) - Vec3::Constant(0.5)));
         }
         for (int k = 0; k < 1500; ++k) {
             solid.predict(dt, Vec3::Zero(), {});

@@ -8,6 +8,7 @@
 
 #include "base/assert.hpp"
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "session/session.hpp"
 #include "session/settings.hpp"
 
@@ -54,9 +55,7 @@ struct Asked {
 /// Per instrument what it does, half a second each.
 std::vector<std::vector<Asked>> hands_of(const LumpedScene& parts, std::uint64_t seed, double seconds) {
     Rng rng(seed, "hands");
-    const auto anywhere = [&] {
-        return Vec3(6.0 * rng.uniform() - 3.0, 6.0 * rng.uniform() - 3.0, 4.0 * rng.uniform() - 2.0);
-    };
+    const auto anywhere = [&] { return Vec3(uniform3(rng).cwiseProduct(Vec3(6.0, 6.0, 4.0)) - Vec3(3.0, 3.0, 2.0)); };
     std::vector<std::vector<Asked>> hands(parts.instruments.size());
     for (std::vector<Asked>& hand : hands) {
         Vec3 place = anywhere();

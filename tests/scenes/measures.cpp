@@ -2,6 +2,7 @@
 #include "scenes/measures.hpp"
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "physics/solid/solid_share.hpp"
 
 namespace rhexis::scenes {
@@ -69,7 +70,7 @@ void place_badly(SolidState& state, BadStart start) {
     Rng rng(3, "bad start");
     for (Vec3& x : state.position) {
         if (start == BadStart::random) {
-            const Vec3 place(rng.uniform(), rng.uniform(), rng.uniform());
+            const Vec3 place = uniform3(rng);
             x = low + place.cwiseProduct(high - low);
         } else if (start == BadStart::flat) {
             // not quite flat: an exactly flat body is in balance

@@ -8,6 +8,7 @@
 
 #include "base/index.hpp"
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane/membrane_body.hpp"
 #include "scenes/eigenvalues.hpp"
@@ -148,7 +149,7 @@ FibreSweep sweep_fibres(const Orthotropic& material) {
         for (int i = 0; i < 20; ++i) {
             TrianglePoints x;
             for (std::size_t a = 0; a < 3; ++a) {
-                x[a] = one.nodes[a] + 0.3 * Vec3(rng.uniform(), rng.uniform(), rng.uniform());
+                x[a] = one.nodes[a] + 0.3 * uniform3(rng);
             }
             found.least = std::min(found.least, least_eigenvalue(triangle, x));
         }
@@ -162,7 +163,7 @@ Renumbering renumber() {
     HeldSheet sheet(membrane("sheet", mesh, fibrous, fibre));
     Rng rng(5, "moved");
     for (Vec3& x : sheet.state().position) {
-        x += 0.05 * Vec3(rng.uniform(), rng.uniform(), rng.uniform());
+        x += 0.05 * uniform3(rng);
     }
     TriMesh other = mesh;
     for (std::array<int, 3>& t : other.triangles) {

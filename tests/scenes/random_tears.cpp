@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "physics/membrane/membrane_body.hpp"
 #include "scenes/capsule_scene.hpp"
 #include "scenes/sheet_accounts.hpp"
@@ -68,7 +69,7 @@ private:
     int any(std::size_t count) {
         return std::min(static_cast<int>(rng_.uniform() * static_cast<double>(count)), static_cast<int>(count) - 1);
     }
-    Vec3 any_way() { return 2.0 * Vec3(rng_.uniform(), rng_.uniform(), rng_.uniform()) - Vec3::Ones(); }
+    Vec3 any_way() { return 2.0 * uniform3(rng_) - Vec3::Ones(); }
 
     void note(const std::string& fault) {
         if (found_.fault.empty() && !fault.empty()) {

@@ -5,8 +5,10 @@
 namespace rhexis::testing {
 
 /// TEST_CASE("..." * doctest::skip(sanitized)): for tests of numbers whose ways through the code others run as well.
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__)  // g++
 inline constexpr bool sanitized = true;
+#elif defined(__has_feature)  // clang++
+inline constexpr bool sanitized = __has_feature(address_sanitizer);
 #else
 inline constexpr bool sanitized = false;
 #endif

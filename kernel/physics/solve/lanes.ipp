@@ -54,36 +54,36 @@ inline Vector gather(const double* position, const int* rows) {
 inline void transpose(Lanes* v) {
 #if RHEXIS_WIDTH == 8
     for (int i = 0; i < 8; i += 2) {
-        const Lanes low = __builtin_shuffle(v[i], v[i + 1], Mask{0, 8, 2, 10, 4, 12, 6, 14});
-        v[i + 1] = __builtin_shuffle(v[i], v[i + 1], Mask{1, 9, 3, 11, 5, 13, 7, 15});
+        const Lanes low = __builtin_shufflevector(v[i], v[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        v[i + 1] = __builtin_shufflevector(v[i], v[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
         v[i] = low;
     }
     for (int i = 0; i < 8; i += 4) {
         for (int k = i; k < i + 2; ++k) {
-            const Lanes low = __builtin_shuffle(v[k], v[k + 2], Mask{0, 1, 8, 9, 4, 5, 12, 13});
-            v[k + 2] = __builtin_shuffle(v[k], v[k + 2], Mask{2, 3, 10, 11, 6, 7, 14, 15});
+            const Lanes low = __builtin_shufflevector(v[k], v[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+            v[k + 2] = __builtin_shufflevector(v[k], v[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
             v[k] = low;
         }
     }
     for (int k = 0; k < 4; ++k) {
-        const Lanes low = __builtin_shuffle(v[k], v[k + 4], Mask{0, 1, 2, 3, 8, 9, 10, 11});
-        v[k + 4] = __builtin_shuffle(v[k], v[k + 4], Mask{4, 5, 6, 7, 12, 13, 14, 15});
+        const Lanes low = __builtin_shufflevector(v[k], v[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        v[k + 4] = __builtin_shufflevector(v[k], v[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
         v[k] = low;
     }
 #elif RHEXIS_WIDTH == 4
     for (int i = 0; i < 4; i += 2) {
-        const Lanes low = __builtin_shuffle(v[i], v[i + 1], Mask{0, 4, 2, 6});
-        v[i + 1] = __builtin_shuffle(v[i], v[i + 1], Mask{1, 5, 3, 7});
+        const Lanes low = __builtin_shufflevector(v[i], v[i + 1], 0, 4, 2, 6);
+        v[i + 1] = __builtin_shufflevector(v[i], v[i + 1], 1, 5, 3, 7);
         v[i] = low;
     }
     for (int k = 0; k < 2; ++k) {
-        const Lanes low = __builtin_shuffle(v[k], v[k + 2], Mask{0, 1, 4, 5});
-        v[k + 2] = __builtin_shuffle(v[k], v[k + 2], Mask{2, 3, 6, 7});
+        const Lanes low = __builtin_shufflevector(v[k], v[k + 2], 0, 1, 4, 5);
+        v[k + 2] = __builtin_shufflevector(v[k], v[k + 2], 2, 3, 6, 7);
         v[k] = low;
     }
 #else
-    const Lanes low = __builtin_shuffle(v[0], v[1], Mask{0, 2});
-    v[1] = __builtin_shuffle(v[0], v[1], Mask{1, 3});
+    const Lanes low = __builtin_shufflevector(v[0], v[1], 0, 2);
+    v[1] = __builtin_shufflevector(v[0], v[1], 1, 3);
     v[0] = low;
 #endif
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/synthetic/marker_spots.hpp"
 #include "tracking/synthetic/renderer.hpp"
 #include "tracking/synthetic/synthetic_rig.hpp"
@@ -17,7 +18,7 @@ synthetic::Scene spread_spheres(double radius_mm, Rng& rng) {
     for (int i = 0; i < 30; ++i) {
         synthetic::Sphere sphere;
         sphere.centre = Vec3(-125.0 + 50.0 * (i % 6), -100.0 + 50.0 * (i / 6), 440.0);
-        sphere.centre += 10.0 * Vec3(rng.uniform(), rng.uniform(), 2.0 * rng.uniform());
+        sphere.centre += 10.0 * uniform3(rng).cwiseProduct(Vec3(1.0, 1.0, 2.0));
         sphere.radius = radius_mm;
         scene.spheres.push_back(sphere);
     }

@@ -4,15 +4,14 @@
 #include <numbers>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/measure/measured_parts.hpp"
 #include "tracking/sources/synthetic_source.hpp"
 
 namespace rhexis::tracking {
 namespace {
 
-Vec3 drawn(double most, Rng& rng) {
-    return most * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
-}
+Vec3 drawn(double most, Rng& rng) { return most * (2.0 * uniform3(rng) - Vec3::Ones()); }
 
 /// Instruments that cross before all cameras, each on its own way through the others' and turning; every third of a
 /// second some marker is hidden.

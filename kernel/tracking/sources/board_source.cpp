@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "base/rng.hpp"
 #include "math/poses.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/bodies/rigid_fit.hpp"
 #include "tracking/synthetic/renderer.hpp"
 
@@ -101,7 +102,7 @@ std::vector<BoardView> held_board(const TrueCamera& camera, const GridPlan& plan
         for (int i = 0; i < plan.points(); ++i) {
             const Vec2 on_board = point_of(plan, i);
             view.points.push_back(image_of(camera, pose.to_world({on_board.x(), on_board.y(), 0.0})) +
-                                  noise_px * Vec2(rng.normal(), rng.normal()));
+                                  noise_px * normal2(rng));
         }
         all.push_back(std::move(view));
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/bodies/rigid_fit.hpp"
 
 namespace rhexis::tracking::synthetic {
@@ -196,8 +197,7 @@ Stage waved_wand(std::uint64_t seed) {
     };
     Rng rng(seed, "wand");
     const auto draw = [&rng](double low, double high) {
-        return Vec3(low + (high - low) * rng.uniform(), low + (high - low) * rng.uniform(),
-                    low + (high - low) * rng.uniform());
+        return Vec3(Vec3::Constant(low) + (high - low) * uniform3(rng));
     };
     const Wave moves{draw(0.0, 1.0), draw(0.2, 0.5)};
     const Wave turns{draw(0.0, 1.0), draw(0.15, 0.4)};

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/index.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/synthetic/diffuse_light.hpp"
 
 namespace rhexis::tracking::synthetic {
@@ -110,7 +111,7 @@ void add_point(const TrueCamera& camera, const Vec2& middle, double light, doubl
     part.light = 2.0 * std::numbers::pi * sigma * sigma * light;
     set_brightness(camera, ambient, light, part.spot);
     const double noise = centroid_sigma(camera.sensor, options.noise, 0.5 * light, part.radius);
-    part.spot.at = middle + noise * Vec2(rng.normal(), rng.normal());
+    part.spot.at = middle + noise * normal2(rng);
     scratch.parts.push_back(part);
 }
 

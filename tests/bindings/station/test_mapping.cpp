@@ -104,14 +104,14 @@ TEST_SUITE("mapping") {
     TEST_CASE("a change that a file could not say changes nothing") {
         Mapping mapping = standard(false);
         const nlohmann::json before = mapping.to_json();
-        for (const auto& [source, to] : {std::pair("key.W", "swop"),
-                                         {"mouse.move", "swap"},
-                                         {"keys.W", "swap"},
-                                         {"W", "swap"},
-                                         {"key.W", "take_instrument"},
-                                         {"mouse.whel", "depth"}}) {
-            CAPTURE(source);
-            CHECK_FALSE(mapping.rebind({EventKind::bind, source, 0.0, 0.0, 0.0, to}).ok());
+        for (const auto& change : {std::pair("key.W", "swop"),
+                                   {"mouse.move", "swap"},
+                                   {"keys.W", "swap"},
+                                   {"W", "swap"},
+                                   {"key.W", "take_instrument"},
+                                   {"mouse.whel", "depth"}}) {
+            CAPTURE(change.first);
+            CHECK_FALSE(mapping.rebind({EventKind::bind, change.first, 0.0, 0.0, 0.0, change.second}).ok());
             CHECK(mapping.to_json() == before);
         }
         CHECK_FALSE(mapping.rebind({EventKind::bind, "tuning.fine", 3.0}).ok());

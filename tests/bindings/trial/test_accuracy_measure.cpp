@@ -41,7 +41,9 @@ std::optional<GripDifference> parted(std::size_t measure, double value, double f
 
 TEST_SUITE("measured accuracy") {
     TEST_CASE("a grip, tear, crack or shut mouth that lasts in one of two is where they part") {
-        for (const auto& [measure, value] : {std::pair<std::size_t, double>(0, 1.0), {1, 1.2}, {2, 2.0}, {3, 0.97}}) {
+        for (const auto& seen : {std::pair<std::size_t, double>(0, 1.0), {1, 1.2}, {2, 2.0}, {3, 0.97}}) {
+            const auto measure = seen.first;
+            const double value = seen.second;
             CAPTURE(measure);
             const std::optional<GripDifference> found = parted(measure, value, 0.5, 9.0);
             REQUIRE(found.has_value());

@@ -8,6 +8,7 @@
 #include "energy/membrane_triangle.hpp"
 #include "energy/metric_strain.hpp"
 #include "energy/orthotropic.hpp"
+#include "math/random_vectors.hpp"
 #include "scenes/eigenvalues.hpp"
 #include "support/finite_difference.hpp"
 
@@ -49,7 +50,8 @@ Mat3 random_map(Rng& rng, double size) {
     for (int i = 0; i < 9; ++i) {
         m.data()[i] += size * (2.0 * rng.uniform() - 1.0);
     }
-    return Eigen::AngleAxisd(3.0 * rng.uniform(), Vec3(rng.uniform(), 1.0, -rng.uniform()).normalized()) * m;
+    const Vec2 beside = uniform2(rng);
+    return Eigen::AngleAxisd(3.0 * rng.uniform(), Vec3(beside.x(), 1.0, -beside.y()).normalized()) * m;
 }
 
 MatX full(const TriangleBlocks& blocks) {
@@ -181,7 +183,7 @@ TEST_SUITE("membrane triangle") {
         int states[3] = {0, 0, 0};
         for (int i = 0; i < 300; ++i) {
             const Mat3 k = plane_stiffness(i % 2 == 0 ? fibrous : isotropic(1e6, 0.45), at_angle(7.0 * i));
-            const Vec3 e = 0.1 * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
+            const Vec3 e = 0.1 * (2.0 * uniform3(rng) - Vec3::Ones());
             const TensionField field = tension_field(e, k, 1e-3);
             ++states[static_cast<int>(field.state)];
             const auto energy = [&](const VecX& v) {

@@ -6,6 +6,7 @@
 #include "base/rng.hpp"
 #include "energy/corotational.hpp"
 #include "energy/nodal_pressure.hpp"
+#include "math/random_vectors.hpp"
 #include "scenes/bodies.hpp"
 #include "support/finite_difference.hpp"
 
@@ -61,7 +62,7 @@ struct Block {
         VecX x(static_cast<Eigen::Index>(3 * mesh.nodes.size()));
         Rng rng(7, "block");
         for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-            const Vec3 shake = Vec3(rng.uniform(), rng.uniform(), rng.uniform()) - Vec3::Constant(0.5);
+            const Vec3 shake = uniform3(rng) - Vec3::Constant(0.5);
             x.segment<3>(static_cast<Eigen::Index>(3 * i)) = map * mesh.nodes[i] + noise * shake;
         }
         return x;

@@ -5,6 +5,7 @@
 
 #include "base/rng.hpp"
 #include "energy/shell_triangle.hpp"
+#include "math/random_vectors.hpp"
 #include "math/rotation.hpp"
 #include "scenes/eigenvalues.hpp"
 #include "support/finite_difference.hpp"
@@ -21,13 +22,11 @@ const double young = 1.0e6;
 
 ShellTriangle sample(double nu = 0.42) { return shell_triangle(rest_points, thickness, young, nu); }
 
-Vec3 random_vector(Rng& rng, double size) {
-    return size * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
-}
+Vec3 random_vector(Rng& rng, double size) { return size * (2.0 * uniform3(rng) - Vec3::Ones()); }
 
 Mat3 any_turn(Rng& rng) {
-    return Eigen::AngleAxisd(3.0 * rng.uniform(), (random_vector(rng, 1.0) + Vec3(0.0, 0.0, 1.5)).normalized())
-        .toRotationMatrix();
+    const Vec3 axis = random_vector(rng, 1.0) + Vec3(0.0, 0.0, 1.5);
+    return Eigen::AngleAxisd(3.0 * rng.uniform(), axis.normalized()).toRotationMatrix();
 }
 
 /// Turned as a whole by any angle, then each corner moved and turned by up to `size`.

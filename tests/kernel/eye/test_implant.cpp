@@ -99,27 +99,27 @@ TEST_SUITE("implant") {
     }
 
     TEST_CASE("other sizes and finenesses are well shaped too") {
-        for (const auto& [triangles, overall, optic, width] : {std::array{400.0, 13.0, 6.0, 0.5},
-                                                               {1500.0, 13.0, 6.0, 0.5},
-                                                               {8000.0, 13.0, 6.0, 0.5},
-                                                               {743.0, 14.0, 7.5, 0.8},
-                                                               {743.0, 10.0, 4.0, 0.2},
-                                                               {400.0, 10.5, 7.0, 0.2},
-                                                               {400.0, 10.0, 5.4, 0.8}}) {
+        for (const auto& sizes : {std::array{400.0, 13.0, 6.0, 0.5},
+                                  {1500.0, 13.0, 6.0, 0.5},
+                                  {8000.0, 13.0, 6.0, 0.5},
+                                  {743.0, 14.0, 7.5, 0.8},
+                                  {743.0, 10.0, 4.0, 0.2},
+                                  {400.0, 10.5, 7.0, 0.2},
+                                  {400.0, 10.0, 5.4, 0.8}}) {
             ImplantShape shape;
-            shape.triangles = static_cast<int>(triangles);
-            shape.overall_diameter = overall;
-            shape.optic_diameter = optic;
-            shape.haptic_width = width;
+            shape.triangles = static_cast<int>(sizes[0]);
+            shape.overall_diameter = sizes[1];
+            shape.optic_diameter = sizes[2];
+            shape.haptic_width = sizes[3];
             const Result<Implant> implant = make_implant(shape);
             REQUIRE(implant.ok());
             const TriMesh& mesh = implant.value().model.mesh;
-            CAPTURE(triangles);
-            CAPTURE(overall);
+            CAPTURE(shape.triangles);
+            CAPTURE(shape.overall_diameter);
             CHECK(validate_tri_mesh(mesh).ok());
             CHECK(smallest_degrees(mesh) > 15.0);
-            CHECK(std::abs(static_cast<double>(mesh.triangles.size()) / triangles - 1.0) < 0.06);
-            CHECK(farthest(mesh) == doctest::Approx(0.5 * overall).epsilon(2e-3));
+            CHECK(std::abs(static_cast<double>(mesh.triangles.size()) / sizes[0] - 1.0) < 0.06);
+            CHECK(farthest(mesh) == doctest::Approx(0.5 * sizes[1]).epsilon(2e-3));
         }
     }
 

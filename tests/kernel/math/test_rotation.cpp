@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "math/rotation.hpp"
 #include "math/symmetric_eigen.hpp"
 
@@ -37,7 +38,7 @@ Mat3 random_matrix(Rng& rng) {
 }
 
 Mat3 random_rotation(Rng& rng, double degrees) {
-    const Vec3 axis = Vec3(rng.normal(), rng.normal(), rng.normal()).normalized();
+    const Vec3 axis = normal3(rng).normalized();
     return Eigen::AngleAxisd(degrees * M_PI / 180.0, axis).toRotationMatrix();
 }
 
@@ -84,7 +85,8 @@ TEST_SUITE("math") {
         Rng rng(3, "rotation");
         double worst = 0.0;
         for (int k = 0; k < 1000; ++k) {
-            const Vec3 stretches(0.5 + rng.uniform(), 0.5 + rng.uniform(), 0.0);
+            const Vec2 above_half = uniform2(rng);
+            const Vec3 stretches(0.5 + above_half.x(), 0.5 + above_half.y(), 0.0);
             const Mat3 v = random_rotation(rng, 180.0 * rng.uniform());
             const Mat3 r = random_rotation(rng, 180.0 * rng.uniform());
             const Mat3 f = r * v * stretches.asDiagonal() * v.transpose();
@@ -131,7 +133,7 @@ TEST_SUITE("math") {
     TEST_CASE("the turn that lays the z axis along a direction is the shortest one, also for -z") {
         Rng rng(6, "directions");
         for (int i = 0; i < 200; ++i) {
-            const Vec3 d(rng.uniform() - 0.5, rng.uniform() - 0.5, rng.uniform() - 0.5);
+            const Vec3 d = uniform3(rng) - Vec3::Constant(0.5);
             const Quat turn = turn_of_z(d);
             CHECK((turn * Vec3::UnitZ() - d.normalized()).norm() < 1e-14);
             CHECK(std::abs(turn.z()) < 1e-15);  // its axis lies across z

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/half_ellipsoids.hpp"
 
 using namespace rhexis;
@@ -41,7 +42,7 @@ TEST_SUITE("mesh") {
             const double sharpest = std::pow(std::min(shape.anterior, shape.posterior), 2) / shape.radius;
             int checked = 0;
             for (int i = 0; i < 2000; ++i) {
-                const Vec3 p(12 * rng.uniform() - 6, 12 * rng.uniform() - 6, 10 * rng.uniform() - 5);
+                const Vec3 p = uniform3(rng).cwiseProduct(Vec3(12, 12, 10)) - Vec3(6, 6, 5);
                 const SurfacePoint closest = closest_on(shape, p);
                 if (closest.distance > -0.8 * sharpest) {
                     ++checked;

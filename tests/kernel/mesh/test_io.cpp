@@ -366,7 +366,8 @@ TEST_SUITE("mesh") {
     }
 
     TEST_CASE("Gmsh files of every version, as text and as bytes of either order, give the same mesh") {
-        for (const auto& [name, content] : gmsh_files()) {
+        for (const auto& [file_name, content] : gmsh_files()) {
+            const std::string name = file_name;
             CAPTURE(name);
             const TemporaryFolder folder;
             write(folder.file("a.msh"), content);

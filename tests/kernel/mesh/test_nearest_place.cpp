@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/nearest_place.hpp"
 
 using namespace rhexis;
@@ -11,7 +12,7 @@ using namespace rhexis;
 TEST_SUITE("nearest place") {
     TEST_CASE("nearest point of a triangle to a segment: no sampled point is nearer") {
         Rng rng(3, "triangles");
-        const auto random = [&] { return Vec3(rng.uniform(), rng.uniform(), rng.uniform()); };
+        const auto random = [&] { return uniform3(rng); };
         for (int i = 0; i < 100; ++i) {
             const std::array<Vec3, 3> t{random(), random(), random()};
             const Vec3 a = random();

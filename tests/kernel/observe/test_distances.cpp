@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "observe/distances.hpp"
 
 using namespace rhexis;
@@ -30,7 +31,7 @@ TEST_SUITE("distances") {
         const BagShape shape;
         Rng rng(3, "points");
         for (int i = 0; i < 40; ++i) {
-            const Vec3 point(8.0 * rng.uniform() - 4.0, 8.0 * rng.uniform() - 4.0, 5.0 * rng.uniform() - 3.0);
+            const Vec3 point = uniform3(rng).cwiseProduct(Vec3(8.0, 8.0, 5.0)) - Vec3(4.0, 4.0, 3.0);
             CHECK(posterior_distance(shape, point) == doctest::Approx(sampled_posterior(shape, point)).epsilon(1e-5));
         }
     }

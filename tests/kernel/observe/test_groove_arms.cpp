@@ -10,6 +10,7 @@
 
 #include "base/rng.hpp"
 #include "eye/make_eye.hpp"
+#include "math/random_vectors.hpp"
 #include "observe/groove_arms.hpp"
 
 using namespace rhexis;
@@ -133,12 +134,14 @@ TEST_SUITE("observe") {
         int two = 0;
         int close = 0;
         Rng rng(7, "crosses");
-        for (const auto& [angle, width] : {std::pair{90.0, 2.2}, {90.0, 2.8}, {75.0, 1.6}, {60.0, 2.0}}) {
+        for (const auto& cut : {std::pair{90.0, 2.2}, {90.0, 2.8}, {75.0, 1.6}, {60.0, 2.0}}) {
+            const double angle = cut.first;
+            const double width = cut.second;
             for (double turn = -88.0; turn < 90.0; turn += 11.0) {
                 CAPTURE(angle);
                 CAPTURE(width);
                 CAPTURE(turn);
-                const auto near_middle = [&] { return Vec2(0.4 * rng.uniform() - 0.2, 0.4 * rng.uniform() - 0.2); };
+                const auto near_middle = [&] { return Vec2(0.4 * uniform2(rng) - Vec2::Constant(0.2)); };
                 Plate plate;
                 plate.groove(near_middle(), turn, 5.3, width, 3.2);
                 plate.groove(near_middle(), turn + angle, 5.3, width, 2.6);

@@ -88,7 +88,7 @@ TEST_SUITE("opening radii") {
                 const Result<std::vector<double>> radii = opening_radii(cut.model, cut.state);
                 REQUIRE(radii.ok());
                 const Deviation off = deviation(radii.value(), a, b, centre);
-                CAPTURE(a);
+                CAPTURE(cut.edge());
                 CAPTURE(triangles);
                 CHECK(off.most < cut.edge());
                 CHECK(off.root_mean_square < 0.25 * cut.edge());

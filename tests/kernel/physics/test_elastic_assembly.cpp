@@ -10,6 +10,7 @@
 
 #include "base/rng.hpp"
 #include "energy/corotational.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/shapes.hpp"
 #include "support/finite_difference.hpp"
 
@@ -40,7 +41,7 @@ std::vector<double> shaken(const SolidModel& model, const ElasticAssembly& assem
     const Quat turn = Quat(1.0, 0.4, -0.7, 0.2).normalized();
     std::vector<double> x(3 * model.coarse.nodes.size() + 1, 0.0);
     for (int row = 0; row < assembly.rows(); ++row) {
-        const Vec3 noise(random.normal(), random.normal(), random.normal());
+        const Vec3 noise = normal3(random);
         Eigen::Map<Vec3>(x.data() + 3 * row) =
             turn * (1.1 * model.coarse.nodes[at(assembly.node_of()[at(row)])]) + shake * noise;
     }

@@ -11,6 +11,7 @@
 #include "energy/corotational.hpp"
 #include "energy/corotational_tet.hpp"
 #include "energy/nodal_pressure.hpp"
+#include "math/random_vectors.hpp"
 #include "physics/solid/explicit_groups.hpp"
 #include "physics/solid/explicit_solid.hpp"
 #include "physics/solid/solid_share.hpp"
@@ -195,7 +196,7 @@ TEST_SUITE("physics") {
             CHECK(force_error(model, state, set) < 3e-5);
             // every node somewhere else: elements of all shapes; errors grow near the singular set only
             for (Vec3& x : state.position) {
-                x += 0.3 * (Vec3(rng.uniform(), rng.uniform(), rng.uniform()) - Vec3::Constant(0.5));
+                x += 0.3 * (uniform3(rng) - Vec3::Constant(0.5));
             }
             CHECK(force_error(model, state, set) < 1e-3);
         }
@@ -212,7 +213,7 @@ TEST_SUITE("physics") {
             SolidState state = mapped(
                 model, Eigen::AngleAxisd(2.0, Vec3(1, -1, 2).normalized()).matrix() * Vec3(1.2, 0.8, 1.1).asDiagonal());
             for (Vec3& x : state.position) {
-                x += 0.1 * (Vec3(rng.uniform(), rng.uniform(), rng.uniform()) - Vec3::Constant(0.5));
+                x += 0.1 * (uniform3(rng) - Vec3::Constant(0.5));
             }
             CHECK(force_error(model, state, set) < 1e-5);
             for (std::size_t k = 0; k < state.fraction.size(); ++k) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/solid/solid_share.hpp"
 #include "scenes/measures.hpp"
@@ -85,7 +86,7 @@ TEST_SUITE("physics") {
         SolidState next;
         Rng random(7);
         for (Vec3& velocity : state.velocity) {
-            velocity = 10.0 * Vec3(random.normal(), random.normal(), random.normal());
+            velocity = 10.0 * normal3(random);
         }
         std::vector<RigidUnknown> bodies(1);
         bodies[0].velocity << 5.0, -3.0, 2.0, 0.5, -0.2, 0.1;
@@ -180,7 +181,7 @@ TEST_SUITE("physics") {
             state.position[i] = map * rest;
             if (rest.x() > 0.01 && rest.x() < 3.99 && rest.y() > 0.01 && rest.y() < 0.99 && rest.z() > 0.01 &&
                 rest.z() < 0.99) {
-                state.position[i] += 0.02 * Vec3(random.normal(), random.normal(), random.normal());
+                state.position[i] += 0.02 * normal3(random);
             } else {
                 model.fixed_nodes.push_back(static_cast<int>(i));
             }

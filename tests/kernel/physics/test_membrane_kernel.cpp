@@ -7,6 +7,7 @@
 
 #include "base/index.hpp"
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane/membrane_body.hpp"
 #include "scenes/membranes.hpp"
@@ -26,7 +27,7 @@ struct Crumpled {
         model.fixed_nodes = {0, 1};
         Rng random(5);
         for (const Vec3& node : model.sheet->mesh.nodes) {
-            const Vec3 shift(random.normal(), random.normal(), random.normal());
+            const Vec3 shift = normal3(random);
             position.push_back(Vec3(1.1 * node.x(), node.y(), 0.2 * node.x()) + 0.05 * shift);
         }
     }

@@ -7,6 +7,7 @@
 #include "base/index.hpp"
 #include "base/rng.hpp"
 #include "energy/shell_triangle.hpp"
+#include "math/random_vectors.hpp"
 #include "math/rotation.hpp"
 #include "physics/shell/shell_body.hpp"
 #include "physics/shell/shell_statics.hpp"
@@ -29,9 +30,7 @@ ShellModel sample() {
     return model;
 }
 
-Vec3 random_vector(Rng& rng, double size) {
-    return size * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
-}
+Vec3 random_vector(Rng& rng, double size) { return size * (2.0 * uniform3(rng) - Vec3::Ones()); }
 
 ShellState random_state(const ShellModel& model, Rng& rng, double size) {
     ShellState state = rest_state(model);

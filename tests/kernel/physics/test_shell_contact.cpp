@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "math/rotation.hpp"
 #include "physics/shell/shell_motion.hpp"
 #include "scenes/shell_contacts.hpp"
@@ -62,9 +63,7 @@ int check_gradient(const ShellModel& model, const ShellState& state, const Shell
 ShellState shaken(const ShellModel& model, double size) {
     Rng rng(1, "shell contact");
     ShellState state = rest_state(model);
-    const auto random = [&] {
-        return Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
-    };
+    const auto random = [&] { return Vec3(2.0 * uniform3(rng) - Vec3::Ones()); };
     for (std::size_t n = 0; n < state.position.size(); ++n) {
         state.position[n] += 0.2 * size * random();
         state.rotation[n] = Quat(cayley(size * random()));

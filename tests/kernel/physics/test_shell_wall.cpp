@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "mesh/shapes.hpp"
 #include "physics/membrane/membrane_body.hpp"
 #include "physics/shell/shell_body.hpp"
@@ -134,7 +135,7 @@ TEST_SUITE("paired body") {
         }
         points.insert(points.end(), sheet.sheet->mesh.nodes.begin(), sheet.sheet->mesh.nodes.end());
         for (Vec3& point : points) {
-            point += 0.02 * Vec3(rng.uniform(), rng.uniform(), rng.uniform());
+            point += 0.02 * uniform3(rng);
         }
         const auto rows = [&](const ElasticBody& body, std::size_t offset) {
             std::vector<double> x(3 * static_cast<std::size_t>(body.rows()) + 1, 0.0);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
+#include "math/rotation.hpp"
 #include "tracking/bodies/rigid_fit.hpp"
 #include "tracking/rig.hpp"
 #include "tracking/spot.hpp"
@@ -25,7 +27,7 @@ inline Rig small_rig(int cameras = 6) {
         camera.height = 1024;
         camera.lens = {1667.0, 1667.0, 639.5, 511.5, -0.1, 0.05, 2e-4, -1e-4, 0.0};
         camera.pose.position = {340.0 * std::cos(turn), 340.0 * std::sin(turn), 290.0};
-        camera.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), -camera.pose.position.normalized());
+        camera.pose.orientation = turn_of_z(-camera.pose.position);
         rig.cameras.push_back(camera);
     }
     return rig;
@@ -54,8 +56,7 @@ inline std::vector<CameraSpots> spots_of(const Rig& rig, const std::vector<Marke
                 const Camera& camera = rig.cameras[c];
                 const Vec3 seen = camera.pose.to_body(poses[b].to_world(marker));
                 Spot spot;
-                spot.at =
-                    sphere_image(camera.lens, seen, bodies[b].radius_mm) + noise_px * Vec2(rng.normal(), rng.normal());
+                spot.at = sphere_image(camera.lens, seen, bodies[b].radius_mm) + noise_px * normal2(rng);
                 spot.area = sphere_area(camera.lens, seen, bodies[b].radius_mm);
                 spot.peak = 200.0;
                 exposure.spots.push_back(spot);

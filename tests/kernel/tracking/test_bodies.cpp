@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "math/random_vectors.hpp"
 #include "small_rig.hpp"
 #include "tracking/bodies/identity.hpp"
 
@@ -77,7 +78,7 @@ TEST_CASE("points with an error are fitted with the least sum of squares") {
     std::vector<Vec3> points = points_of(body, somewhere);
     Rng rng(9);
     for (Vec3& point : points) {
-        point += 0.1 * Vec3(rng.normal(), rng.normal(), rng.normal());
+        point += 0.1 * normal3(rng);
     }
     const auto squares = [&](const Pose& pose) {
         double sum = 0.0;

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
+#include "math/rotation.hpp"
 #include "tracking/calibration/drift_watch.hpp"
 #include "tracking/camera.hpp"
 
@@ -20,7 +22,7 @@ std::vector<Camera> six_cameras() {
         Camera camera;
         camera.lens = {1667.0, 1667.0, 640.0, 512.0, 0, 0, 0, 0, 0};
         camera.pose.position = Vec3(290.0 * std::cos(angle), 290.0 * std::sin(angle), 344.0);
-        camera.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(-camera.pose.position));
+        camera.pose.orientation = turn_of_z(-camera.pose.position);
         cameras.push_back(camera);
     }
     return cameras;
@@ -56,7 +58,7 @@ std::vector<CameraResidual> residuals_of(const Scene& scene, double time_s, Rng&
         const Vec3 point = marker + 20.0 * Vec3(std::sin(time_s), std::cos(1.3 * time_s), std::sin(0.7 * time_s));
         std::vector<Vec2> seen;
         for (const Camera& camera : scene.real) {
-            seen.emplace_back(*project(camera, point) + scene.noise_px * Vec2(rng.normal(), rng.normal()));
+            seen.emplace_back(*project(camera, point) + scene.noise_px * normal2(rng));
         }
         if (hidden) {
             seen[4] += Vec2(4.6, 0.0);

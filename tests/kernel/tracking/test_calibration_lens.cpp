@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "support/sanitized.hpp"
 #include "tracking/calibration/board_finder.hpp"
 #include "tracking/calibration/lens_calibration.hpp"
@@ -47,7 +48,8 @@ std::vector<BoardView> boards(int count, double slant, double reach = 1.0) {
         const double about_y = slant * (2.0 * rng.uniform() - 1.0);
         BoardView view{"view " + std::to_string(i + 1), 1280, 1024, {}};
         for (const cv::Point2d& at : board_image(about_x, about_y, middle)) {
-            view.points.emplace_back(at.x + 0.05 * rng.normal(), at.y + 0.05 * rng.normal());
+            const Vec2 noise = 0.05 * normal2(rng);
+            view.points.emplace_back(at.x + noise.x(), at.y + noise.y());
         }
         views.push_back(std::move(view));
     }
@@ -94,7 +96,7 @@ TEST_CASE("a view that is spoilt is left out, and it alone") {
     std::vector<BoardView> views = boards(15, 0.5);
     Rng rng(4);
     for (Vec2& point : views[5].points) {
-        point += Vec2(2.0 * rng.normal(), 2.0 * rng.normal());
+        point += 2.0 * normal2(rng);
     }
     const Result<LensCalibration> found = calibrate_lens(views, board);
     REQUIRE_MESSAGE(found.ok(), (found ? "" : found.error().text()));

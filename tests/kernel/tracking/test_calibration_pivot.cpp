@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/calibration/pivot.hpp"
 
 namespace rhexis::tracking {
@@ -14,7 +15,7 @@ const Vec3 true_tip{4.0, -7.0, -96.0};
 const Vec3 true_pivot{12.0, 30.0, -5.0};
 const Vec3 true_axis = Vec3(0.05, -0.1, 1.0).normalized();
 
-Vec3 noise_of(Rng& rng, double size) { return size * Vec3(rng.normal(), rng.normal(), rng.normal()); }
+Vec3 noise_of(Rng& rng, double size) { return size * normal3(rng); }
 
 /// Swung through a cone of half an angle, with spin; noise of a tracker.
 std::vector<Pose> swung(double half_angle_deg, int count, double noise_mm) {

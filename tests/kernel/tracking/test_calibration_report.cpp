@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "math/rotation.hpp"
 #include "tracking/calibration/calibration_report.hpp"
 #include "tracking/calibration/report_drawing.hpp"
 
@@ -19,7 +20,7 @@ CalibrationReport good_report() {
         camera.height = 1024;
         camera.lens = {1667, 1667, 640, 512, 0, 0, 0, 0, 0};
         camera.pose.position = Vec3(300.0 * std::cos(2.1 * i), 300.0 * std::sin(2.1 * i), 340.0);
-        camera.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(-camera.pose.position));
+        camera.pose.orientation = turn_of_z(-camera.pose.position);
         report.wand.rig.cameras.push_back(camera);
         report.wand.cameras.push_back({500, 0.03 + 0.005 * i, 0.02});
         report.coverage.push_back({2, 2, {3, 1, 4, 2}});

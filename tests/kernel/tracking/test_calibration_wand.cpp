@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "support/sanitized.hpp"
 #include "tracking/calibration/wand.hpp"
 
@@ -42,8 +43,8 @@ Rig guessed(const Rig& truth, double shift_mm, double turn, std::uint64_t seed =
     Rig rig = truth;
     Rng rng(seed, "guess");
     for (Camera& camera : rig.cameras) {
-        const Vec3 axis(rng.normal(), rng.normal(), rng.normal());
-        camera.pose.position += shift_mm * Vec3(rng.normal(), rng.normal(), rng.normal()) / std::sqrt(3.0);
+        const Vec3 axis = normal3(rng);
+        camera.pose.position += shift_mm * normal3(rng) / std::sqrt(3.0);
         camera.pose.orientation = camera.pose.orientation * Quat(Eigen::AngleAxisd(turn, axis.normalized()));
     }
     return rig;
@@ -76,8 +77,8 @@ std::vector<cv::Point2d> seen_through_prism(const Camera& camera, const std::vec
 }
 
 std::vector<Vec3> wand_place(const Wand& wand, double stretch, Rng& rng) {
-    const Vec3 middle = 70.0 * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
-    const Vec3 along = Vec3(rng.normal(), rng.normal(), rng.normal()).normalized();
+    const Vec3 middle = 70.0 * (2.0 * uniform3(rng) - Vec3::Ones());
+    const Vec3 along = normal3(rng).normalized();
     std::vector<Vec3> points;
     for (const double at : wand.at_mm) {
         points.emplace_back(middle + stretch * (at - 0.5 * wand.length_mm()) * along);
@@ -95,7 +96,8 @@ WandView view_of_wand(const Rig& rig, int camera, const std::vector<Vec3>& point
     const Camera& with = rig.cameras[static_cast<std::size_t>(camera)];
     for (const cv::Point2d& at : seen_through_prism(with, points, waving.prism, waving.radius_mm)) {
         if (inside(with, at)) {
-            view.spots.emplace_back(at.x + waving.noise_px * rng.normal(), at.y + waving.noise_px * rng.normal());
+            const Vec2 noise = waving.noise_px * normal2(rng);
+            view.spots.emplace_back(at.x + noise.x(), at.y + noise.y());
         }
     }
     for (std::size_t i = view.spots.size(); i > 1; --i) {
@@ -160,7 +162,7 @@ PointError point_error(const Rig& found, const Rig& truth, double prism) {
     MatX is(3, count);
     MatX should(3, count);
     for (int i = 0; i < count; ++i) {
-        const Vec3 point = 50.0 * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
+        const Vec3 point = 50.0 * (2.0 * uniform3(rng) - Vec3::Ones());
         std::vector<cv::Point2d> images;
         for (const Camera& camera : truth.cameras) {
             images.push_back(seen_through_prism(camera, {point}, prism)[0]);

@@ -4,6 +4,8 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
+#include "math/rotation.hpp"
 #include "tracking/camera.hpp"
 
 namespace rhexis::tracking {
@@ -16,7 +18,7 @@ Camera some_camera() {
     camera.height = 1024;
     camera.lens = {1667.0, 1669.0, 645.0, 509.0, -0.12, 0.08, 4e-4, -3e-4, 0.02};
     camera.pose.position = {310.0, -40.0, 420.0};
-    camera.pose.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(-310.0, 40.0, -420.0).normalized());
+    camera.pose.orientation = turn_of_z(-camera.pose.position);
     return camera;
 }
 
@@ -29,8 +31,7 @@ TEST_CASE("a point's image is where OpenCV has it, and its ray goes through it")
     const std::vector<double> bends{lens.k1, lens.k2, lens.p1, lens.p2, lens.k3};
     Rng rng(1);
     for (int i = 0; i < 200; ++i) {
-        const Vec3 point =
-            150.0 * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
+        const Vec3 point = 150.0 * (2.0 * uniform3(rng) - Vec3::Ones());
         const Vec3 seen = camera.pose.to_body(point);
         std::vector<cv::Point2d> theirs;
         cv::projectPoints(std::vector<cv::Point3d>{{seen.x(), seen.y(), seen.z()}}, cv::Vec3d(0, 0, 0),

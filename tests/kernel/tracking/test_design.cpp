@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/bodies/design.hpp"
 #include "tracking/bodies/identity.hpp"
 #include "tracking/bodies/known_bodies.hpp"
@@ -88,7 +89,7 @@ TEST_CASE("the error of a tip is what errors of its spheres make of it") {
     for (int i = 0; i < count; ++i) {
         std::vector<Vec3> points = body.markers;
         for (Vec3& point : points) {
-            point += sigma / std::sqrt(3.0) * Vec3(rng.normal(), rng.normal(), rng.normal());
+            point += sigma / std::sqrt(3.0) * normal3(rng);
         }
         squares += (fitted(body.markers, points).to_world(body.tip.position) - body.tip.position).squaredNorm();
     }

@@ -179,8 +179,9 @@ TEST_CASE("of two bodies whose distances differ by 2 mm the one that is there is
         int mistaken = 0;
         for (int i = 0; i < frames / 2; ++i) {
             Tracker tracker(rig, bodies, std::nullopt, TrackerSettings{});
-            const Pose pose = pose_of({30.0 * rng.normal(), 30.0 * rng.normal(), 30.0 * rng.normal()},
-                                      {rng.normal(), rng.normal(), rng.normal()});
+            const Vec3 turn{rng.normal(), rng.normal(), rng.normal()};
+            const Vec3 position{30.0 * rng.normal(), 30.0 * rng.normal(), 30.0 * rng.normal()};
+            const Pose pose = pose_of(position, turn);
             const TrackedBodies& now = tracker.step(spots_of(rig, {bodies[present]}, {pose}, 0.01 * i, 0.05, rng));
             told += now.bodies[present].seen == Seen::seen ? 1 : 0;
             mistaken += now.bodies[1 - present].seen == Seen::seen ? 1 : 0;

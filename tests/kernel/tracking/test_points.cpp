@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "math/random_vectors.hpp"
 #include "small_rig.hpp"
 #include "tracking/points/matching.hpp"
 
@@ -27,9 +28,7 @@ std::vector<std::vector<bool>> none_of(const std::vector<CameraSpots>& exposures
     return none;
 }
 
-Vec3 any_place(Rng& rng) {
-    return 80.0 * Vec3(2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0);
-}
+Vec3 any_place(Rng& rng) { return 80.0 * (2.0 * uniform3(rng) - Vec3::Ones()); }
 
 /// Spots of points, in each camera in another order.
 std::vector<CameraSpots> shuffled(const Rig& rig, const std::vector<Vec3>& points, double noise_px, Rng& rng) {
@@ -38,8 +37,7 @@ std::vector<CameraSpots> shuffled(const Rig& rig, const std::vector<Vec3>& point
         CameraSpots exposure{c, 0.0, {}};
         for (const Vec3& point : points) {
             Spot spot;
-            spot.at =
-                *project(rig.cameras[static_cast<std::size_t>(c)], point) + noise_px * Vec2(rng.normal(), rng.normal());
+            spot.at = *project(rig.cameras[static_cast<std::size_t>(c)], point) + noise_px * normal2(rng);
             exposure.spots.insert(exposure.spots.begin() + rng.integer(0, static_cast<int>(exposure.spots.size())),
                                   spot);
         }
@@ -61,7 +59,7 @@ TEST_CASE("a point is where its images say, and noise moves it as much as the ra
         CHECK((exact->point - point).norm() < 1e-6);
         CHECK(exact->residual_px < 1e-6);
         for (View& view : views) {
-            view.at += 0.05 * Vec2(rng.normal(), rng.normal());
+            view.at += 0.05 * normal2(rng);
         }
         const std::optional<Triangulated> noisy = triangulate(rig.cameras, views);
         CHECK((noisy->point - point).norm() < 0.06);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "tracking/spots/spot_finder.hpp"
 
 namespace rhexis::tracking {
@@ -46,7 +47,7 @@ TEST_CASE("a disc's centre is found to two hundredths of a pixel, wherever betwe
     constexpr int count = 60;
     for (int i = 0; i < count; ++i) {
         Canvas canvas;
-        const Vec2 centre(60.0 + 40.0 * rng.uniform(), 40.0 + 30.0 * rng.uniform());
+        const Vec2 centre = Vec2(60.0, 40.0) + uniform2(rng).cwiseProduct(Vec2(40.0, 30.0));
         const double radius = 2.5 + 8.0 * rng.uniform();
         canvas.disc(centre, radius, 170.0, 1.5, rng);
         const FoundSpots& found = found_in(finder, canvas);

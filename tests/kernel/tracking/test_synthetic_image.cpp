@@ -7,6 +7,7 @@
 
 #include "base/hash.hpp"
 #include "base/rng.hpp"
+#include "math/random_vectors.hpp"
 #include "support/sanitized.hpp"
 #include "synthetic_support.hpp"
 #include "tracking/synthetic/window_rays.hpp"
@@ -63,7 +64,7 @@ TEST_CASE("a true camera bends light as OpenCV does with thin-prism terms, and b
                                         0,       0,       lens.s[0], lens.s[1], lens.s[2], lens.s[3]};
         CHECK(std::abs(lens.s[0]) > 0.0);
         for (int i = 0; i < 40; ++i) {
-            const Vec2 pixel(rng.uniform() * camera.width, rng.uniform() * camera.height);
+            const Vec2 pixel = uniform2(rng).cwiseProduct(Vec2(camera.width, camera.height));
             const Vec2 direction = undistorted(lens, pixel);
             CHECK((distorted(lens, direction) - pixel).norm() < 1e-8);
             std::vector<cv::Point2d> theirs;
@@ -88,7 +89,7 @@ TEST_CASE("rays between a window's knots go through their pixels to a thousandth
         const WindowRays rays(camera.lens, corner);
         Rng rng(2);
         for (int i = 0; i < 50; ++i) {
-            const Vec2 pixel(corner.left + 60.0 * rng.uniform(), corner.top + 60.0 * rng.uniform());
+            const Vec2 pixel = Vec2(corner.left, corner.top) + 60.0 * uniform2(rng);
             CHECK((distorted(camera.lens, rays.at(pixel.x(), pixel.y()).head<2>()) - pixel).norm() < 1e-3);
         }
     }

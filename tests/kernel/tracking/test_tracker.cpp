@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "math/random_vectors.hpp"
 #include "small_rig.hpp"
 #include "tracking/tracker.hpp"
 
@@ -164,7 +165,7 @@ TEST_CASE("glints, fixed and moving, make no body and disturb none") {
             for (int k = 0; k < 6; ++k) {
                 Spot glint;
                 glint.at = k < 3 ? Vec2(200.0 + 150.0 * k + 30.0 * exposure.camera, 300.0)
-                                 : Vec2(1280.0 * run.rng.uniform(), 1024.0 * run.rng.uniform());
+                                 : Vec2(uniform2(run.rng).cwiseProduct(Vec2(1280.0, 1024.0)));
                 glint.area = 250.0;
                 exposure.spots.insert(exposure.spots.begin() + k, glint);
             }
