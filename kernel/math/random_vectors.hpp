@@ -8,30 +8,21 @@
 
 namespace rhexis {
 
-/// Components uniform in [0, 1), z first.
-inline Vec3 uniform3(Rng& rng) {
-    const double z = rng.uniform();
-    const double y = rng.uniform();
-    return {rng.uniform(), y, z};
+template <int size>
+Eigen::Vector<double, size> drawn_last_first(Rng& rng, double (Rng::*draw)()) {
+    Eigen::Vector<double, size> numbers;
+    for (int i = size - 1; i >= 0; --i) {
+        numbers[i] = (rng.*draw)();
+    }
+    return numbers;
 }
 
-/// Components uniform in [0, 1), y first.
-inline Vec2 uniform2(Rng& rng) {
-    const double y = rng.uniform();
-    return {rng.uniform(), y};
-}
+/// Components uniform in [0, 1).
+inline Vec2 uniform2(Rng& rng) { return drawn_last_first<2>(rng, &Rng::uniform); }
+inline Vec3 uniform3(Rng& rng) { return drawn_last_first<3>(rng, &Rng::uniform); }
 
-/// Standard normal deviates, z first.
-inline Vec3 normal3(Rng& rng) {
-    const double z = rng.normal();
-    const double y = rng.normal();
-    return {rng.normal(), y, z};
-}
-
-/// Standard normal deviates, y first.
-inline Vec2 normal2(Rng& rng) {
-    const double y = rng.normal();
-    return {rng.normal(), y};
-}
+/// Standard normal deviates.
+inline Vec2 normal2(Rng& rng) { return drawn_last_first<2>(rng, &Rng::normal); }
+inline Vec3 normal3(Rng& rng) { return drawn_last_first<3>(rng, &Rng::normal); }
 
 }  // namespace rhexis
