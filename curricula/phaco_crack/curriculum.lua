@@ -22,7 +22,6 @@ return exercise {
 
     -- Cracks need a firm nucleus.
     patient = { age = 68, cataract = "NO4", pupil_mm = 7.5 },
-    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
     instruments = { "phaco", "spatula" },
     settings = {

@@ -2,11 +2,9 @@
 -- States of this exercise to start from. They are made when they are asked for. hole: straight down the middle, between
 -- the quarters, almost to the posterior capsule; torn: and on through it.
 
-local coarse = { patient = { tetrahedra = 1000 } }  -- the way down to the capsule needs no finer mesh
-
 -- With ultrasound until a condition holds, and out with irrigation.
 local function drilled(stop)
-    return { set = coarse, function(t)
+    return { function(t)
         t.phaco:enter()
         t.phaco:pedal(1)
         t.phaco:move_to({ 0, 0, 3 }, { speed = 8 })

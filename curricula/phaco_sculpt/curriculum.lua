@@ -29,7 +29,7 @@ return exercise {
     },
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
-    accuracy = { time = 0.02 },
+    accuracy = { force = 0.2, time = 0.02 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber" },
     instruments = { "phaco", "spatula" },
     settings = {

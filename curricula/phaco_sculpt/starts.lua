@@ -5,12 +5,10 @@
 
 local sculpt_hand = require "sculpt_hand"
 
-local coarse = { patient = { tetrahedra = 1000 } }
-
 -- Several, each a direction and a height.
 local function grooves(...)
     local strokes = { ... }
-    return { set = coarse, function(t)
+    return { function(t)
         t.phaco:enter()
         t.phaco:pedal(1)
         t.phaco:move_to({ 0, -sculpt_hand.half_length, sculpt_hand.over }, { speed = 8 })
@@ -21,7 +19,7 @@ local function grooves(...)
 end
 
 return starts {
-    hole = { set = coarse, function(t)
+    hole = { function(t)
         t.phaco:enter()
         t.phaco:pedal(1)
         t.phaco:move_to({ 0, 0, 3.8 }, { speed = 8 })

@@ -17,7 +17,6 @@ return exercise {
     },
 
     patient = { age = 68, cataract = "NO3", pupil_mm = 7.5 },
-    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber", "globe" },
     instruments = { "phaco" },
     settings = {

@@ -16,7 +16,6 @@ return exercise {
     },
 
     patient = { age = 74, cataract = "NO3", pupil_mm = 8 },
-    accuracy = { force = 0.5 },
     tissues = { "lens", "bag", "capsule", "iris", "cornea", "chamber", "vitreous", "zonules" },
     instruments = { "phaco", "cannula", "capsule_hook", "ring", "cutter", "triamcinolone" },
     settings = {

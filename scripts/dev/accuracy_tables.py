@@ -52,7 +52,7 @@ def lens():
             continue
         way, not_with = ways[row["name"]]
         yield {"way": way, "not_with": not_with,
-               "patient.tetrahedra": wanted(int(row["elements"]), [500, 1000, 1500, 3000, 4500, 6000, 12000, 24000]),
+               "patient.tetrahedra": wanted(int(row["elements"]), [500, 1000, 1500, 2000, 3000, 4500, 6000, 12000, 24000]),
                "step_ms": milliseconds(row["point"]), "cost": row["cpu_s_per_s"], "volume": row["removed_error"],
                "force": row["force_error"], "depth": row["depth_error"]}
 

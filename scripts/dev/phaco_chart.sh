@@ -59,7 +59,7 @@ set output "$picture"
 set multiplot layout 3,1
 set logscale xy
 set grid xtics ytics lc rgb "#dddddd"
-set xrange [0.07:9]
+set xrange [0.05:9]
 set key above maxrows 2
 set lmargin 11
 set rmargin 4

@@ -158,7 +158,7 @@ nlohmann::json row(const std::string& name, double step_s, const Stroke& stroke,
 nlohmann::json run_chart(const BenchOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     const Stroke finest = run_stroke(options.quick ? 1000 : 24000, options.quick ? 0.01 : 0.001, Advance::explicit_);
-    for (const int size : {500, 1000, 3000, 4500, 6000, 12000}) {
+    for (const int size : {500, 1000, 2000, 3000, 4500, 6000, 12000}) {
         for (const double step_s : {0.02, 0.01, 0.005, 0.002}) {
             if (!options.quick || (size == 1000 && step_s > 0.005)) {
                 rows.push_back(row("explicit", step_s, run_stroke(size, step_s, Advance::explicit_), finest));

@@ -20,11 +20,13 @@ std::array<int, 3> BoxGrid::cell_of(const Vec3& point) const {
 }
 
 void BoxGrid::fill(std::span<const Box> boxes) {
+    const auto middle = [](const Box& box) { return Vec3(0.5 * (box.low + box.high)); };
     Box all;
     double size = 0.0;
+    half_ = Vec3::Zero();
     for (const Box& box : boxes) {
-        all.low = all.low.cwiseMin(box.low);
-        all.high = all.high.cwiseMax(box.high);
+        all.add(middle(box), 0.0);
+        half_ = half_.cwiseMax(0.5 * (box.high - box.low));
         size += (box.high - box.low).maxCoeff();
     }
     low_ = all.low;
@@ -33,30 +35,20 @@ void BoxGrid::fill(std::span<const Box> boxes) {
         cells_[at(k)] = std::max(1, static_cast<int>((all.high[k] - all.low[k]) / size_) + 1);
     }
     offset_.assign(at(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
-    const auto each_cell = [this](const Box& box, const auto& take) {
-        const std::array<int, 3> first = cell_of(box.low);
-        const std::array<int, 3> last = cell_of(box.high);
-        for (int z = first[2]; z <= last[2]; ++z) {
-            for (int y = first[1]; y <= last[1]; ++y) {
-                for (int x = first[0]; x <= last[0]; ++x) {
-                    take(cell(x, y, z));
-                }
-            }
-        }
-    };
-    for (const Box& box : boxes) {
-        each_cell(box, [this](std::size_t cell) { ++offset_[cell + 1]; });
+    std::vector<std::size_t> in(boxes.size());
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        const std::array<int, 3> place = cell_of(middle(boxes[b]));
+        in[b] = cell(place[0], place[1], place[2]);
+        ++offset_[in[b] + 1];
     }
     for (std::size_t i = 1; i < offset_.size(); ++i) {
         offset_[i] += offset_[i - 1];
     }
-    boxes_.resize(at(offset_.back()));
+    boxes_.resize(boxes.size());
     std::vector<int> next(offset_.begin(), offset_.end() - 1);
     for (std::size_t b = 0; b < boxes.size(); ++b) {
-        each_cell(boxes[b], [&](std::size_t cell) { boxes_[at(next[cell]++)] = static_cast<int>(b); });
+        boxes_[at(next[in[b]]++)] = static_cast<int>(b);
     }
-    asked_.assign(boxes.size(), 0);
-    asking_ = 0;
 }
 
 }  // namespace rhexis

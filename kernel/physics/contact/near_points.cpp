@@ -123,17 +123,14 @@ ContactPoint make_point(int id, const std::array<int, 4>& tet, const std::array<
     return point;
 }
 
-}  // namespace
-
-void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
-                      std::span<const ToolReach> reaches, double dt, std::vector<NearPoint>& points) {
-    points.clear();
-    std::vector<Box> boxes(reaches.size());
-    std::transform(reaches.begin(), reaches.end(), boxes.begin(), box_of);
+/// Of the coarse tetrahedra first to last - 1.
+void find_in_range(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
+                   std::span<const ToolReach> reaches, std::span<const Box> boxes, double dt, int first, int last,
+                   std::vector<NearPoint>& points) {
     const int first_id = static_cast<int>(model.coarse.nodes.size() + model.fine.edges.size());
     std::vector<int> near;   // tools that come near the coarse tetrahedron
     std::vector<int> close;  // those of them that come near the fine one
-    for (int t = 0; t < static_cast<int>(model.coarse.tets.size()); ++t) {
+    for (int t = first; t < last; ++t) {
         if (state.present[t] == 0) {
             continue;
         }
@@ -171,6 +168,19 @@ void find_near_points(const SolidModel& model, const std::vector<double>& spacin
             }
         }
     }
+}
+
+}  // namespace
+
+void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
+                      std::span<const ToolReach> reaches, double dt, ThreadPool& pool, std::vector<NearPoint>& points) {
+    points.clear();
+    std::vector<Box> boxes(reaches.size());
+    std::transform(reaches.begin(), reaches.end(), boxes.begin(), box_of);
+    gather(pool, static_cast<int>(model.coarse.tets.size()), points,
+           [&](int first, int last, std::vector<NearPoint>& found) {
+               find_in_range(model, spacings, state, reaches, boxes, dt, first, last, found);
+           });
 }
 
 }  // namespace rhexis

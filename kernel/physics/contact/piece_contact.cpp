@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "mesh/nearest_place.hpp"
 #include "physics/contact/box_grid.hpp"
@@ -14,6 +16,7 @@ namespace {
 constexpr double pair_reach = 0.35;   ///< pairs are sought this far, the size of a fine tetrahedron [mm]
 constexpr double facing = -0.2;       ///< cosine between normals above which surfaces do not face each other
 constexpr double most_beside = 0.05;  ///< a vertex farther beside a triangle is not before it [mm]
+constexpr double farthest = pair_reach + most_beside;  ///< that a triangle which a vertex meets lies from it [mm]
 
 /// A triangle of the surface where the nodes are now.
 struct Face {
@@ -86,9 +89,80 @@ ContactPoint foot_of(const ContactSurface& surface, const Meeting& meeting) {
     return foot;
 }
 
+/// Where points lie that may meet a triangle: most that are asked for do not, and this is all that is read for them.
+struct Reach {
+    Vec3 centre = Vec3::Zero();
+    double square = 0.0;  ///< of the radius [mm^2]
+
+    [[nodiscard]] bool holds(const Vec3& point) const { return (point - centre).squaredNorm() <= square; }
+};
+
+Reach reach_of(const Face& face) {
+    const auto& [a, b, c] = face.corners;
+    Reach reach;
+    reach.centre = (a + b + c) / 3.0;
+    const double square = std::max(
+        {(a - reach.centre).squaredNorm(), (b - reach.centre).squaredNorm(), (c - reach.centre).squaredNorm()});
+    reach.square = (std::sqrt(square) + farthest) * (std::sqrt(square) + farthest);
+    return reach;
+}
+
+/// The triangles of one piece.
+struct Piece {
+    int id = 0;
+    Box box;
+    std::vector<int> faces;
+    std::vector<Reach> reaches;  ///< of each
+    BoxGrid grid;                ///< by place in `faces`
+};
+
+std::vector<Piece> pieces_of(const std::vector<Face>& faces) {
+    std::vector<int> order(faces.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return faces[a].piece < faces[b].piece; });
+    std::vector<Piece> pieces;
+    std::vector<Box> boxes;
+    for (auto first = order.begin(); first != order.end();) {
+        const int id = faces[*first].piece;
+        const auto last = std::find_if(first, order.end(), [&](int f) { return faces[f].piece != id; });
+        Piece& piece = pieces.emplace_back();
+        piece.id = id;
+        piece.faces.assign(first, last);
+        boxes.assign(piece.faces.size(), Box{});
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            for (const Vec3& corner : faces[piece.faces[i]].corners) {
+                boxes[i].add(corner, 0.0);
+                piece.box.add(corner, farthest);
+            }
+        }
+        piece.grid.fill(boxes);
+        std::transform(first, last, std::back_inserter(piece.reaches), [&](int f) { return reach_of(faces[f]); });
+        first = last;
+    }
+    return pieces;
+}
+
+/// What a vertex meets of the pieces that are not its own.
+Meeting meet_others(const std::vector<Piece>& pieces, const std::vector<Face>& faces, int own, const Vec3& point,
+                    const Vec3& normal) {
+    Meeting best;
+    for (const Piece& piece : pieces) {
+        if (piece.id != own && piece.box.holds(point)) {
+            piece.grid.near(point, farthest, [&](int i) {
+                const std::size_t place = static_cast<std::size_t>(i);
+                if (piece.reaches[place].holds(point)) {
+                    meet(faces[piece.faces[place]], piece.faces[place], point, normal, best);
+                }
+            });
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
-void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& nodes, std::vector<PiecePair>& pairs) {
+void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& nodes, ThreadPool& pool,
+                      std::vector<PiecePair>& pairs) {
     pairs.clear();
     if (!surface.in_pieces()) {
         return;
@@ -102,28 +176,18 @@ void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& no
     std::vector<Vec3> normals;
     surface.normals(nodes, normals);
     const std::vector<Face> faces = faces_of(surface, points);
-    std::vector<Box> boxes(faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        for (const Vec3& corner : faces[f].corners) {
-            boxes[f].add(corner, 0.0);
-        }
-    }
-    BoxGrid grid;
-    grid.fill(boxes);
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-        if (vertices[v].between) {  // its two nodes are there for it
-            continue;
-        }
-        Meeting best;
-        grid.near(points[v], pair_reach, [&](int f) {
-            if (faces[f].piece != vertices[v].piece) {
-                meet(faces[f], f, points[v], normals[v], best);
+    const std::vector<Piece> pieces = pieces_of(faces);
+    gather(pool, static_cast<int>(vertices.size()), pairs, [&](int first, int last, std::vector<PiecePair>& found) {
+        for (int v = first; v < last; ++v) {
+            if (vertices[v].between) {  // its two nodes are there for it
+                continue;
             }
-        });
-        if (best.face >= 0) {
-            pairs.push_back({contact_point(vertices[v]), foot_of(surface, best), faces[best.face].normal});
+            const Meeting best = meet_others(pieces, faces, vertices[v].piece, points[v], normals[v]);
+            if (best.face >= 0) {
+                found.push_back({contact_point(vertices[v]), foot_of(surface, best), faces[best.face].normal});
+            }
         }
-    }
+    });
 }
 
 }  // namespace rhexis

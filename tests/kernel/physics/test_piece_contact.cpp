@@ -37,7 +37,8 @@ std::vector<PiecePair> pairs_of(const TetMesh& mesh) {
     ContactSurface surface(world.solids[0]);
     surface.update(world.solids[0], state.solids[0]);
     std::vector<PiecePair> pairs;
-    find_piece_pairs(surface, state.solids[0].position, pairs);
+    ThreadPool pool(1);
+    find_piece_pairs(surface, state.solids[0].position, pool, pairs);
     return pairs;
 }
 
