@@ -2,7 +2,8 @@
 #include "base/threads.hpp"
 
 #include <atomic>
-#include <cstdint>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -10,57 +11,40 @@
 
 namespace rhexis {
 
-namespace {
-
-constexpr std::uint32_t closed = 0xffffffffU;
-
-std::uint32_t round_of(std::uint64_t ticket) { return static_cast<std::uint32_t>(ticket >> 32U); }
-std::uint32_t chunk_of(std::uint64_t ticket) { return static_cast<std::uint32_t>(ticket); }
-std::uint64_t ticket_of(std::uint32_t round, std::uint32_t chunk) {
-    return (static_cast<std::uint64_t>(round) << 32U) | chunk;
-}
-
-}  // namespace
-
-// To wake a thread takes as long as some of the work does. So the caller waits for chunks that were begun, never for a
-// helper that has yet to wake up: that one finds the round over.
 struct ThreadPool::Shared {
-    std::atomic<std::uint64_t> next{ticket_of(0, closed)};  ///< to be taken: a chunk of a round that is over cannot be
-    std::atomic<const std::function<void(int)>*> work{nullptr};
-    std::atomic<std::uint32_t> chunks{0};
-    std::atomic<std::uint32_t> done{0};
-    std::atomic<std::uint32_t> round{0};  ///< to sleep on
-    std::atomic<bool> stop{false};
+    std::mutex mutex;
+    std::condition_variable wake;
+    std::condition_variable done;
+    const std::function<void(int)>* work = nullptr;
+    int chunks = 0;
+    std::atomic<int> next{0};
+    int busy = 0;
+    unsigned long round = 0;
+    bool stop = false;
     std::vector<std::thread> helpers;
 
     void drain() {
-        std::uint64_t ticket = next.load();
-        while (true) {
-            // What is read here belongs to the ticket if that can still be taken: a round is closed before the next
-            // one's work is written.
-            const std::function<void(int)>* const task = work.load();
-            if (chunk_of(ticket) >= chunks.load()) {
-                return;
-            }
-            if (next.compare_exchange_weak(ticket, ticket + 1)) {
-                (*task)(static_cast<int>(chunk_of(ticket)));
-                done.fetch_add(1);
-                ticket = next.load();
-            }
+        for (int chunk = next.fetch_add(1); chunk < chunks; chunk = next.fetch_add(1)) {
+            (*work)(chunk);
         }
     }
 
     void help() {
-        while (!stop.load()) {
-            const std::uint32_t seen = round.load();
+        unsigned long seen = 0;
+        std::unique_lock lock(mutex);
+        while (true) {
+            wake.wait(lock, [&] { return stop || round != seen; });
+            if (stop) {
+                return;
+            }
+            seen = round;
+            lock.unlock();
             drain();
-            round.wait(seen);
+            lock.lock();
+            if (--busy == 0) {
+                done.notify_one();
+            }
         }
-    }
-
-    void begin_round() {
-        round.fetch_add(1);
-        round.notify_all();
     }
 };
 
@@ -72,8 +56,11 @@ ThreadPool::ThreadPool(int threads) : shared_(std::make_unique<Shared>()) {
 }
 
 ThreadPool::~ThreadPool() {
-    shared_->stop = true;
-    shared_->begin_round();
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->stop = true;
+    }
+    shared_->wake.notify_all();
     for (std::thread& helper : shared_->helpers) {
         helper.join();
     }
@@ -88,17 +75,17 @@ void ThreadPool::for_each_chunk(int chunks, const std::function<void(int)>& work
         }
         return;
     }
-    const std::uint32_t round = round_of(shared_->next.load());
-    shared_->next = ticket_of(round, closed);
+    std::unique_lock lock(shared_->mutex);
     shared_->work = &work;
-    shared_->chunks = static_cast<std::uint32_t>(chunks);
-    shared_->done = 0;
-    shared_->next = ticket_of(round + 1, 0);
-    shared_->begin_round();
+    shared_->chunks = chunks;
+    shared_->next = 0;
+    shared_->busy = static_cast<int>(shared_->helpers.size());
+    ++shared_->round;
+    lock.unlock();
+    shared_->wake.notify_all();
     shared_->drain();
-    while (shared_->done.load() < static_cast<std::uint32_t>(chunks)) {
-        std::this_thread::yield();
-    }
+    lock.lock();
+    shared_->done.wait(lock, [this] { return shared_->busy == 0; });
 }
 
 }  // namespace rhexis

@@ -17,7 +17,7 @@ public:
     void fill(std::span<const Box> boxes);
 
     /// Calls take(box) once for each that comes within `reach` of a place, and for others near by, in no order that
-    /// means anything. Several threads may ask at a time.
+    /// means anything.
     template <class Take>
     void near(const Vec3& place, double reach, const Take& take) const {
         const Vec3 around = half_ + Vec3::Constant(reach);

@@ -193,30 +193,18 @@ void set_adhesion(const WorldModel& model, const WorldState& state, const Contac
     }
 }
 
-/// What the candidates of one solid are sought with.
-struct Search {
-    const WorldModel& world;
-    int solid = 0;
-    const WorldState& state;
-    std::span<const ToolState> tools;
-    double dt = 0.0;  ///< [s]
-    const ContactSurface& surface;
-    ThreadPool& pool;
-    std::vector<Partner> partners;
-
-    [[nodiscard]] const std::vector<Vec3>& nodes() const { return state.solids[solid].position; }
-};
-
 /// Candidates of material points with the tools that come near; `box` is around the solid.
-void add_points(const Search& search, const Box& box, ContactCandidates& candidates) {
+void add_points(const WorldModel& world, int solid, const ContactSurface& surface, const WorldState& state,
+                std::span<const ToolState> tools, double dt, const std::vector<Partner>& partners, const Box& box,
+                ContactCandidates& candidates) {
     std::vector<ToolReach> reaches;
     std::vector<const Partner*> of_reach;
-    for (const Partner& partner : search.partners) {
+    for (const Partner& partner : partners) {
         if (partner.kind == ContactPartner::tool) {
-            const ToolModel& tool = search.world.tools[partner.index];
-            const double travelled = travel_near(tool, search.tools[partner.index], box);
+            const ToolModel& tool = world.tools[partner.index];
+            const double travelled = travel_near(tool, tools[partner.index], box);
             ToolReach reach{&tool, partner.pose, travelled + point_margin};
-            if (search.state.tips[partner.index].hold > 0.0) {
+            if (state.tips[partner.index].hold > 0.0) {
                 reach.mouth = tip_mouth(tool).centre;
                 reach.mouth_radius = tool.bore_radius + seal + kept_seal + travelled;
                 reach.mouth_margin = travelled + kept_seal;
@@ -226,14 +214,13 @@ void add_points(const Search& search, const Box& box, ContactCandidates& candida
         }
     }
     std::vector<NearPoint> points;
-    find_near_points(search.world.solids[search.solid], search.surface.point_spacings(),
-                     search.state.solids[search.solid], reaches, search.dt, search.pool, points);
+    find_near_points(world.solids[solid], surface.point_spacings(), state.solids[solid], reaches, dt, points);
     for (const NearPoint& near : points) {
         const Partner& partner = *of_reach[static_cast<std::size_t>(near.reach)];
-        const Vec3 point = point_of(near.at, search.nodes());
+        const Vec3 point = point_of(near.at, state.solids[solid].position);
         ContactCandidate candidate = candidate_of(near.at, partner, resolved_by_points * near.at.size);
-        const SurfaceDistance start = measure_gap(search.world, candidate, partner.pose, point);
-        begin(search.state, search.solid, partner.pose.to_body(point), start, candidate);
+        const SurfaceDistance start = measure_gap(world, candidate, partner.pose, point);
+        begin(state, solid, partner.pose.to_body(point), start, candidate);
         candidates.push_back(candidate);
     }
 }
@@ -251,48 +238,6 @@ double wall_reach(const WorldState& state) {
 /// Behind a hole there is no wall to touch.
 bool over_hole(const WorldState& state, ContactPartner partner, const Vec3& local) {
     return partner == ContactPartner::bag && state.capsule && within_hole(*state.capsule, local);
-}
-
-/// Whether a vertex comes near a partner within the step; if so, `candidate` is what it may become.
-bool comes_near(const Search& search, const SurfaceVertex& vertex, const Partner& partner, double wall,
-                ContactCandidate& candidate) {
-    const Vec3 point = point_of(vertex, search.nodes());
-    candidate = candidate_of(contact_point(vertex), partner, resolved * vertex.size);
-    candidate.approach.wall = wall;
-    SurfaceDistance start = measure_gap(search.world, candidate, partner.pose, point);
-    candidate.approach.outside = left_bag(partner, point, start);
-    if (candidate.approach.outside) {
-        start = measure_gap(search.world, candidate, partner.pose, point);
-    }
-    const Vec3 local = partner.pose.to_body(point);
-    if ((partner.kind != ContactPartner::tool && start.distance > partner.margin) ||
-        over_hole(search.state, partner.kind, local)) {
-        return false;
-    }
-    begin(search.state, search.solid, local, start, candidate);
-    return true;
-}
-
-/// Candidates of vertices: with walls, and with tools where points do not stand for them.
-void add_vertices(const Search& search, bool by_points, ContactCandidates& candidates) {
-    const double wall = wall_reach(search.state);
-    const std::vector<SurfaceVertex>& vertices = search.surface.vertices();
-    gather(search.pool, static_cast<int>(vertices.size()), candidates,
-           [&](int first, int last, ContactCandidates& found) {
-               ContactCandidate candidate;
-               for (int v = first; v < last; ++v) {
-                   for (const Partner& partner : search.partners) {
-                       // Inside a convex wall, the middle of two points is inside if they are.
-                       const bool passed_over =
-                           partner.kind == ContactPartner::tool
-                               ? by_points || !partner.box.holds(point_of(vertices[v], search.nodes()))
-                               : vertices[v].between;
-                       if (!passed_over && comes_near(search, vertices[v], partner, wall, candidate)) {
-                           found.push_back(candidate);
-                       }
-                   }
-               }
-           });
 }
 
 }  // namespace
@@ -337,21 +282,48 @@ bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec
 }
 
 void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
-                     double dt, const ContactSurface& surface, ThreadPool& pool, ContactCandidates& candidates) {
+                     double dt, const ContactSurface& surface, ContactCandidates& candidates) {
     candidates.clear();
-    Search search{model, solid, state, tools, dt, surface, pool, {}};
+    const std::vector<Vec3>& nodes = state.solids[solid].position;
     Box box;
     double largest = 0.0;
     for (const SurfaceVertex& vertex : surface.vertices()) {
-        box.add(point_of(vertex, search.nodes()), 0.0);
+        box.add(point_of(vertex, nodes), 0.0);
         largest = std::max(largest, vertex.size);
     }
     const double moved = 2.0 * longest(state.solids[solid].velocity) * dt;
-    search.partners = partners_of(model, state, tools, moved, resolved * largest, box);
+    const std::vector<Partner> partners = partners_of(model, state, tools, moved, resolved * largest, box);
+    const double wall = wall_reach(state);
     const bool by_points = model.solids[solid].by_points && !model.solids[solid].fine.tets.empty();
-    add_vertices(search, by_points, candidates);
+    for (std::size_t v = 0; v < surface.vertices().size(); ++v) {
+        const SurfaceVertex& vertex = surface.vertices()[v];
+        const Vec3 point = point_of(vertex, nodes);
+        for (const Partner& partner : partners) {
+            const bool tool = partner.kind == ContactPartner::tool;
+            // Inside a convex wall, the middle of two points is inside if they are.
+            if (tool ? by_points || !partner.box.holds(point) : vertex.between) {
+                continue;
+            }
+            ContactCandidate candidate = candidate_of(contact_point(vertex), partner, resolved * vertex.size);
+            candidate.approach.wall = wall;
+            SurfaceDistance start = measure_gap(model, candidate, partner.pose, point);
+            candidate.approach.outside = left_bag(partner, point, start);
+            if (candidate.approach.outside) {
+                start = measure_gap(model, candidate, partner.pose, point);
+            }
+            if (!tool && start.distance > partner.margin) {
+                continue;
+            }
+            const Vec3 local = partner.pose.to_body(point);
+            if (over_hole(state, partner.kind, local)) {
+                continue;
+            }
+            begin(state, solid, local, start, candidate);
+            candidates.push_back(candidate);
+        }
+    }
     if (by_points) {
-        add_points(search, box, candidates);
+        add_points(model, solid, surface, state, tools, dt, partners, box, candidates);
     }
     share_suction(model, state, tools, candidates);
     set_adhesion(model, state, surface, candidates);

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/threads.hpp"
 #include "flow/contact.hpp"
 #include "flow/world.hpp"
 #include "physics/contact/contact_point.hpp"
@@ -63,7 +62,7 @@ bool surely_apart(const ContactCandidate& candidate, const Pose& pose, const Vec
 
 /// All candidates of one solid for one step, ordered by (vertex, partner, index); anchors come from state.memory.
 void find_candidates(const WorldModel& model, int solid, const WorldState& state, std::span<const ToolState> tools,
-                     double dt, const ContactSurface& surface, ThreadPool& pool, ContactCandidates& candidates);
+                     double dt, const ContactSurface& surface, ContactCandidates& candidates);
 
 /// The springs that stand for contact in an implicit step of dt [s] of a body of that mass [g].
 void set_springs(double dt, double mass, ContactCandidates& candidates);

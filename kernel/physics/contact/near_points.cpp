@@ -123,14 +123,17 @@ ContactPoint make_point(int id, const std::array<int, 4>& tet, const std::array<
     return point;
 }
 
-/// Of the coarse tetrahedra first to last - 1.
-void find_in_range(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
-                   std::span<const ToolReach> reaches, std::span<const Box> boxes, double dt, int first, int last,
-                   std::vector<NearPoint>& points) {
+}  // namespace
+
+void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
+                      std::span<const ToolReach> reaches, double dt, std::vector<NearPoint>& points) {
+    points.clear();
+    std::vector<Box> boxes(reaches.size());
+    std::transform(reaches.begin(), reaches.end(), boxes.begin(), box_of);
     const int first_id = static_cast<int>(model.coarse.nodes.size() + model.fine.edges.size());
     std::vector<int> near;   // tools that come near the coarse tetrahedron
     std::vector<int> close;  // those of them that come near the fine one
-    for (int t = first; t < last; ++t) {
+    for (int t = 0; t < static_cast<int>(model.coarse.tets.size()); ++t) {
         if (state.present[t] == 0) {
             continue;
         }
@@ -168,19 +171,6 @@ void find_in_range(const SolidModel& model, const std::vector<double>& spacings,
             }
         }
     }
-}
-
-}  // namespace
-
-void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
-                      std::span<const ToolReach> reaches, double dt, ThreadPool& pool, std::vector<NearPoint>& points) {
-    points.clear();
-    std::vector<Box> boxes(reaches.size());
-    std::transform(reaches.begin(), reaches.end(), boxes.begin(), box_of);
-    gather(pool, static_cast<int>(model.coarse.tets.size()), points,
-           [&](int first, int last, std::vector<NearPoint>& found) {
-               find_in_range(model, spacings, state, reaches, boxes, dt, first, last, found);
-           });
 }
 
 }  // namespace rhexis

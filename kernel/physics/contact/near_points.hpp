@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "base/threads.hpp"
 #include "flow/solid.hpp"
 #include "flow/tool.hpp"
 #include "physics/contact/contact_point.hpp"
@@ -38,6 +37,6 @@ inline constexpr double resolved_by_points = 0.38;
 /// Ordered by (point, tool). spacings: how far the points of each coarse tetrahedron lie apart (ContactSurface keeps
 /// them) [mm]; dt [s]: the step, in which tissue moves too.
 void find_near_points(const SolidModel& model, const std::vector<double>& spacings, const SolidState& state,
-                      std::span<const ToolReach> reaches, double dt, ThreadPool& pool, std::vector<NearPoint>& points);
+                      std::span<const ToolReach> reaches, double dt, std::vector<NearPoint>& points);
 
 }  // namespace rhexis

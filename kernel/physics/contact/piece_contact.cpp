@@ -161,8 +161,7 @@ Meeting meet_others(const std::vector<Piece>& pieces, const std::vector<Face>& f
 
 }  // namespace
 
-void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& nodes, ThreadPool& pool,
-                      std::vector<PiecePair>& pairs) {
+void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& nodes, std::vector<PiecePair>& pairs) {
     pairs.clear();
     if (!surface.in_pieces()) {
         return;
@@ -177,17 +176,15 @@ void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& no
     surface.normals(nodes, normals);
     const std::vector<Face> faces = faces_of(surface, points);
     const std::vector<Piece> pieces = pieces_of(faces);
-    gather(pool, static_cast<int>(vertices.size()), pairs, [&](int first, int last, std::vector<PiecePair>& found) {
-        for (int v = first; v < last; ++v) {
-            if (vertices[v].between) {  // its two nodes are there for it
-                continue;
-            }
-            const Meeting best = meet_others(pieces, faces, vertices[v].piece, points[v], normals[v]);
-            if (best.face >= 0) {
-                found.push_back({contact_point(vertices[v]), foot_of(surface, best), faces[best.face].normal});
-            }
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        if (vertices[v].between) {  // its two nodes are there for it
+            continue;
         }
-    });
+        const Meeting best = meet_others(pieces, faces, vertices[v].piece, points[v], normals[v]);
+        if (best.face >= 0) {
+            pairs.push_back({contact_point(vertices[v]), foot_of(surface, best), faces[best.face].normal});
+        }
+    }
 }
 
 }  // namespace rhexis

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "base/threads.hpp"
 #include "flow/solid.hpp"
 #include "physics/contact/contact_point.hpp"
 #include "physics/contact/contact_surface.hpp"
@@ -20,8 +19,7 @@ struct PiecePair {
 };
 
 /// Pairs of all pieces with all others, by vertex; none while the body is in one piece.
-void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& nodes, ThreadPool& pool,
-                      std::vector<PiecePair>& pairs);
+void find_piece_pairs(const ContactSurface& surface, const std::vector<Vec3>& nodes, std::vector<PiecePair>& pairs);
 
 /// Coulomb coefficient of lens tissue against itself. Proposal.
 inline constexpr double piece_friction = 0.2;

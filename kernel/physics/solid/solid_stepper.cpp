@@ -207,8 +207,8 @@ void SolidStepper::drop_caches() {
 
 void SolidStepper::look_for_contacts(const StepTask& task) {
     surface_.update(*solid_model_, task.state.solids[solid_]);
-    find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, *pool_, candidates_);
-    find_piece_pairs(surface_, task.state.solids[solid_].position, *pool_, pairs_);
+    find_candidates(task.model, solid_, task.state, task.tools, task.dt, surface_, candidates_);
+    find_piece_pairs(surface_, task.state.solids[solid_].position, pairs_);
     if (solid_ == 0) {
         find_grips(task.model, task.state, task.tools, task.probes, grips_);
     }

@@ -154,9 +154,7 @@ TEST_SUITE("material points") {
         const double margin = 0.08;
         const std::vector<ToolReach> reaches{{&bench.model->tools[0], bench.tools[0].pose, margin}};
         std::vector<NearPoint> found;
-        ThreadPool pool(1);
-        find_near_points(bench.solid(), ContactSurface(bench.solid()).point_spacings(), solid, reaches, 0.01, pool,
-                         found);
+        find_near_points(bench.solid(), ContactSurface(bench.solid()).point_spacings(), solid, reaches, 0.01, found);
         std::set<int> ids;
         for (const NearPoint& near : found) {
             ids.insert(near.at.id);

@@ -37,8 +37,7 @@ std::vector<PiecePair> pairs_of(const TetMesh& mesh) {
     ContactSurface surface(world.solids[0]);
     surface.update(world.solids[0], state.solids[0]);
     std::vector<PiecePair> pairs;
-    ThreadPool pool(1);
-    find_piece_pairs(surface, state.solids[0].position, pool, pairs);
+    find_piece_pairs(surface, state.solids[0].position, pairs);
     return pairs;
 }
 
